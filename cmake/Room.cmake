@@ -1,0 +1,29 @@
+# armtune_room(NAME): one static library per room, with every .cpp below its folder, our warnings as errors.
+# Dependencies point one way: core <- sim <- tuner.
+
+add_library(armtune_options INTERFACE)
+target_compile_options(armtune_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  # g++ 12 warns of overlapping copies inside its own std::string (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+if(ARMTUNE_SANITIZE)
+  target_compile_options(armtune_options INTERFACE
+    -fsanitize=${ARMTUNE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-error=maybe-uninitialized)
+  target_link_options(armtune_options INTERFACE -fsanitize=${ARMTUNE_SANITIZE})
+endif()
+if(ARMTUNE_COVERAGE)
+  target_compile_options(armtune_options INTERFACE --coverage)
+  target_link_options(armtune_options INTERFACE --coverage)
+endif()
+
+function(armtune_room NAME)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  add_library(armtune_${NAME} STATIC ${sources})
+  add_library(armtune::${NAME} ALIAS armtune_${NAME})
+  set_target_properties(armtune_${NAME} PROPERTIES EXPORT_NAME ${NAME})
+  target_include_directories(armtune_${NAME} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/armtune>)
+  target_compile_features(armtune_${NAME} PUBLIC cxx_std_20)
+  target_link_libraries(armtune_${NAME} PRIVATE $<BUILD_INTERFACE:armtune_options>)
+endfunction()

@@ -1,0 +1,128 @@
+#include "core/control/gain_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+std::vector<GainField> make_fields() {
+  const double low = 1.0 / 6.0;
+  const double high = 6.0;
+  return {
+      {"joint_space_gains_p", "1/s", "Kp of the joint space law that leaves the start pose, per joint",
+       &Gains::joint_space_gains_p},
+      {"joint_space_gains_d", "N m s/rad", "Kd of the joint space law, per joint",
+       &Gains::joint_space_gains_d},
+      {"task_space_gains_p", "1/s", "Kp of the Cartesian law: x y z, then rotation about x y z",
+       &Gains::task_space_gains_p, true, false, low, high},
+      {"task_space_gains_i", "1/s^2", "Ki of the Cartesian law, same order", &Gains::task_space_gains_i, true,
+       false, 0.01, 100.0},
+      {"task_space_gains_d", "N m s/rad", "Kd on the joint space error S, per joint",
+       &Gains::task_space_gains_d, true, false, low, high},
+      {"force_control_gains", "N", "repulsive force of an obstacle at zero distance, per joint origin",
+       &Gains::force_control_gains},
+      {"obstacleInfluenceRadius", "m", "an obstacle repels joint origins closer than this",
+       &Gains::obstacleInfluenceRadius, true, true},
+      {"joint_space_goal", "deg", "joint angles at the end of leaveSingularity (metres for prismatic joints)",
+       &Gains::joint_space_goal},
+      {"joint_trajectory_duration", "s", "time from the start pose to joint_space_goal",
+       &Gains::joint_trajectory_duration, true, true},
+      {"trajectoryDurationErrorGain", "s/m", "time a return to the path takes per metre of distance",
+       &Gains::trajectoryDurationErrorGain, true, true, low, 3.0},
+      {"slerpDurationErrorGain", "s/rad", "time a turn to a target takes per radian of angle",
+       &Gains::slerpDurationErrorGain, true, true, 0.1, 3.0},
+      {"slerpAngularErrorThreshold", "rad",
+       "gaze errors above this are interpolated, below it tracked directly",
+       &Gains::slerpAngularErrorThreshold, true, true},
+      {"interpolation_gain_scale", "1",
+       "factor on Kp of the rotations and Kd of the last three joints in a slerp",
+       &Gains::interpolation_gain_scale, false},
+      {"adaptation_gain", "1", "gamma of theta <- theta - gamma Y^T S dt", &Gains::adaptation_gain, false},
+      {"manipulability_threshold", "m^3", "below this manipulability the damped inverse takes over",
+       &Gains::manipulability_threshold, false},
+      {"manipulability_damping", "m^2", "psi of the damped inverse J^T (J J^T + psi I)^-1",
+       &Gains::manipulability_damping, false, true},
+      {"slerp_start", "1", "interpolation parameter at the start of a slerp (the released code: 0.2)",
+       &Gains::slerp_start, false},
+      {"release_radius", "m", "avoidance ends when every joint is this far away; 0: obstacleInfluenceRadius",
+       &Gains::release_radius, false},
+      {"slerp_reference", "", "a slerp runs from the orientation at its 'start' or from the 'current' one",
+       &Gains::slerp_reference, false},
+      {"adapt_while_avoiding", "", "whether theta adapts in avoidObstacles", &Gains::adapt_while_avoiding,
+       false},
+  };
+}
+
+template <typename G>
+auto numbers_of(G& gains, const GainField& field) {
+  using Number = std::conditional_t<std::is_const_v<G>, const double, double>;
+  return std::visit(
+      [&gains](auto member) -> std::span<Number> {
+        using Value = std::remove_cvref_t<decltype(gains.*member)>;
+        if constexpr (std::is_same_v<Value, double>) {
+          return {&(gains.*member), 1};
+        } else if constexpr (std::is_same_v<Value, Vec6> || std::is_same_v<Value, JointVector>) {
+          return {(gains.*member).data(), static_cast<std::size_t>((gains.*member).size())};
+        } else {
+          return {};
+        }
+      },
+      field.member);
+}
+
+}  // namespace
+
+const std::vector<GainField>& gain_fields() {
+  static const std::vector<GainField> fields = make_fields();
+  return fields;
+}
+
+std::span<double> numbers(Gains& gains, const GainField& field) {
+  return numbers_of(gains, field);
+}
+std::span<const double> numbers(const Gains& gains, const GainField& field) {
+  return numbers_of(gains, field);
+}
+
+std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints) {
+  if (std::holds_alternative<Vec6 Gains::*>(field.member)) return {"x", "y", "z", "rx", "ry", "rz"};
+  if (std::holds_alternative<JointVector Gains::*>(field.member)) return joints;
+  return {""};
+}
+
+void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source) {
+  for (const GainField& field : gain_fields()) {
+    const auto values = numbers(gains, field);
+    const auto names = component_names(field, joints);
+    if (field.is_number() && values.size() != names.size()) {
+      throw InputError(fmt::format("{}: {} has {} values, the arm needs {}: {}", source, field.name,
+                                   values.size(), names.size(), fmt::join(names, " ")));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool any_sign = std::strcmp(field.name, "joint_space_goal") == 0;
+      const double v = values[i];
+      if (!std::isfinite(v) || (!any_sign && (v < 0.0 || (field.strictly_positive && v == 0.0)))) {
+        throw InputError(fmt::format("{}: {}{}{} is {}; it must be finite and {}", source, field.name,
+                                     names[i].empty() ? "" : "/", names[i], v,
+                                     field.strictly_positive ? "above zero" : "not negative"));
+      }
+    }
+  }
+  if (gains.slerp_start >= 1.0) {
+    throw InputError(fmt::format("{}: slerp_start is {}; it must be below 1, the end of the slerp", source,
+                                 gains.slerp_start));
+  }
+  if (gains.release_radius != 0.0 && gains.release_radius < gains.obstacleInfluenceRadius) {
+    throw InputError(
+        fmt::format("{}: release_radius is {} m; it must be 0 or at least "
+                    "obstacleInfluenceRadius = {} m",
+                    source, gains.release_radius, gains.obstacleInfluenceRadius));
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,36 @@
+#pragma once
+// Everything a person tunes in the controller, under the names of the published ROS parameters.
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+/// Where a slerp runs from: the orientation frozen at its start, or (the released code) the current one.
+enum class SlerpReference { kStart, kCurrent };
+
+/// Units and meaning of every field stand in core/control/gain_fields.cpp, the one declaration that files,
+/// help and search spaces are made from. Six-vectors are (x y z rx ry rz); joint vectors have n entries.
+struct Gains {
+  JointVector joint_space_gains_p;
+  JointVector joint_space_gains_d;
+  Vec6 task_space_gains_p = Vec6::Zero();
+  Vec6 task_space_gains_i = Vec6::Zero();
+  JointVector task_space_gains_d;
+  JointVector force_control_gains;
+  JointVector joint_space_goal;  ///< [deg], as published
+  double joint_trajectory_duration = 6.0;
+  double obstacleInfluenceRadius = 0.325;
+  double trajectoryDurationErrorGain = 7.0;
+  double slerpAngularErrorThreshold = 0.15;
+  double slerpDurationErrorGain = 2.5;
+  double interpolation_gain_scale = 0.7;
+  double adaptation_gain = 0.05;
+  double manipulability_threshold = 0.1;
+  double manipulability_damping = 0.05;
+  double slerp_start = 0.0;
+  double release_radius = 0.0;
+  SlerpReference slerp_reference = SlerpReference::kStart;
+  bool adapt_while_avoiding = true;
+};
+
+}  // namespace armtune

@@ -1,0 +1,28 @@
+#pragma once
+// Joint space references of leaveSingularity: a quintic from the start pose to the goal, with
+//   qr' = qd' - Kp (q - qd),   qr'' = qd'' - Kp (q' - qd').
+
+#include "core/common/types.hpp"
+#include "core/trajectory/quintic.hpp"
+
+namespace armtune {
+
+struct JointReference {
+  JointVector velocity;      ///< qr' [rad/s]
+  JointVector acceleration;  ///< qr'' [rad/s^2]
+};
+
+/// qd, qd', qd'' at t on the rest-to-rest quintic between two joint configurations (n each).
+inline MotionPoint<JointVector> joint_trajectory(const JointVector& start, const JointVector& goal,
+                                                 double duration, double t) {
+  const MotionPoint<double> s = rest_to_rest(0.0, 1.0, duration).at(t);
+  return {start + s.position * (goal - start), s.velocity * (goal - start), s.acceleration * (goal - start)};
+}
+
+inline void joint_space_references(const MotionPoint<JointVector>& desired, const JointVector& Kp,
+                                   const JointVector& q, const JointVector& qd, JointReference& reference) {
+  reference.velocity = desired.velocity - Kp.cwiseProduct(q - desired.position);
+  reference.acceleration = desired.acceleration - Kp.cwiseProduct(qd - desired.velocity);
+}
+
+}  // namespace armtune

@@ -1,0 +1,41 @@
+#pragma once
+// A serial chain as the kernels see it: geometry and inertia, nothing else. Scalar type T, so that the same
+// kernels can later run several arms at once.
+
+#include <array>
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+enum class JointMotion { kRevolute, kPrismatic };
+
+/// Inertia of one link about the origin of its body frame, in that frame.
+template <typename T>
+struct LinkInertiaT {
+  T mass = T(0);                             ///< [kg]
+  Vec3T<T> first_moment = Vec3T<T>::Zero();  ///< m c [kg m]
+  Mat3T<T> inertia = Mat3T<T>::Zero();       ///< about the body frame's origin [kg m^2]
+};
+using LinkInertia = LinkInertiaT<double>;
+
+/// Body frame B of every joint: origin on the joint's axis, z along the axis, so that a joint turns about, or
+/// slides along, its own z. `R_PB0`, `p_PB0`: pose of B in the previous body's frame P at q = 0 (the first P
+/// is the base frame 0).
+template <typename T>
+struct ChainT {
+  int n = 0;
+  std::array<JointMotion, kMaxJoints> motion{};
+  std::array<Mat3T<T>, kMaxJoints> R_PB0{};
+  std::array<Vec3T<T>, kMaxJoints> p_PB0{};
+  std::array<LinkInertiaT<T>, kMaxJoints> link{};
+  JointVectorT<T> rotor_inertia;         ///< D, reflected to the joint [kg m^2, kg]
+  JointVectorT<T> viscous_friction;      ///< [N m s/rad, N s/m]
+  JointVectorT<T> coulomb_friction;      ///< [N m, N]
+  Mat3T<T> R_BT = Mat3T<T>::Identity();  ///< tool frame in the last body frame
+  Vec3T<T> p_BT = Vec3T<T>::Zero();
+  Vec3T<T> gravity = Vec3T<T>(T(0), T(0), T(-9.81));  ///< in the base frame [m/s^2]
+};
+using Chain = ChainT<double>;
+
+}  // namespace armtune

@@ -1,0 +1,109 @@
+#pragma once
+// Forward kinematics of every joint, geometric Jacobian at the tool and its exact time derivative.
+// Siciliano et al., Robotics: Modelling, Planning and Control, chapters 2 and 3. Frame 0 is the base.
+
+#include <cmath>
+
+#include "core/robot/chain.hpp"
+
+namespace armtune {
+
+/// Poses at one configuration. Filled by `forward_kinematics`; read by everything that needs a pose, so that
+/// no pose is computed twice in a control period.
+template <typename T>
+struct PosesT {
+  int n = 0;
+  std::array<Mat3T<T>, kMaxJoints> R_PB{};  ///< body in the previous body
+  std::array<Vec3T<T>, kMaxJoints> p_PB{};
+  std::array<Mat3T<T>, kMaxJoints> R_0B{};  ///< body in the base
+  std::array<Vec3T<T>, kMaxJoints> p_0B{};  ///< joint origins in the base [m]
+  Mat3T<T> R_0T = Mat3T<T>::Identity();     ///< tool in the base
+  Vec3T<T> p_0T = Vec3T<T>::Zero();
+};
+using Poses = PosesT<double>;
+
+/// Poses of all bodies and of the tool at q (n) [rad, m].
+template <typename T>
+void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
+  using std::cos;
+  using std::sin;
+  poses.n = chain.n;
+  for (int i = 0; i < chain.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (chain.motion[k] == JointMotion::kRevolute) {
+      const T c = cos(q[i]);
+      const T s = sin(q[i]);
+      const Mat3T<T>& R = chain.R_PB0[k];
+      poses.R_PB[k].col(0) = R.col(0) * c + R.col(1) * s;
+      poses.R_PB[k].col(1) = R.col(1) * c - R.col(0) * s;
+      poses.R_PB[k].col(2) = R.col(2);
+      poses.p_PB[k] = chain.p_PB0[k];
+    } else {
+      poses.R_PB[k] = chain.R_PB0[k];
+      poses.p_PB[k] = chain.p_PB0[k] + chain.R_PB0[k].col(2) * q[i];
+    }
+    if (i == 0) {
+      poses.R_0B[k] = poses.R_PB[k];
+      poses.p_0B[k] = poses.p_PB[k];
+    } else {
+      poses.R_0B[k].noalias() = poses.R_0B[k - 1] * poses.R_PB[k];
+      poses.p_0B[k] = poses.p_0B[k - 1] + poses.R_0B[k - 1] * poses.p_PB[k];
+    }
+  }
+  const auto last = static_cast<std::size_t>(chain.n - 1);
+  poses.R_0T.noalias() = poses.R_0B[last] * chain.R_BT;
+  poses.p_0T = poses.p_0B[last] + poses.R_0B[last] * chain.p_BT;
+}
+
+/// Geometric Jacobian J (6 x n, linear rows first) of the point p (fixed in body `body`, given in the base
+/// frame). Columns of joints beyond the body are zero.
+template <typename T>
+void point_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, int body, const Vec3T<T>& p_0,
+                    JacobianT<T>& J) {
+  J.setZero(6, chain.n);
+  for (int i = 0; i <= body; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vec3T<T> z = poses.R_0B[k].col(2);
+    if (chain.motion[k] == JointMotion::kRevolute) {
+      J.col(i).template head<3>() = z.cross(p_0 - poses.p_0B[k]);
+      J.col(i).template tail<3>() = z;
+    } else {
+      J.col(i).template head<3>() = z;
+    }
+  }
+}
+
+/// J at the tool: (v_0T, w_0T) = J q'.
+template <typename T>
+void tool_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, JacobianT<T>& J) {
+  point_jacobian(chain, poses, chain.n - 1, poses.p_0T, J);
+}
+
+/// Exact J' (6 x n) along q': columns d/dt (z x (p_T - p_i), z) with z' = w x z.
+template <typename T>
+void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, const JacobianT<T>& J,
+                              const JointVectorT<T>& qd, JacobianT<T>& J_dot) {
+  J_dot.resize(6, chain.n);
+  const Vec3T<T> v_T = J.template topRows<3>() * qd;
+  Vec3T<T> w = Vec3T<T>::Zero();  // angular velocity of the body before joint i
+  Vec3T<T> v = Vec3T<T>::Zero();  // velocity of that body's origin
+  Vec3T<T> p = Vec3T<T>::Zero();  // that origin
+  for (int i = 0; i < chain.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vec3T<T> z = poses.R_0B[k].col(2);
+    const Vec3T<T> z_dot = w.cross(z);
+    v += w.cross(poses.p_0B[k] - p);
+    if (chain.motion[k] == JointMotion::kRevolute) {
+      J_dot.col(i).template head<3>() = z_dot.cross(poses.p_0T - poses.p_0B[k]) + z.cross(v_T - v);
+      J_dot.col(i).template tail<3>() = z_dot;
+      w += z * qd[i];
+    } else {
+      J_dot.col(i).template head<3>() = z_dot;
+      J_dot.col(i).template tail<3>().setZero();
+      v += z * qd[i];
+    }
+    p = poses.p_0B[k];
+  }
+}
+
+}  // namespace armtune

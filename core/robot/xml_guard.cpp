@@ -1,0 +1,149 @@
+#include "core/robot/xml_guard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr std::size_t kMaxBytes = 32u << 20;
+constexpr int kMaxDepth = 1'000;
+constexpr int kMaxLinks = 10'000;
+constexpr int kMaxAttributes = 1'000;  // of one tag: tinyxml searches all of them for every new one
+constexpr std::string_view kSpace = " \t\r\n";
+constexpr auto kEnd = std::string_view::npos;
+
+/// One pass over the tags, without recursion. It reads tags as tinyxml does: quotes are skipped inside tags,
+/// comments and CDATA end at their first end mark; a `<` inside a tag is refused, so that the two cannot
+/// disagree on where an element starts.
+class Scanner {
+ public:
+  Scanner(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+
+  void run() {
+    for (std::size_t at = text_.find('<'); at != kEnd; at = text_.find('<', at)) {
+      if (text_.substr(at).starts_with("<!--")) {
+        at = end_of(at, 4, "-->");
+      } else if (text_.substr(at).starts_with("<![CDATA[")) {
+        at = end_of(at, 9, "]]>");
+      } else {
+        at = tag(at);
+      }
+    }
+  }
+
+ private:
+  template <typename... Args>
+  [[noreturn]] void refuse(std::size_t at, fmt::format_string<Args...> text, Args&&... args) const {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    throw InputError(fmt::format("{}:{}: ", path_, line) + fmt::format(text, std::forward<Args>(args)...));
+  }
+
+  [[noreturn]] void refuse_xacro(std::size_t at, std::string_view found) const {
+    refuse(at,
+           "'{}': this is xacro, not URDF; expand it first: xacro FILE.urdf.xacro > FILE.urdf "
+           "(ROS 2: ros2 run xacro xacro FILE.urdf.xacro > FILE.urdf)",
+           found);
+  }
+
+  std::size_t end_of(std::size_t at, std::size_t opening, std::string_view mark) const {
+    const std::size_t end = text_.find(mark, at + opening);
+    if (end == kEnd) refuse(at, "'{}' without its '{}'", text_.substr(at, opening), mark);
+    return end + mark.size();
+  }
+
+  /// Reads the tag that opens at `at`; returns the position after its `>`.
+  std::size_t tag(std::size_t at) {
+    std::size_t end = at + 1;
+    int attributes = 0;
+    for (; end < text_.size() && text_[end] != '>'; ++end) {
+      if (text_[end] == '<') break;
+      if (text_[end] == '"' || text_[end] == '\'') end = attribute(at, end);
+      if (text_[end] == '%') refuse_format(end);
+      if (text_[end] == '=' && ++attributes > kMaxAttributes)
+        refuse(at, "a tag with more than {} attributes", kMaxAttributes);
+    }
+    if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag that is not closed by '>'");
+    const std::string_view body = text_.substr(at + 1, end - at - 1);
+    if (body.starts_with('/')) {
+      depth_ = std::max(0, depth_ - 1);
+    } else if (!body.starts_with('!') && !body.starts_with('?')) {
+      element(at, body);
+    }
+    return end + 1;
+  }
+
+  void element(std::size_t at, std::string_view body) {
+    const std::string_view name = body.substr(0, body.find_first_of(" \t\r\n/"));
+    if (name.starts_with("xacro:")) refuse_xacro(at, fmt::format("<{}>", name));
+    if (name == "link" && ++links_ > kMaxLinks)
+      refuse(at, "more than {} links; armtune needs a serial arm", kMaxLinks);
+    if (!body.ends_with('/') && ++depth_ > kMaxDepth)
+      refuse(at, "elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth);
+  }
+
+  /// Checks the attribute value that opens at `quote` in the tag at `at`; returns its closing quote.
+  std::size_t attribute(std::size_t at, std::size_t quote) const {
+    const std::size_t end = text_.find(text_[quote], quote + 1);
+    if (end == kEnd) refuse(quote, "an attribute without its closing quote");
+    const std::string_view value = text_.substr(quote + 1, end - quote - 1);
+    if (value.find('<') != kEnd)
+      refuse(quote, "'<' inside an attribute; is a quote missing? (else write &lt;)");
+    if (value.find("${") != kEnd || value.find("$(") != kEnd) refuse_xacro(quote, value);
+
+    std::string_view before = text_.substr(at, quote - at);
+    before = before.substr(0, before.find_last_not_of(" \t\r\n=") + 1);
+    const bool is_filename =
+        before.ends_with("filename") && before.size() > 8 && kSpace.find(before[before.size() - 9]) != kEnd;
+    if (!is_filename && (value.find('%') != kEnd || value.find("&#") != kEnd)) refuse_format(quote);
+    return end;
+  }
+
+  [[noreturn]] void refuse_format(std::size_t at) const {
+    // urdfdom 3.0 hands a number it cannot read to printf as its format: mass="%s%n" crashes it.
+    refuse(at, "'%' or a character reference '&#..;' in a tag; only the attribute 'filename' may hold one");
+  }
+
+  const std::string& path_;
+  std::string_view text_;
+  int depth_ = 0;
+  int links_ = 0;
+};
+
+std::string read_text(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(path + ": no such file; check the path");
+  if (std::filesystem::is_directory(status))
+    throw InputError(path + ": is a directory; name the URDF file in it");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": cannot be opened; check its permissions");
+  std::string text;
+  std::string block(1u << 16, '\0');
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kMaxBytes)
+      throw InputError(fmt::format("{}: is larger than {} MB; is it a URDF?", path, kMaxBytes >> 20));
+  }
+  if (text.empty()) throw InputError(path + ": is empty");
+  return text;
+}
+
+}  // namespace
+
+std::string read_guarded_urdf(const std::string& path) {
+  std::string text = read_text(path);
+  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
+    throw InputError(path + ": is UTF-16 or binary; save it as UTF-8");
+  Scanner(path, text).run();
+  return text;
+}
+
+}  // namespace armtune

@@ -1,0 +1,37 @@
+#pragma once
+// Gaze: the orientation that points the tool's z axis at a target with the shortest turn (equation 7); the
+// roll about z stays as it is.
+
+#include "core/trajectory/rotation.hpp"
+
+namespace armtune {
+
+/// Rotation vector [rad, base frame] of the shortest turn of tool z onto the line tool to target. If the
+/// target lies straight behind, the turn is about the tool's x axis; if it lies in the tool, there is none.
+inline Vec3 gaze_turn(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
+  const Vec3 line = p_0G - p_0T;
+  const double distance = line.norm();
+  if (!(distance > 0.0)) return Vec3::Zero();
+  const Vec3 u = line / distance;
+  const Vec3 z = R_0T.col(2);
+  const Vec3 axis = z.cross(u);
+  const double sine = axis.norm();
+  const double cosine = z.dot(u);
+  if (sine < 1e-12) return cosine > 0.0 ? axis : Vec3(R_0T.col(0) * M_PI);
+  return axis * (std::atan2(sine, cosine) / sine);
+}
+
+/// Angle between the tool's z axis and the line to the target [rad].
+inline double gaze_angle(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
+  return gaze_turn(R_0T, p_0T, p_0G).norm();
+}
+
+/// Angular velocity [rad/s] of the line tool to target: u x u', without roll.
+inline Vec3 gaze_line_rate(const Vec3& p_0T, const Vec3& v_0T, const Vec3& p_0G, const Vec3& v_0G) {
+  const Vec3 line = p_0G - p_0T;
+  const double squared = line.squaredNorm();
+  if (!(squared > 0.0)) return Vec3::Zero();
+  return line.cross(v_0G - v_0T) / squared;
+}
+
+}  // namespace armtune

@@ -1,0 +1,13 @@
+#pragma once
+// Position, velocity and acceleration at one instant, for scalars and Cartesian points alike.
+
+namespace armtune {
+
+template <typename V>
+struct MotionPoint {
+  V position{};
+  V velocity{};
+  V acceleration{};
+};
+
+}  // namespace armtune

@@ -1,0 +1,52 @@
+#pragma once
+// Quintic polynomial between position, velocity and acceleration at both ends.
+// Siciliano et al., Robotics: Modelling, Planning and Control, section 4.2.1.
+
+#include <algorithm>
+
+#include "core/trajectory/motion_point.hpp"
+
+namespace armtune {
+
+/// V: double or a fixed-size Eigen vector. Times in seconds from the polynomial's own start.
+template <typename V>
+class Quintic {
+ public:
+  /// duration > 0 [s].
+  Quintic(const MotionPoint<V>& start, const MotionPoint<V>& end, double duration)
+      : c0_(start.position), c1_(start.velocity), c2_(0.5 * start.acceleration), duration_(duration) {
+    const double T = duration;
+    // What the cubic-and-higher part must add to the parabola through the start, at the end.
+    const V p = end.position - (c0_ + T * (c1_ + T * c2_));
+    const V v = end.velocity - (c1_ + 2.0 * T * c2_);
+    const V a = end.acceleration - 2.0 * c2_;
+    const double T3 = T * T * T;
+    c3_ = (10.0 * p - 4.0 * T * v + 0.5 * T * T * a) / T3;
+    c4_ = (-15.0 * p + 7.0 * T * v - T * T * a) / (T3 * T);
+    c5_ = (6.0 * p - 3.0 * T * v + 0.5 * T * T * a) / (T3 * T * T);
+  }
+
+  double duration() const { return duration_; }
+
+  /// Motion at t [s]; before the start and after the end, that of the start and of the end.
+  MotionPoint<V> at(double t) const {
+    const double s = std::clamp(t, 0.0, duration_);
+    return {c0_ + s * (c1_ + s * (c2_ + s * (c3_ + s * (c4_ + s * c5_)))),
+            c1_ + s * (2.0 * c2_ + s * (3.0 * c3_ + s * (4.0 * c4_ + s * (5.0 * c5_)))),
+            2.0 * c2_ + s * (6.0 * c3_ + s * (12.0 * c4_ + s * (20.0 * c5_)))};
+  }
+
+ private:
+  V c0_, c1_, c2_, c3_, c4_, c5_;
+  double duration_;
+};
+
+/// A scalar that moves from `from` to `to` and rests at both ends.
+inline Quintic<double> rest_to_rest(double from, double to, double duration) {
+  return {MotionPoint<double>{from, 0.0, 0.0}, MotionPoint<double>{to, 0.0, 0.0}, duration};
+}
+
+/// No interpolation is made shorter than this [s]: a distance of zero would ask for no time at all.
+inline constexpr double kShortestInterpolation = 0.05;
+
+}  // namespace armtune

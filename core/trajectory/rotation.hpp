@@ -1,0 +1,33 @@
+#pragma once
+// Exponential and logarithm of rotations: rotation vector = axis times full angle, shortest turn.
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+/// Rotation by |phi| [rad] about phi.
+inline Eigen::Quaterniond rotation_exp(const Vec3& phi) {
+  const double angle = phi.norm();
+  // sin(angle/2)/angle, by its series where the quotient loses digits.
+  const double scale = angle < 1e-4 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
+  Eigen::Quaterniond q;
+  q.w() = std::cos(0.5 * angle);
+  q.vec() = scale * phi;
+  return q;
+}
+
+/// Rotation vector of a unit quaternion, |phi| <= pi (the sign of the quaternion does not matter).
+inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
+  const double sign = q.w() < 0.0 ? -1.0 : 1.0;
+  const Vec3 v = sign * q.vec();
+  const double s = v.norm();
+  const double w = sign * q.w();
+  // angle/sin(angle/2), by its series where the quotient loses digits.
+  const double scale = s < 1e-6 ? 2.0 / w : 2.0 * std::atan2(s, w) / s;
+  return scale * v;
+}
+
+}  // namespace armtune

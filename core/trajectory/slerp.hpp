@@ -1,0 +1,22 @@
+#pragma once
+// Spherical interpolation Q(s) = exp(s phi) Q_start with its angular velocity and acceleration.
+
+#include "core/trajectory/motion_point.hpp"
+#include "core/trajectory/rotation.hpp"
+
+namespace armtune {
+
+struct OrientationPoint {
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Vec3 angular_velocity = Vec3::Zero();      ///< base frame [rad/s]
+  Vec3 angular_acceleration = Vec3::Zero();  ///< base frame [rad/s^2]
+};
+
+/// phi: rotation vector from the start to the goal, base frame [rad]; s: interpolation parameter with its
+/// derivatives. The turn has one axis, so velocity and acceleration are s' phi and s'' phi.
+inline OrientationPoint slerp(const Eigen::Quaterniond& start, const Vec3& phi,
+                              const MotionPoint<double>& s) {
+  return {rotation_exp(s.position * phi) * start, s.velocity * phi, s.acceleration * phi};
+}
+
+}  // namespace armtune

@@ -1,0 +1,52 @@
+#include "sim/csv/text_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const char* what) {
+  throw InputError(fmt::format("{}: cannot {}: {}", path, what, std::strerror(errno)));
+}
+
+}  // namespace
+
+void write_text_file(const std::string& path, std::string_view text) {
+  const std::string partial = path + ".partial";
+  const int file = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) fail(partial, "write it");
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int reason = errno;
+      ::close(file);
+      ::unlink(partial.c_str());
+      errno = reason;
+      fail(partial, "write it");
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  const bool synced = ::fsync(file) == 0;
+  if (::close(file) != 0 || !synced) fail(partial, "write it");
+  if (std::rename(partial.c_str(), path.c_str()) != 0) fail(path, "replace it");
+}
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path)) {
+    throw InputError(fmt::format("{}: cannot make this folder: {}", path,
+                                 error ? error.message() : std::string("a file of that name is in the way")));
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,15 @@
+#pragma once
+// Whole files, written so that a reader sees the old one or the new one, never half of it.
+
+#include <string>
+#include <string_view>
+
+namespace armtune {
+
+/// Writes beside the path and renames. Throws InputError with path and reason.
+void write_text_file(const std::string& path, std::string_view text);
+
+/// Makes the folder and its parents. Throws InputError with path and reason.
+void make_folder(const std::string& path);
+
+}  // namespace armtune

@@ -1,0 +1,154 @@
+#include "sim/metrics/accumulator.hpp"
+
+#include <limits>
+
+#include "core/trajectory/gaze.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Tracking counts from this long after followTrajectory was entered [s].
+constexpr double kSettlingTime = 1.0;
+
+/// Difference between the turn rate of the tool's z axis and that of the line to the target [rad/s].
+double gaze_rate_error(const Observation& o) {
+  const Vec3 z = o.poses->R_0T.col(2);
+  const Vec3 w = o.twist.tail<3>();
+  const Vec3 turn = w - w.dot(z) * z;
+  return (turn - gaze_line_rate(o.poses->p_0T, o.twist.head<3>(), o.target_motion.position,
+                                o.target_motion.velocity))
+      .norm();
+}
+
+}  // namespace
+
+void Reacquisition::start(double t) {
+  close(t);
+  open_ = true;
+  start_ = t;
+  settled_ = t;
+  outside_ = false;
+}
+
+void Reacquisition::add(double t, bool outside) {
+  if (!open_) return;
+  if (outside_ && !outside) settled_ = t;
+  outside_ = outside;
+}
+
+void Reacquisition::close(double end) {
+  if (!open_) return;
+  const double time = (outside_ ? end : settled_) - start_;
+  longest_ = std::isnan(longest_) ? time : std::max(longest_, time);
+  open_ = false;
+}
+
+double Reacquisition::longest(double end) {
+  close(end);
+  return longest_;
+}
+
+MetricAccumulator::MetricAccumulator(const RobotModel& model, double threshold, double period)
+    : model_(model),
+      velocity_limits_(model.velocity_limits()),
+      effort_limits_(model.effort_limits()),
+      threshold_(threshold),
+      period_(period),
+      min_margin_(kInfinity),
+      min_clearance_(kInfinity),
+      last_torque_(JointVector::Zero(model.n())) {}
+
+void MetricAccumulator::add(const Observation& o) {
+  if (o.control->state != state_) {
+    state_ = o.control->state;
+    entered_ = o.time;
+  }
+  add_limits(o);
+  const bool switched = !first_ && o.target != target_;
+  target_ = o.target;
+  first_ = false;
+  if (state_ == ControlState::kLeaveSingularity) return;
+
+  gaze_.add(o.gaze_angle);
+  gaze_rate_.add(gaze_rate_error(o));
+  compensation_.add(o.compensation_error);
+  const bool outside = o.gaze_angle >= threshold_;
+  if (outside) ++periods_outside_;
+  if (switched) reacquisition_.start(o.time);
+  reacquisition_.add(o.time, outside);
+  // Half a period's grace against rounding of k * dt.
+  if (state_ == ControlState::kFollowTrajectory && !o.control->slerping &&
+      o.time - entered_ >= kSettlingTime - 0.5 * period_) {
+    add_tracking(o);
+  }
+}
+
+void MetricAccumulator::add_tracking(const Observation& o) {
+  for (int axis = 0; axis < 3; ++axis) {
+    position_axis_[axis].add(o.error[axis]);
+    orientation_axis_[axis].add(o.error[3 + axis]);
+  }
+  position_.add(o.error.head<3>().norm());
+  orientation_.add(o.error.tail<3>().norm());
+  linear_velocity_.add(o.error_rate.head<3>().norm());
+  angular_velocity_.add(o.error_rate.tail<3>().norm());
+}
+
+void MetricAccumulator::add_limits(const Observation& o) {
+  const JointVector& q = *o.q;
+  const JointVector& qd = *o.qd;
+  for (int i = 0; i < model_.n(); ++i) {
+    const double ratio = std::abs(qd[i]) / velocity_limits_[i];
+    if (ratio > max_ratio_) {
+      max_ratio_ = ratio;
+      max_ratio_time_ = o.time;
+      max_ratio_joint_ = i;
+    }
+    const JointLimits& limits = model_.joints[static_cast<std::size_t>(i)].limits;
+    if (limits.has_position) {
+      min_margin_ = std::min({min_margin_, q[i] - limits.lower, limits.upper - q[i]});
+    }
+    max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(o.control->commanded[i]) / effort_limits_[i]);
+  }
+  min_clearance_ = std::min(min_clearance_, o.obstacle_distance);
+  if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);
+  last_torque_ = o.control->torque;
+}
+
+Metrics MetricAccumulator::result(double end) {
+  Metrics m;
+  const Metric position_axes[] = {Metric::kPositionXMax, Metric::kPositionYMax, Metric::kPositionZMax};
+  const Metric orientation_axes[] = {Metric::kOrientationXMax, Metric::kOrientationYMax,
+                                     Metric::kOrientationZMax};
+  for (int axis = 0; axis < 3; ++axis) {
+    m[position_axes[axis]] = position_axis_[axis].max();
+    m[orientation_axes[axis]] = orientation_axis_[axis].max();
+  }
+  m[Metric::kPositionRms] = position_.rms();
+  m[Metric::kPositionMax] = position_.max();
+  m[Metric::kOrientationRms] = orientation_.rms();
+  m[Metric::kOrientationMax] = orientation_.max();
+  m[Metric::kLinearVelocityRms] = linear_velocity_.rms();
+  m[Metric::kLinearVelocityMax] = linear_velocity_.max();
+  m[Metric::kAngularVelocityRms] = angular_velocity_.rms();
+  m[Metric::kAngularVelocityMax] = angular_velocity_.max();
+  m[Metric::kSamples] = static_cast<double>(position_.count());
+  m[Metric::kGazeRms] = gaze_.rms();
+  m[Metric::kGazeMax] = gaze_.max();
+  m[Metric::kGazeRateErrorRms] = gaze_rate_.rms();
+  m[Metric::kGazeRateErrorMax] = gaze_rate_.max();
+  if (gaze_.count() > 0) m[Metric::kGazeTimeOutside] = static_cast<double>(periods_outside_) * period_;
+  m[Metric::kReacquisitionTime] = reacquisition_.longest(end);
+  m[Metric::kJointVelocityMaxRatio] = max_ratio_;
+  m[Metric::kJointVelocityMaxRatioTime] = max_ratio_time_;
+  if (min_margin_ < kInfinity) m[Metric::kJointPositionMinMargin] = min_margin_;
+  m[Metric::kJointEffortMaxRatio] = max_effort_ratio_;
+  m[Metric::kEffortRateRms] = effort_rate_.rms();
+  if (min_clearance_ < kInfinity) m[Metric::kObstacleMinClearance] = min_clearance_;
+  m[Metric::kCompensationErrorRms] = compensation_.rms();
+  m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;
+  return m;
+}
+
+}  // namespace armtune

@@ -1,0 +1,86 @@
+#pragma once
+// Metrics of a rollout, accumulated period by period.
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/metrics/metric.hpp"
+#include "sim/rollout/observation.hpp"
+
+namespace armtune {
+
+/// RMS and largest value of a series; both NaN while it is empty.
+class Spread {
+ public:
+  void add(double x) {
+    squares_ += x * x;
+    max_ = std::max(max_, std::abs(x));
+    ++count_;
+  }
+  double rms() const { return count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : NAN; }
+  double max() const { return count_ > 0 ? max_ : NAN; }
+  long count() const { return count_; }
+
+ private:
+  double squares_ = 0.0;
+  double max_ = 0.0;
+  long count_ = 0;
+};
+
+/// Longest time from an event until a value is below a threshold for good, over all events.
+class Reacquisition {
+ public:
+  /// A new event at t [s]; ends the last one's window.
+  void start(double t);
+  void add(double t, bool outside);
+  /// Ends the last window; NaN if there was no event.
+  double longest(double end);
+
+ private:
+  void close(double end);
+  bool open_ = false;
+  double start_ = 0.0;
+  double settled_ = 0.0;  ///< first time inside after the last time outside
+  bool outside_ = false;
+  double longest_ = NAN;
+};
+
+class MetricAccumulator {
+ public:
+  /// threshold: slerpAngularErrorThreshold [rad]; period [s].
+  MetricAccumulator(const RobotModel& model, double threshold, double period);
+
+  void add(const Observation& o);
+  /// end: time of the last period's end [s].
+  Metrics result(double end);
+
+ private:
+  void add_tracking(const Observation& o);
+  void add_limits(const Observation& o);
+
+  const RobotModel& model_;
+  JointVector velocity_limits_;
+  JointVector effort_limits_;
+  double threshold_;
+  double period_;
+
+  ControlState state_ = ControlState::kLeaveSingularity;
+  double entered_ = 0.0;
+  bool first_ = true;
+  std::size_t target_ = 0;
+
+  Spread position_axis_[3], orientation_axis_[3];
+  Spread position_, orientation_, linear_velocity_, angular_velocity_;
+  Spread gaze_, gaze_rate_, effort_rate_, compensation_;
+  Reacquisition reacquisition_;
+  long periods_outside_ = 0;
+  double max_ratio_ = 0.0;
+  double max_ratio_time_ = 0.0;
+  int max_ratio_joint_ = 0;
+  double min_margin_;
+  double max_effort_ratio_ = 0.0;
+  double min_clearance_;
+  JointVector last_torque_;
+};
+
+}  // namespace armtune

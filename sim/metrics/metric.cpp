@@ -1,0 +1,55 @@
+#include "sim/metrics/metric.hpp"
+
+namespace armtune {
+
+// Tracking errors count in followTrajectory from 1 s after it was entered, outside a slerp; gaze and
+// compensation count always after leaveSingularity; limits count always. All from the plant's true state.
+const std::array<MetricField, kMetricCount>& metric_fields() {
+  static constexpr std::array<MetricField, kMetricCount> fields{{
+      {"error/position/x/max", "m", "largest |x - xd| of the tool while tracking"},
+      {"error/position/y/max", "m", "largest |y - yd| of the tool while tracking"},
+      {"error/position/z/max", "m", "largest |z - zd| of the tool while tracking"},
+      {"error/position/rms", "m", "RMS of the tool's distance from its desired position while tracking"},
+      {"error/position/max", "m", "largest distance from the desired position while tracking"},
+      {"error/orientation/x/max", "rad",
+       "largest |x| of the rotation vector to the gaze orientation while tracking"},
+      {"error/orientation/y/max", "rad", "largest |y| of that vector"},
+      {"error/orientation/z/max", "rad", "largest |z| of that vector"},
+      {"error/orientation/rms", "rad", "RMS of the angle to the gaze orientation while tracking"},
+      {"error/orientation/max", "rad", "largest angle to the gaze orientation while tracking"},
+      {"error/linear_velocity/rms", "m/s", "RMS of |v - vd| of the tool while tracking"},
+      {"error/linear_velocity/max", "m/s", "largest |v - vd| while tracking"},
+      {"error/angular_velocity/rms", "rad/s", "RMS of |w - wd| of the tool while tracking"},
+      {"error/angular_velocity/max", "rad/s", "largest |w - wd| while tracking"},
+      {"samples", "1", "control periods that count as tracking"},
+      {"gaze/rms", "rad",
+       "RMS angle between the tool's z axis and the line to the target, after leaveSingularity"},
+      {"gaze/max", "rad", "largest such angle"},
+      {"gaze/rate_error/rms", "rad/s", "RMS difference between the turn rates of tool z and of that line"},
+      {"gaze/rate_error/max", "rad/s", "largest such difference"},
+      {"gaze/time_outside_threshold", "s", "time with the gaze angle at or above slerpAngularErrorThreshold"},
+      {"reacquisition/time", "s",
+       "longest time from a target switch until the gaze angle is below the threshold for good; the whole "
+       "time "
+       "to the next switch or the end if it never is"},
+      {"joint_velocity/max_ratio", "1", "largest |q'| over its limit, of any joint, at any time"},
+      {"joint_velocity/max_ratio_time", "s", "when that was"},
+      {"joint_position/min_margin", "rad",
+       "smallest distance of any joint to a position limit; negative: passed"},
+      {"joint_effort/max_ratio", "1", "largest commanded |torque| over its limit, before saturation"},
+      {"effort_rate/rms", "N m/s", "RMS over time of the norm of the commanded torque's change per second"},
+      {"obstacle/min_clearance", "m", "smallest distance of any joint origin to an obstacle's centre"},
+      {"compensation_error/rms", "N m", "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
+  }};
+  return fields;
+}
+
+std::optional<Metric> metric_from_name(std::string_view name) {
+  const auto& fields = metric_fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (name == fields[i].name) return static_cast<Metric>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace armtune

@@ -1,0 +1,73 @@
+#pragma once
+// The one declaration of every metric of a rollout: name, unit, meaning.
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace armtune {
+
+enum class Metric : std::size_t {
+  kPositionXMax,
+  kPositionYMax,
+  kPositionZMax,
+  kPositionRms,
+  kPositionMax,
+  kOrientationXMax,
+  kOrientationYMax,
+  kOrientationZMax,
+  kOrientationRms,
+  kOrientationMax,
+  kLinearVelocityRms,
+  kLinearVelocityMax,
+  kAngularVelocityRms,
+  kAngularVelocityMax,
+  kSamples,
+  kGazeRms,
+  kGazeMax,
+  kGazeRateErrorRms,
+  kGazeRateErrorMax,
+  kGazeTimeOutside,
+  kReacquisitionTime,
+  kJointVelocityMaxRatio,
+  kJointVelocityMaxRatioTime,
+  kJointPositionMinMargin,
+  kJointEffortMaxRatio,
+  kEffortRateRms,
+  kObstacleMinClearance,
+  kCompensationErrorRms,
+  kCount
+};
+
+inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::kCount);
+
+struct MetricField {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+};
+
+/// In the order of the enumeration, which is the order of errors.csv.
+const std::array<MetricField, kMetricCount>& metric_fields();
+std::optional<Metric> metric_from_name(std::string_view name);
+
+/// Values of one rollout. A metric that had nothing to judge is NaN in memory and an empty cell in files.
+struct Metrics {
+  std::array<double, kMetricCount> value = filled();
+  std::string max_ratio_joint;  ///< joint of joint_velocity/max_ratio
+
+  double operator[](Metric m) const { return value[static_cast<std::size_t>(m)]; }
+  double& operator[](Metric m) { return value[static_cast<std::size_t>(m)]; }
+
+ private:
+  static constexpr std::array<double, kMetricCount> filled() {
+    std::array<double, kMetricCount> a{};
+    a.fill(std::numeric_limits<double>::quiet_NaN());
+    return a;
+  }
+};
+
+}  // namespace armtune

@@ -1,0 +1,36 @@
+#pragma once
+// Measurement noise: white, Gaussian, per period and joint, from a seed.
+
+#include <cstdint>
+#include <random>
+
+#include "core/control/controller.hpp"
+
+namespace armtune {
+
+class Sensors {
+ public:
+  /// Standard deviations in rad (m) and rad/s (m/s); zero draws nothing.
+  Sensors(double position_noise, double velocity_noise, std::uint64_t seed)
+      : position_noise_(position_noise), velocity_noise_(velocity_noise), generator_(seed) {}
+
+  void measure(const JointVector& q, const JointVector& qd, JointState& measured) {
+    measured.q = q;
+    measured.qd = qd;
+    add(position_noise_, measured.q);
+    add(velocity_noise_, measured.qd);
+  }
+
+ private:
+  void add(double deviation, JointVector& value) {
+    if (deviation <= 0.0) return;
+    for (double& x : value) x += deviation * normal_(generator_);
+  }
+
+  double position_noise_;
+  double velocity_noise_;
+  std::mt19937_64 generator_;
+  std::normal_distribution<double> normal_;
+};
+
+}  // namespace armtune

@@ -1,0 +1,261 @@
+// The only file that includes Simbody. It is compiled as C++17 without NDEBUG (sim/CMakeLists.txt says why).
+
+#include <functional>  // Simbody's headers use it without including it
+
+#include <Simbody.h>
+
+#include <Eigen/Cholesky>
+
+#include "core/common/error.hpp"
+#include "core/robot/dynamics.hpp"
+#include "sim/plant/plant.hpp"
+
+namespace armtune {
+namespace {
+
+SimTK::Vec3 to_simbody(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+SimTK::Rotation to_simbody(const Mat3& R) {
+  return SimTK::Rotation(
+      SimTK::Mat33(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)), true);
+}
+
+SimTK::MassProperties to_simbody(const LinkInertia& link) {
+  const Mat3& I = link.inertia;
+  return {link.mass, to_simbody(Vec3(link.first_moment / link.mass)),
+          SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))};
+}
+
+/// Torque minus friction, evaluated at every acceleration: held over a period, Coulomb friction diverges.
+void net_torque(const Chain& chain, const JointVector& qd, const JointVector& torque, JointVector& net) {
+  net.resize(chain.n);
+  for (int i = 0; i < chain.n; ++i) {
+    net[i] =
+        torque[i] - chain.viscous_friction[i] * qd[i] - chain.coulomb_friction[i] * coulomb_direction(qd[i]);
+  }
+}
+
+/// The links as a Simbody tree. Simbody has no rotor inertia; those who use the tree add it.
+class Tree {
+ public:
+  explicit Tree(const Chain& chain)
+      : matter_(system_), forces_(system_), gravity_(forces_, matter_, to_simbody(chain.gravity)) {
+    SimTK::MobilizedBody parent = matter_.Ground();
+    for (int i = 0; i < chain.n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const SimTK::Body::Rigid body(to_simbody(chain.link[k]));
+      const SimTK::Transform X_PB0(to_simbody(chain.R_PB0[k]), to_simbody(chain.p_PB0[k]));
+      if (chain.motion[k] == JointMotion::kRevolute) {
+        parent = SimTK::MobilizedBody::Pin(parent, X_PB0, body, SimTK::Transform());
+      } else {
+        // Simbody slides along x, our joints along z.
+        const SimTK::Transform x_to_z(SimTK::Rotation(-SimTK::Pi / 2, SimTK::YAxis));
+        parent = SimTK::MobilizedBody::Slider(parent, X_PB0 * x_to_z, body, x_to_z);
+      }
+    }
+  }
+
+  SimTK::MultibodySystem& system() { return system_; }
+  const SimTK::SimbodyMatterSubsystem& matter() const { return matter_; }
+  SimTK::GeneralForceSubsystem& forces() { return forces_; }
+
+ private:
+  SimTK::MultibodySystem system_;
+  SimTK::SimbodyMatterSubsystem matter_;
+  SimTK::GeneralForceSubsystem forces_;
+  SimTK::Force::UniformGravity gravity_;
+};
+
+/// Adds rotor inertia exactly: Simbody gives q0'' = M^-1 (tau - h); q'' = (M + D)^-1 M q0''.
+class RotorInertia {
+ public:
+  explicit RotorInertia(const Chain& chain) : chain_(chain), none_(chain.rotor_inertia.isZero(0.0)) {}
+
+  void correct(const JointVector& q, JointVector& qdd) {
+    if (none_) return;
+    forward_kinematics(chain_, q, poses_);
+    mass_matrix(chain_, poses_, M_);
+    rhs_.noalias() = M_ * qdd;
+    M_.diagonal() += chain_.rotor_inertia;
+    qdd = rhs_;
+    llt_.compute(M_);
+    llt_.solveInPlace(qdd);
+  }
+
+ private:
+  const Chain& chain_;
+  bool none_;
+  Poses poses_;
+  JointMatrix M_;
+  JointVector rhs_;
+  Eigen::LLT<JointMatrix> llt_;
+};
+
+/// Accelerations from Simbody's realization, stepped by our own rules: the fastest correct use of it.
+class SimbodyPlant final : public Plant {
+ public:
+  SimbodyPlant(const RobotModel& model, Stepper stepper)
+      : chain_(model.chain),
+        stepper_(stepper),
+        tree_(chain_),
+        joint_torque_(tree_.forces(), tree_.matter()),
+        rotor_(chain_),
+        torque_vector_(chain_.n, 0.0) {
+    state_ = tree_.system().realizeTopology();
+    tree_.system().realizeModel(state_);
+    set_state(JointVector::Zero(chain_.n), JointVector::Zero(chain_.n));
+  }
+
+  void set_state(const JointVector& q, const JointVector& qd) override {
+    q_ = q;
+    qd_ = qd;
+  }
+  const JointVector& q() const override { return q_; }
+  const JointVector& qd() const override { return qd_; }
+
+  void step(const JointVector& torque, double dt) override {
+    integrate(
+        stepper_, dt,
+        [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
+          accelerations(q, qd, torque, qdd);
+        },
+        q_, qd_, work_);
+  }
+
+  void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
+                     JointVector& qdd) override {
+    net_torque(chain_, qd, torque, net_);
+    SimTK::Vector& state_q = state_.updQ();
+    SimTK::Vector& state_u = state_.updU();
+    for (int i = 0; i < chain_.n; ++i) {
+      state_q[i] = q[i];
+      state_u[i] = qd[i];
+      torque_vector_[i] = net_[i];
+    }
+    joint_torque_.setAllMobilityForces(state_, torque_vector_);
+    tree_.system().realize(state_, SimTK::Stage::Acceleration);
+    const SimTK::Vector& udot = state_.getUDot();
+    qdd.resize(chain_.n);
+    for (int i = 0; i < chain_.n; ++i) qdd[i] = udot[i];
+    rotor_.correct(q, qdd);
+  }
+
+ private:
+  Chain chain_;
+  Stepper stepper_;
+  Tree tree_;
+  SimTK::Force::DiscreteForces joint_torque_;
+  RotorInertia rotor_;
+  SimTK::State state_;
+  SimTK::Vector torque_vector_;
+  JointVector q_, qd_, net_;
+  StepWorkspace work_;
+};
+
+/// Joint torque, friction and the rotors' share -D q'' as a force element, so that Simbody's own integrators
+/// see the whole arm. q'' comes from core's dynamics.
+class DriveForce final : public SimTK::Force::Custom::Implementation {
+ public:
+  explicit DriveForce(const Chain& chain) : chain_(chain), torque(JointVector::Zero(chain.n)) {}
+
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>&, SimTK::Vector_<SimTK::Vec3>&,
+                 SimTK::Vector& mobility_forces) const override {
+    const int n = chain_.n;
+    JointVector q(n), qd(n), net, bias, qdd;
+    for (int i = 0; i < n; ++i) {
+      q[i] = state.getQ()[i];
+      qd[i] = state.getU()[i];
+    }
+    net_torque(chain_, qd, torque, net);
+    Chain links = chain_;  // without what the mobility force itself stands for
+    links.viscous_friction.setZero();
+    links.coulomb_friction.setZero();
+    Poses poses;
+    JointMatrix M;
+    forward_kinematics(links, q, poses);
+    inverse_dynamics(links, poses, qd, JointVector(JointVector::Zero(n)), bias);
+    mass_matrix(links, poses, M);
+    M.diagonal() += chain_.rotor_inertia;
+    qdd = M.llt().solve(net - bias);
+    for (int i = 0; i < n; ++i) mobility_forces[i] += net[i] - chain_.rotor_inertia[i] * qdd[i];
+  }
+  SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0.0; }
+
+ private:
+  Chain chain_;
+
+ public:
+  JointVector torque;
+};
+
+/// The reference: Simbody's error-controlled Runge-Kutta-Merson, restarted at every control period because
+/// the torque jumps there.
+class SimbodyReferencePlant final : public Plant {
+ public:
+  explicit SimbodyReferencePlant(const RobotModel& model)
+      : instant_(model, Stepper::kMidpoint),
+        tree_(model.chain),
+        drive_(new DriveForce(model.chain)),
+        force_(tree_.forces(), drive_),
+        integrator_(tree_.system()) {  // force_ owns drive_
+    state_ = tree_.system().realizeTopology();
+    tree_.system().realizeModel(state_);
+    integrator_.setAccuracy(1e-10);
+    integrator_.setAllowInterpolation(false);
+    set_state(JointVector::Zero(model.n()), JointVector::Zero(model.n()));
+  }
+
+  void set_state(const JointVector& q, const JointVector& qd) override {
+    q_ = q;
+    qd_ = qd;
+  }
+  const JointVector& q() const override { return q_; }
+  const JointVector& qd() const override { return qd_; }
+
+  void step(const JointVector& torque, double dt) override {
+    drive_->torque = torque;
+    state_.setTime(0.0);
+    for (int i = 0; i < q_.size(); ++i) {
+      state_.updQ()[i] = q_[i];
+      state_.updU()[i] = qd_[i];
+    }
+    integrator_.setFinalTime(dt);
+    integrator_.initialize(state_);
+    // The first stepTo after initialize() returns without having moved.
+    while (integrator_.getTime() < dt) integrator_.stepTo(dt);
+    const SimTK::State& end = integrator_.getState();
+    for (int i = 0; i < q_.size(); ++i) {
+      q_[i] = end.getQ()[i];
+      qd_[i] = end.getU()[i];
+    }
+  }
+
+  void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
+                     JointVector& qdd) override {
+    instant_.accelerations(q, qd, torque, qdd);
+  }
+
+ private:
+  SimbodyPlant instant_;
+  Tree tree_;
+  DriveForce* drive_;
+  SimTK::Force::Custom force_;
+  SimTK::RungeKuttaMersonIntegrator integrator_;
+  SimTK::State state_;
+  JointVector q_, qd_;
+};
+
+}  // namespace
+
+std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepper) {
+  try {
+    if (stepper == Stepper::kReference) return std::make_unique<SimbodyReferencePlant>(model);
+    return std::make_unique<SimbodyPlant>(model, stepper);
+  } catch (const std::exception& e) {
+    throw InputError(model.source + ": Simbody refuses the arm: " + e.what());
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,76 @@
+#pragma once
+// Fixed-step integration of q'' = f(q, q') over one control period.
+
+#include <string>
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+enum class Stepper {
+  kMidpoint,           ///< explicit midpoint, two accelerations: the default
+  kSemiImplicitEuler,  ///< one acceleration, first order
+  kRungeKutta4,        ///< four accelerations
+  kReference           ///< the engine's own error-controlled Runge-Kutta-Merson, accuracy 1e-10
+};
+
+constexpr const char* name(Stepper stepper) {
+  switch (stepper) {
+    case Stepper::kMidpoint:
+      return "midpoint";
+    case Stepper::kSemiImplicitEuler:
+      return "semi_implicit_euler";
+    case Stepper::kRungeKutta4:
+      return "rk4";
+    case Stepper::kReference:
+      return "reference";
+  }
+  return "";
+}
+
+/// Throws InputError that lists the names there are.
+Stepper stepper_from_name(const std::string& text);
+
+/// Work space of a step, so that no step allocates.
+struct StepWorkspace {
+  JointVector q, qd, k1, k2, k3, k4;
+};
+
+/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations. Not for Stepper::kReference.
+template <typename Accelerations>
+void integrate(Stepper stepper, double h, Accelerations&& f, JointVector& q, JointVector& qd,
+               StepWorkspace& w) {
+  switch (stepper) {
+    case Stepper::kSemiImplicitEuler:
+      f(q, qd, w.k1);
+      qd += h * w.k1;
+      q += h * qd;
+      return;
+    case Stepper::kRungeKutta4: {
+      f(q, qd, w.k1);
+      w.q = q + 0.5 * h * qd;
+      w.qd = qd + 0.5 * h * w.k1;
+      f(w.q, w.qd, w.k2);
+      w.q = q + 0.5 * h * qd + 0.25 * h * h * w.k1;
+      w.qd = qd + 0.5 * h * w.k2;
+      f(w.q, w.qd, w.k3);
+      w.q = q + h * qd + 0.5 * h * h * w.k2;
+      w.qd = qd + h * w.k3;
+      f(w.q, w.qd, w.k4);
+      q += h * qd + (h * h / 6.0) * (w.k1 + w.k2 + w.k3);
+      qd += (h / 6.0) * (w.k1 + 2.0 * w.k2 + 2.0 * w.k3 + w.k4);
+      return;
+    }
+    case Stepper::kMidpoint:
+    case Stepper::kReference:
+      f(q, qd, w.k1);
+      w.q = q + 0.5 * h * qd;
+      w.qd = qd + 0.5 * h * w.k1;
+      f(w.q, w.qd, w.k2);
+      q += h * w.qd;
+      qd += h * w.k2;
+      return;
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,27 @@
+#pragma once
+// A torque command that arrives a whole number of control periods late.
+
+#include <vector>
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+class TorqueDelay {
+ public:
+  /// Until the first command arrives the torque is zero. n: joints; periods >= 0.
+  TorqueDelay(int n, int periods) : line_(static_cast<std::size_t>(periods) + 1, JointVector::Zero(n)) {}
+
+  /// Takes this period's command and returns the one of `periods` periods ago.
+  const JointVector& pass(const JointVector& command) {
+    line_[next_] = command;
+    next_ = (next_ + 1) % line_.size();
+    return line_[next_];
+  }
+
+ private:
+  std::vector<JointVector> line_;  ///< ring: the slot written next is the oldest
+  std::size_t next_ = 0;
+};
+
+}  // namespace armtune

@@ -1,0 +1,91 @@
+#include "sim/rollout/columns.hpp"
+
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+void add_vector(std::vector<Column>& columns, const std::string& name, const char* unit, const char* meaning,
+                const std::function<Vec3(const Observation&)>& value) {
+  for (int axis = 0; axis < 3; ++axis) {
+    columns.push_back({name + "/" + kAxes[axis], unit, std::string(meaning) + ", " + kAxes[axis],
+                       [value, axis](const Observation& o) { return value(o)[axis]; }});
+  }
+}
+
+void add_quaternion(std::vector<Column>& columns, const std::string& name, const char* meaning,
+                    const std::function<Eigen::Quaterniond(const Observation&)>& value) {
+  const auto add = [&](const char* part, double (*pick)(const Eigen::Quaterniond&)) {
+    columns.push_back({name + "/" + part, "1", std::string(meaning) + ", quaternion " + part,
+                       [value, pick](const Observation& o) { return pick(value(o)); }});
+  };
+  add("w", [](const Eigen::Quaterniond& q) { return q.w(); });
+  add("x", [](const Eigen::Quaterniond& q) { return q.x(); });
+  add("y", [](const Eigen::Quaterniond& q) { return q.y(); });
+  add("z", [](const Eigen::Quaterniond& q) { return q.z(); });
+}
+
+void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool revolute) {
+  const std::string tree = "joint/" + joint.name + "/";
+  const double limit = joint.limits.velocity;
+  columns.push_back({tree + "position", revolute ? "rad" : "m", "true joint position",
+                     [i](const Observation& o) { return (*o.q)[i]; }});
+  columns.push_back({tree + "velocity", revolute ? "rad/s" : "m/s", "true joint velocity",
+                     [i](const Observation& o) { return (*o.qd)[i]; }});
+  columns.push_back({tree + "velocity_ratio", "1", "|velocity| over its limit",
+                     [i, limit](const Observation& o) { return std::abs((*o.qd)[i]) / limit; }});
+  columns.push_back({tree + "torque", revolute ? "N m" : "N", "commanded torque after saturation",
+                     [i](const Observation& o) { return o.control->torque[i]; }});
+}
+
+}  // namespace
+
+std::vector<Column> rollout_columns(const Scenario& scenario) {
+  std::vector<Column> columns;
+  columns.push_back({"time", "s", "simulated time", [](const Observation& o) { return o.time; }});
+  columns.push_back({"state", "1",
+                     "0 leaveSingularity, 1 returnToTrajectory, 2 followTrajectory, 3 avoidObstacles",
+                     [](const Observation& o) { return static_cast<double>(o.control->state); }});
+  columns.push_back({"slerping", "1", "1 while a slerp runs",
+                     [](const Observation& o) { return o.control->slerping ? 1.0 : 0.0; }});
+  add_vector(columns, "tool/position", "m", "tool in the base frame",
+             [](const Observation& o) { return o.poses->p_0T; });
+  add_quaternion(columns, "tool/orientation", "tool in the base frame",
+                 [](const Observation& o) { return Eigen::Quaterniond(o.poses->R_0T); });
+  add_vector(columns, "desired/position", "m", "desired tool position (the tool's own where none is tracked)",
+             [](const Observation& o) { return o.control->desired.position; });
+  add_quaternion(columns, "desired/orientation", "desired orientation (identity in leaveSingularity)",
+                 [](const Observation& o) { return o.control->desired_gaze.orientation; });
+  add_vector(columns, "error/position", "m", "position error, zero in states that track no position",
+             [](const Observation& o) -> Vec3 { return o.error.head<3>(); });
+  add_vector(columns, "error/orientation", "rad", "rotation vector of the orientation error",
+             [](const Observation& o) -> Vec3 { return o.error.tail<3>(); });
+  add_vector(columns, "error/linear_velocity", "m/s", "linear velocity error",
+             [](const Observation& o) -> Vec3 { return o.error_rate.head<3>(); });
+  add_vector(columns, "error/angular_velocity", "rad/s", "angular velocity error",
+             [](const Observation& o) -> Vec3 { return o.error_rate.tail<3>(); });
+  columns.push_back({"gaze/angle", "rad", "angle between tool z and the line to the target",
+                     [](const Observation& o) { return o.gaze_angle; }});
+  for (int i = 0; i < scenario.robot->n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    add_joint(columns, scenario.robot->joints[k], i,
+              scenario.robot->chain.motion[k] == JointMotion::kRevolute);
+  }
+  columns.push_back({"target/index", "1", "active target, from 0",
+                     [](const Observation& o) { return static_cast<double>(o.target); }});
+  add_vector(columns, "target/position", "m", "active target in the base frame",
+             [](const Observation& o) { return o.target_motion.position; });
+  if (!scenario.obstacles.empty()) {
+    columns.push_back({"obstacle/distance", "m", "closest joint origin to an obstacle's centre",
+                       [](const Observation& o) { return o.obstacle_distance; }});
+  }
+  columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller saw it",
+                     [](const Observation& o) { return o.control->manipulability; }});
+  columns.push_back({"compensation_error", "N m", "|Y (theta_hat - theta)|",
+                     [](const Observation& o) { return o.compensation_error; }});
+  return columns;
+}
+
+}  // namespace armtune

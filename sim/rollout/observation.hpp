@@ -1,0 +1,29 @@
+#pragma once
+// What one control period of a rollout looks like from outside: the plant's true state beside what the
+// controller did.
+
+#include "core/control/controller.hpp"
+
+namespace armtune {
+
+struct Observation {
+  double time = 0.0;                ///< [s]
+  const JointVector* q = nullptr;   ///< true [rad, m]
+  const JointVector* qd = nullptr;  ///< true
+  const ControlOutput* control = nullptr;
+  const JointVector* applied = nullptr;  ///< torque that acts now (delayed) [N m, N]
+  const ParameterVector* theta = nullptr;
+
+  // From the true state, base frame.
+  const Poses* poses = nullptr;
+  Vec6 twist = Vec6::Zero();        ///< (v_0T, w_0T)
+  std::size_t target = 0;           ///< index of the active target
+  MotionPoint<Vec3> target_motion;  ///< of the active target
+  Vec6 error = Vec6::Zero();        ///< pose error (position, rotation vector); zero in leaveSingularity
+  Vec6 error_rate = Vec6::Zero();   ///< (v - vd, w - wd); zero in leaveSingularity
+  double gaze_angle = 0.0;          ///< [rad]
+  double obstacle_distance = 0.0;   ///< [m], infinite without obstacles
+  double compensation_error = 0.0;  ///< |Y (theta_hat - theta)| [N m]
+};
+
+}  // namespace armtune

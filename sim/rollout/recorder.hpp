@@ -1,0 +1,30 @@
+#pragma once
+// Keeps every k-th period of a rollout and writes it as CSV.
+
+#include <string>
+
+#include "sim/rollout/columns.hpp"
+
+namespace armtune {
+
+class Recorder {
+ public:
+  /// Keeps every `stride`-th period (>= 1), the first one included.
+  Recorder(const Scenario& scenario, int stride);
+
+  bool operator()(const Observation& o);
+
+  /// rollout_<scenario>.csv: a header row, then one row per kept period. Throws InputError if it cannot be
+  /// written.
+  void write_csv(const std::string& path) const;
+
+  const std::vector<Column>& columns() const { return columns_; }
+
+ private:
+  std::vector<Column> columns_;
+  int stride_;
+  long seen_ = 0;
+  std::vector<double> values_;  ///< row by row
+};
+
+}  // namespace armtune

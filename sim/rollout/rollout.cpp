@@ -1,0 +1,108 @@
+#include "sim/rollout/rollout.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/robot/theta.hpp"
+#include "sim/metrics/accumulator.hpp"
+#include "sim/plant/flush_denormals.hpp"
+#include "sim/plant/sensors.hpp"
+#include "sim/plant/torque_delay.hpp"
+#include "sim/rollout/true_state.hpp"
+
+namespace armtune {
+namespace {
+
+/// A joint this many times faster than its limit will not come back.
+constexpr double kDivergedRatio = 20.0;
+
+/// Why the state is beyond use, or empty.
+std::string divergence(const RobotModel& model, const JointVector& q, const JointVector& qd) {
+  for (int i = 0; i < model.n(); ++i) {
+    const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
+    if (!std::isfinite(q[i]) || !std::isfinite(qd[i])) return fmt::format("{} is not finite", joint.name);
+    if (std::abs(qd[i]) > kDivergedRatio * joint.limits.velocity) {
+      return fmt::format("{} moves at {:.3g}, over {} times its velocity limit {:.3g}", joint.name, qd[i],
+                         kDivergedRatio, joint.limits.velocity);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Rollout::Rollout(const Scenario& scenario, Stepper stepper)
+    : scenario_(scenario),
+      plant_model_(plant_model(scenario)),
+      theta_start_(start_theta(scenario)),
+      theta_true_(theta_of(plant_model_.chain)),
+      plant_(make_simbody_plant(plant_model_, stepper)) {}
+
+RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
+  const FlushDenormals flush;
+  const double period = scenario_.control_period;
+  const int periods = scenario_.periods();
+  Controller controller(scenario_.robot, gains, theta_start_, period);
+  Sensors sensors(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed);
+  TorqueDelay delay(scenario_.robot->n(), scenario_.plant.torque_delay_periods);
+  MetricAccumulator metrics(*scenario_.robot, gains.slerpAngularErrorThreshold, period);
+  TrueState truth(*scenario_.robot, theta_true_);
+  JointState measured;
+  std::vector<Vec3> centers(scenario_.obstacles.size());
+  Scene scene{&scenario_.path, Vec3::Zero(), centers};
+  Observation o;
+  o.theta = &controller.theta();
+  o.q = &plant_->q();
+  o.qd = &plant_->qd();
+
+  plant_->set_state(scenario_.start_position, JointVector::Zero(scenario_.robot->n()));
+  RolloutResult result;
+  int k = 0;
+  for (; k < periods; ++k) {
+    const double time = k * period;
+    sensors.measure(plant_->q(), plant_->qd(), measured);
+    o.time = time;
+    o.target = scenario_.active_target(time);
+    o.target_motion = scenario_.targets[o.target].path.at(time);
+    scene.p_0G = o.target_motion.position;
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      centers[i] = scenario_.obstacles[i].path.at(time).position;
+    }
+    o.control = &controller.update(measured, scene, time);
+    const JointVector& torque = delay.pass(o.control->torque);
+    o.applied = &torque;
+    truth.observe(centers, o);
+    metrics.add(o);
+    if (observer && !observer(o)) {
+      result.status = RolloutStatus::kInterrupted;
+      result.reason = fmt::format("interrupted at {:.3f} s", time);
+      break;
+    }
+    try {
+      plant_->step(torque, period);
+      result.reason = divergence(*scenario_.robot, plant_->q(), plant_->qd());
+    } catch (const std::exception& e) {
+      result.reason = fmt::format("the engine gave up: {}", e.what());
+    }
+    if (!result.reason.empty()) {
+      result.status = RolloutStatus::kDiverged;
+      result.reason =
+          fmt::format("diverged at {:.3f} s in {}: {}", time + period, name(o.control->state), result.reason);
+      ++k;
+      break;
+    }
+  }
+  result.end_time = k * period;
+  result.metrics = metrics.result(result.end_time);
+  if (result.status == RolloutStatus::kCompleted && !(result.metrics[Metric::kSamples] > 0.0)) {
+    result.status = RolloutStatus::kNoSamples;
+    result.reason = fmt::format(
+        "no period of {} s counted as tracking: followTrajectory was never held for "
+        "1 s outside a slerp; last state {}",
+        scenario_.duration, name(o.control->state));
+  }
+  return result;
+}
+
+}  // namespace armtune

@@ -1,0 +1,82 @@
+#include "sim/scenario/data_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kExtension = ".yaml";
+
+bool looks_like_path(const std::string& text) {
+  return text.find('/') != std::string::npos || text.ends_with(kExtension) || text.ends_with(".yml");
+}
+
+}  // namespace
+
+std::string stem(const std::string& path) {
+  return fs::path(path).stem().string();
+}
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+std::string data_folder() {
+  std::vector<fs::path> candidates;
+  if (const char* set = std::getenv("ARMTUNE_DATA")) {
+    candidates.emplace_back(set);
+  } else {
+    std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    if (!program.empty()) candidates.push_back(program.parent_path().parent_path() / "share/armtune");
+    candidates.emplace_back(ARMTUNE_INSTALLED_DATA);
+  }
+  for (const fs::path& candidate : candidates) {
+    std::error_code ignored;
+    if (fs::is_directory(candidate / "scenarios", ignored)) return candidate.string();
+  }
+  throw InputError(
+      fmt::format("bundled data not found in {}; set ARMTUNE_DATA to the folder that holds "
+                  "robots, scenarios, gains and studies",
+                  candidates.front().string()));
+}
+
+std::vector<std::string> bundled_names(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::path(data_folder()) / folder, ignored)) {
+    if (entry.path().extension() == kExtension) names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string find_data_file(const std::string& folder, const std::string& name_or_path,
+                           const std::string& relative_to) {
+  std::error_code ignored;
+  if (looks_like_path(name_or_path)) {
+    if (!relative_to.empty() && fs::exists(fs::path(relative_to) / name_or_path, ignored)) {
+      return (fs::path(relative_to) / name_or_path).string();
+    }
+    if (fs::exists(name_or_path, ignored)) return name_or_path;
+    throw InputError(fmt::format("{}: no such file", name_or_path));
+  }
+  const fs::path bundled = fs::path(data_folder()) / folder / (name_or_path + kExtension);
+  if (fs::exists(bundled, ignored)) return bundled.string();
+  const auto names = bundled_names(folder);
+  throw InputError(
+      fmt::format("no bundled file '{}' in {}{}; there are: {}; a file of your own is given by its "
+                  "path, ending in {}",
+                  name_or_path, folder, suggestion(name_or_path, names), fmt::join(names, " "), kExtension));
+}
+
+}  // namespace armtune

@@ -1,0 +1,27 @@
+#pragma once
+// Bundled robots, scenarios, gains and studies: found by name; the user's own files: found by path.
+
+#include <string>
+#include <vector>
+
+namespace armtune {
+
+/// Path of `name_or_path`: a path if it holds a '/' or the extension, else the bundled file of that name in
+/// `folder` ("robots", "scenarios", "gains", "studies"). `relative_to`: folder that relative paths are also
+/// tried in (that of the file which names it), may be empty. Throws InputError that lists what is bundled.
+std::string find_data_file(const std::string& folder, const std::string& name_or_path,
+                           const std::string& relative_to = {});
+
+/// Names of the bundled files of a folder, sorted.
+std::vector<std::string> bundled_names(const std::string& folder);
+
+/// Folder that holds the bundled data: $ARMTUNE_DATA, else share/armtune beside the program's bin/, else
+/// where it was installed. Throws InputError if none is there.
+std::string data_folder();
+
+/// File name without folder and extension.
+std::string stem(const std::string& path);
+/// Folder part of a path, "." if it has none.
+std::string folder_of(const std::string& path);
+
+}  // namespace armtune

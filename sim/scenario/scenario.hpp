@@ -1,0 +1,67 @@
+#pragma once
+// A scenario: the robot, the tool's path, gaze targets with their schedule, obstacles, and how the real arm
+// differs from what the controller knows.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/robot/robot_model.hpp"
+#include "core/trajectory/harmonic_path.hpp"
+
+namespace armtune {
+
+struct NamedPath {
+  std::string name;
+  HarmonicPath path;
+};
+
+/// What theta starts from: scale * the controller's model (0: nothing known, 1: the model), or given values.
+struct ThetaStart {
+  double model_scale = 0.0;
+  std::string file;  ///< theta by name in YAML; empty: model_scale counts
+};
+
+/// How the plant differs from the controller's model, and what lies between them.
+struct PlantConditions {
+  double position_noise = 0.0;   ///< standard deviation, white, per period [rad, m]
+  double velocity_noise = 0.0;   ///< [rad/s, m/s]
+  int torque_delay_periods = 0;  ///< whole control periods
+  Payload payload;               ///< at the tool, unknown to the controller
+  JointVector viscous_friction;  ///< unknown to the controller, on top of the model's; n or empty
+  JointVector coulomb_friction;
+};
+
+struct Scenario {
+  std::string name;
+  std::string description;
+  std::string source;  ///< file
+  std::shared_ptr<const RobotModel> robot;
+  double duration = 0.0;        ///< [s]
+  double control_period = 0.0;  ///< [s]
+  JointVector start_position;   ///< [rad, m]
+  HarmonicPath path;            ///< of the tool, base frame
+  std::vector<NamedPath> targets;
+  double switch_every = 0.0;  ///< targets take turns [s]; 0: always the first
+  std::vector<NamedPath> obstacles;
+  ThetaStart theta;
+  PlantConditions plant;
+  std::uint64_t seed = 1;  ///< of the noise
+
+  int periods() const;
+  /// Index of the target that is active at t [s].
+  std::size_t active_target(double t) const;
+};
+
+/// Reads a bundled scenario by name, or a file by path. `base: NAME` (or a list) takes every top-level key
+/// from other files first; the file's own keys replace them whole. Throws InputError.
+Scenario load_scenario(const std::string& name_or_path);
+
+/// The arm as it really is in the scenario: payload and friction included.
+RobotModel plant_model(const Scenario& scenario);
+
+/// theta (13 n) that the controller starts from.
+ParameterVector start_theta(const Scenario& scenario);
+
+}  // namespace armtune

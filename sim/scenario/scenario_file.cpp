@@ -1,0 +1,186 @@
+// Scenario files: the reader of scenario.hpp's load_scenario.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "sim/yaml/joint_values.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMaxBaseFiles = 16;
+constexpr double kMaxPeriods = 1e8;
+
+Vec3 read_vec3(const yaml::Node& node) {
+  return Vec3(node.as_numbers(3).data());
+}
+
+HarmonicPath read_path(yaml::MapReader& map) {
+  HarmonicPath path;
+  path.center = read_vec3(map.required("center"));
+  path.frequency = map.number("frequency", 0.0);
+  path.phase = map.number("phase", 0.0);
+  if (const yaml::Node* terms = map.optional("terms")) {
+    for (const yaml::Node& item : terms->items()) {
+      yaml::MapReader term(item);
+      HarmonicTerm& added = path.terms.emplace_back();
+      const yaml::Node& order = term.required("order");
+      const long value = order.as_integer();
+      if (value < 0 || value > 1000) order.fail(fmt::format("order is {}; it must lie in 0 .. 1000", value));
+      added.order = static_cast<int>(value);
+      if (const yaml::Node* cosine = term.optional("cos")) added.cosine = read_vec3(*cosine);
+      if (const yaml::Node* sine = term.optional("sin")) added.sine = read_vec3(*sine);
+      term.finish();
+    }
+  }
+  return path;
+}
+
+std::vector<NamedPath> read_named_paths(const yaml::Node& node) {
+  std::vector<NamedPath> paths;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    NamedPath& added = paths.emplace_back();
+    added.name = map.required("name").as_string();
+    added.path = read_path(map);
+    map.finish();
+  }
+  return paths;
+}
+
+ThetaStart read_theta_start(const yaml::Node& node, const std::string& folder) {
+  yaml::MapReader map(node);
+  ThetaStart start;
+  const bool has_file = map.has("file");
+  if (has_file == map.has("model_scale")) {
+    node.fail("give one of: model_scale (0: nothing known, 1: the model) and file");
+  }
+  if (has_file) {
+    start.file = map.required("file").as_string();
+    if (!start.file.starts_with('/')) start.file = folder + "/" + start.file;
+  }
+  start.model_scale = map.number_in("model_scale", 0.0, 0.0, 10.0);
+  map.finish();
+  return start;
+}
+
+PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string>& joints) {
+  yaml::MapReader map(node);
+  PlantConditions plant;
+  plant.position_noise = map.number_in("position_noise", 0.0, 0.0, kInfinity);
+  plant.velocity_noise = map.number_in("velocity_noise", 0.0, 0.0, kInfinity);
+  const long delay = map.integer("torque_delay_periods", 0);
+  if (delay < 0 || delay > 1000) {
+    map.required("torque_delay_periods").fail(fmt::format("{} periods; it must lie in 0 .. 1000", delay));
+  }
+  plant.torque_delay_periods = static_cast<int>(delay);
+  if (const yaml::Node* payload_node = map.optional("payload")) {
+    yaml::MapReader payload(*payload_node);
+    plant.payload.mass = payload.number_in("mass", 0.0, 0.0, kInfinity);
+    if (const yaml::Node* center = payload.optional("center")) plant.payload.center = read_vec3(*center);
+    payload.finish();
+  }
+  for (const auto& [key, values] : {std::pair{"viscous_friction", &plant.viscous_friction},
+                                    std::pair{"coulomb_friction", &plant.coulomb_friction}}) {
+    const yaml::Node* friction = map.optional(key);
+    if (friction == nullptr) continue;
+    *values = yaml::joint_values(*friction, joints);
+    if ((values->array() < 0.0).any()) friction->fail("friction must not be negative");
+  }
+  map.finish();
+  return plant;
+}
+
+/// The file's keys over those of the files its `base` names, and of theirs.
+yaml::Node parse_with_base(const std::string& path, int& files_left) {
+  yaml::Node own = yaml::parse_file(path);
+  const yaml::Node* base = own.find("base");
+  if (base == nullptr) return own;
+  std::vector<std::string> names;
+  if (base->kind() == yaml::Node::Kind::kSequence) {
+    names = base->as_strings();
+  } else {
+    names.push_back(base->as_string());
+  }
+  std::vector<yaml::Node> layers;
+  for (const std::string& name : names) {
+    if (--files_left < 0) base->fail("more than 16 base files; does a file name itself as its base?");
+    layers.push_back(parse_with_base(find_data_file("scenarios", name, folder_of(path)), files_left));
+  }
+  layers.push_back(own);
+  return yaml::overlay(layers);
+}
+
+void check_start(const Scenario& scenario, const yaml::Node& node) {
+  for (int i = 0; i < scenario.robot->n(); ++i) {
+    const JointInfo& joint = scenario.robot->joints[static_cast<std::size_t>(i)];
+    const double q = scenario.start_position[i];
+    if (joint.limits.has_position && (q < joint.limits.lower || q > joint.limits.upper)) {
+      node.fail(fmt::format("{} starts at {:.6g} (in rad or m), outside its limits {:.6g} .. {:.6g}",
+                            joint.name, q, joint.limits.lower, joint.limits.upper));
+    }
+  }
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::string& name_or_path) {
+  const std::string path = find_data_file("scenarios", name_or_path);
+  int files_left = kMaxBaseFiles;
+  const yaml::Node root = parse_with_base(path, files_left);
+  yaml::MapReader map(root);
+  map.ignore("base");
+  Scenario scenario;
+  scenario.name = stem(path);
+  scenario.source = path;
+  scenario.description = map.string("description", "");
+  scenario.robot = load_robot(map.required("robot").as_string(), folder_of(path));
+  const auto joints = joint_names(*scenario.robot);
+
+  const yaml::Node& period = map.required("control_period");
+  scenario.control_period = period.as_number();
+  if (scenario.control_period < 1e-5 || scenario.control_period > 0.1) {
+    period.fail(fmt::format("{} s; it must lie in 1e-5 .. 0.1", scenario.control_period));
+  }
+  const yaml::Node& duration = map.required("duration");
+  scenario.duration = duration.as_number();
+  if (scenario.duration < scenario.control_period ||
+      scenario.duration > kMaxPeriods * scenario.control_period) {
+    duration.fail(fmt::format("{} s; it must lie between one and {:.0e} control periods of {} s",
+                              scenario.duration, kMaxPeriods, scenario.control_period));
+  }
+  const yaml::Node& start = map.required("start_position_deg");
+  scenario.start_position = yaml::joint_values(start, joints);
+  for (int i = 0; i < scenario.robot->n(); ++i) {
+    if (scenario.robot->chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) {
+      scenario.start_position[i] *= M_PI / 180.0;
+    }
+  }
+  check_start(scenario, start);
+  yaml::MapReader tool_path(map.required("path"));
+  scenario.path = read_path(tool_path);
+  tool_path.finish();
+  const yaml::Node& targets = map.required("targets");
+  scenario.targets = read_named_paths(targets);
+  if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
+  scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
+  if (const yaml::Node* obstacles = map.optional("obstacles"))
+    scenario.obstacles = read_named_paths(*obstacles);
+  scenario.theta = read_theta_start(map.required("theta_start"), folder_of(path));
+  if (const yaml::Node* plant = map.optional("plant")) scenario.plant = read_plant(*plant, joints);
+  const long seed = map.integer("seed", 1);
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  scenario.seed = static_cast<std::uint64_t>(seed);
+  map.finish();
+  return scenario;
+}
+
+}  // namespace armtune

@@ -1,0 +1,99 @@
+#include "sim/yaml/map_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/nearest.hpp"
+
+namespace armtune::yaml {
+namespace {
+
+std::string limits(double lower, double upper) {
+  if (std::isinf(upper)) return fmt::format("at least {}", lower);
+  if (std::isinf(lower)) return fmt::format("at most {}", upper);
+  return fmt::format("{} to {}", lower, upper);
+}
+
+}  // namespace
+
+MapReader::MapReader(const Node& map) : map_(map) {
+  map.entries();
+}
+
+bool MapReader::is_known(std::string_view key) const {
+  return std::find(known_.begin(), known_.end(), key) != known_.end();
+}
+
+void MapReader::ignore(std::string_view key) {
+  if (!is_known(key)) known_.emplace_back(key);
+}
+
+const Node* MapReader::optional(std::string_view key) {
+  ignore(key);
+  return map_.find(key);
+}
+
+const Node& MapReader::required(std::string_view key) {
+  if (const Node* value = optional(key)) return *value;
+  // The misspelt key itself would only be reported by finish(), which this error keeps from being reached.
+  std::vector<std::string> unread;
+  for (const auto& [name, value] : map_.entries()) {
+    if (!is_known(name)) unread.push_back(name);
+  }
+  const std::string misspelt = nearest(key, unread);
+  const std::string& path = map_.key_path();
+  map_.fail(fmt::format("missing key '{}' in {}{}", key, path.empty() ? "the document" : "'" + path + "'",
+                        misspelt.empty() ? "" : "; is '" + misspelt + "' a misspelling of it?"));
+}
+
+bool MapReader::has(std::string_view key) {
+  return optional(key) != nullptr;
+}
+
+double MapReader::number(std::string_view key) {
+  return required(key).as_number();
+}
+
+double MapReader::number(std::string_view key, double default_value) {
+  const Node* value = optional(key);
+  return value ? value->as_number() : default_value;
+}
+
+double MapReader::number_in(std::string_view key, double default_value, double lower, double upper) {
+  const Node* value = optional(key);
+  if (!value) return default_value;
+  const double number = value->as_number();
+  if (number < lower || number > upper) {
+    value->fail(fmt::format("{} is out of range; expected {}", number, limits(lower, upper)));
+  }
+  return number;
+}
+
+long MapReader::integer(std::string_view key, long default_value) {
+  const Node* value = optional(key);
+  return value ? value->as_integer() : default_value;
+}
+
+bool MapReader::boolean(std::string_view key, bool default_value) {
+  const Node* value = optional(key);
+  return value ? value->as_boolean() : default_value;
+}
+
+std::string MapReader::string(std::string_view key, const std::string& default_value) {
+  const Node* value = optional(key);
+  return value ? value->as_string() : default_value;
+}
+
+void MapReader::finish() const {
+  for (const auto& [key, value] : map_.entries()) {
+    if (is_known(key)) continue;
+    const std::string meant = suggestion(key, known_);
+    value.fail(fmt::format("unknown key '{}'{} known keys: {}", key, meant.empty() ? ";" : meant,
+                           known_.empty() ? "none" : fmt::format("{}", fmt::join(known_, ", "))));
+  }
+}
+
+}  // namespace armtune::yaml

@@ -1,0 +1,230 @@
+#include "core/robot/robot_model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "core/common/error.hpp"
+#include "core/robot/kinematics.hpp"
+#include "core/robot/theta.hpp"
+#include "tests/core/support/arms.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+/// What `validate` says about the seven-joint arm after one change.
+std::string refusal_of(const std::function<void(RobotModel&)>& change) {
+  RobotModel model = test::seven_joint_arm();
+  change(model);
+  return refusal([&] { validate(model); });
+}
+
+TEST(RobotModel, AllTestArmsAreValid) {
+  const std::vector<RobotModel> arms = test::all_arms();
+  ASSERT_EQ(arms.size(), 6u);
+  for (const RobotModel& arm : arms) EXPECT_NO_THROW(validate(arm)) << arm.name;
+}
+
+TEST(RobotModel, TheSameSeedGivesTheSameArm) {
+  const RobotModel a = test::random_arm(6, 3, true);
+  const RobotModel b = test::random_arm(6, 3, true);
+  EXPECT_EQ(theta_of(a.chain), theta_of(b.chain));
+  EXPECT_NE(theta_of(a.chain), theta_of(test::random_arm(6, 4, true).chain));
+}
+
+TEST(RobotModel, JointIsFoundByName) {
+  const RobotModel arm = test::ur10();
+  EXPECT_EQ(arm.joint_index("shoulder_pan_joint"), 0);
+  EXPECT_EQ(arm.joint_index("wrist_3_joint"), 5);
+}
+
+TEST(RobotModel, UnknownJointIsRefusedWithTheListOfJoints) {
+  const RobotModel arm = test::ur10();
+  EXPECT_THAT(refusal([&] { arm.joint_index("elbow"); }),
+              AllOf(HasSubstr("ur10.urdf"), HasSubstr("'elbow'"), HasSubstr("elbow_joint, wrist_1_joint")));
+}
+
+TEST(RobotModel, LimitsComeJointByJoint) {
+  const RobotModel arm = test::ur10();
+  JointVector velocity(6);
+  velocity << 2.16, 2.16, 3.15, 3.2, 3.2, 3.2;
+  JointVector effort(6);
+  effort << 330, 330, 150, 56, 56, 56;
+  EXPECT_EQ(arm.velocity_limits(), velocity);
+  EXPECT_EQ(arm.effort_limits(), effort);
+}
+
+TEST(ThetaNames, NameEveryEntryInItsOrder) {
+  const RobotModel arm = test::ur10();
+  const std::vector<std::string> names = theta_names(arm);
+  const ParameterVector theta = theta_of(arm.chain);
+  ASSERT_EQ(static_cast<Eigen::Index>(names.size()), theta.size());
+  const auto value = [&](const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    EXPECT_NE(found, names.end()) << name;
+    return theta[found - names.begin()];
+  };
+  const LinkInertia& upper_arm = arm.chain.link[1];
+  EXPECT_EQ(value("upper_arm_link/mass"), 12.93);
+  EXPECT_EQ(value("upper_arm_link/my"), upper_arm.first_moment.y());
+  EXPECT_EQ(value("upper_arm_link/ixz"), upper_arm.inertia(0, 2));
+  EXPECT_EQ(value("upper_arm_link/izz"), upper_arm.inertia(2, 2));
+  EXPECT_EQ(value("elbow_joint/rotor_inertia"), 0.1);
+  EXPECT_EQ(names.back(), "wrist_3_joint/coulomb_friction");
+}
+
+TEST(Reach, IsNeverExceededByTheTool) {
+  std::mt19937 generator(1);
+  for (const RobotModel& arm : test::all_arms()) {
+    double farthest = 0.0;
+    for (int sample = 0; sample < 200; ++sample) {
+      JointVector q(arm.n());
+      for (int i = 0; i < arm.n(); ++i) {
+        const JointLimits& limits = arm.joints[static_cast<std::size_t>(i)].limits;
+        const double lower = limits.has_position ? limits.lower : -3.14;
+        const double upper = limits.has_position ? limits.upper : 3.14;
+        q[i] = std::uniform_real_distribution<double>(lower, upper)(generator);
+      }
+      Poses poses;
+      forward_kinematics(arm.chain, q, poses);
+      farthest = std::max(farthest, poses.p_0T.norm());
+    }
+    EXPECT_LE(farthest, reach(arm)) << arm.name;
+    EXPECT_GT(farthest, 0.2 * reach(arm)) << arm.name;
+  }
+}
+
+TEST(InFrame, ThereAndBackAgainIsTheSameBody) {
+  const LinkInertia body = test::random_arm(1, 5, false).chain.link[0];
+  const Mat3 R = Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+  const Vec3 p(0.3, -0.2, 0.9);
+  const LinkInertia back = in_frame(in_frame(body, R, p), R.transpose(), -(R.transpose() * p));
+  EXPECT_DOUBLE_EQ(back.mass, body.mass);
+  EXPECT_TRUE(back.first_moment.isApprox(body.first_moment, 1e-12));
+  EXPECT_TRUE(back.inertia.isApprox(body.inertia, 1e-12));
+}
+
+TEST(Payload, ConservesMassCentreAndInertia) {
+  for (const RobotModel& arm : test::all_arms()) {
+    const Payload payload{1.5, Vec3(0.02, -0.03, 0.05)};
+    const RobotModel loaded = with_payload(arm, payload);
+    const auto last = static_cast<std::size_t>(arm.n() - 1);
+    const LinkInertia& before = arm.chain.link[last];
+    const LinkInertia& after = loaded.chain.link[last];
+    const Vec3 p_BC = arm.chain.p_BT + arm.chain.R_BT * payload.center;
+    EXPECT_DOUBLE_EQ(after.mass, before.mass + 1.5);
+    EXPECT_TRUE(after.first_moment.isApprox(before.first_moment + 1.5 * p_BC, 1e-12)) << arm.name;
+    // Kinetic energy of a turn at w: the arm's own plus that of a point at speed |w x p|.
+    for (const Vec3& w : {Vec3(1, 0, 0), Vec3(0.3, -1, 0.5), Vec3(0, 2, 1)})
+      EXPECT_NEAR(w.dot(after.inertia * w), w.dot(before.inertia * w) + 1.5 * w.cross(p_BC).squaredNorm(),
+                  1e-12)
+          << arm.name;
+    for (std::size_t k = 0; k < last; ++k) EXPECT_EQ(loaded.chain.link[k].mass, arm.chain.link[k].mass);
+    EXPECT_NO_THROW(validate(loaded));
+  }
+}
+
+TEST(Payload, NegativeMassIsRefused) {
+  const RobotModel arm = test::seven_joint_arm();
+  EXPECT_THAT(refusal([&] { with_payload(arm, {-0.5, Vec3::Zero()}); }), HasSubstr("-0.5 kg"));
+}
+
+TEST(Validate, RefusesALinkWithoutMass) {
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.link[2].mass = 0.0; }),
+              AllOf(HasSubstr("seven_joint_arm: link 'link_3'"), HasSubstr("0 kg")));
+}
+
+TEST(Validate, RefusesNumbersThatAreNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.chain.link[0].mass = nan; }), HasSubstr("'link_1'"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.chain.link[1].first_moment.x() = inf; }),
+              HasSubstr("'link_2'"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.chain.link[1].inertia(1, 1) = nan; }), HasSubstr("'link_2'"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.chain.p_PB0[3].y() = nan; }), HasSubstr("'joint_4'"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.chain.R_BT(0, 0) = nan; }), HasSubstr("tool frame"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.chain.gravity.z() = nan; }), HasSubstr("gravity"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.joints[4].limits.velocity = inf; }), HasSubstr("'joint_5'"));
+  EXPECT_THAT(refusal_of([&](RobotModel& m) { m.joints[4].limits.upper = inf; }), HasSubstr("'joint_5'"));
+}
+
+/// The seven-joint arm with this inertia about the centre of mass of its last link.
+std::string refusal_of_moments(const Vec3& moments) {
+  return refusal_of([&](RobotModel& m) {
+    LinkInertia principal;
+    principal.mass = 0.3;
+    principal.inertia = moments.asDiagonal();
+    const Mat3 R = Eigen::AngleAxisd(0.8, Vec3(1, 1, -2).normalized()).toRotationMatrix();
+    m.chain.link[6] = in_frame(principal, R, Vec3(0.01, 0.0, 0.2));
+  });
+}
+
+TEST(Validate, RefusesInertiaNoBodyCanHave) {
+  EXPECT_THAT(refusal_of_moments({0.01, 0.01, -0.001}), AllOf(HasSubstr("'link_7'"), HasSubstr("-0.001")));
+  EXPECT_THAT(refusal_of_moments({0.01, 0.01, 0.03}), AllOf(HasSubstr("'link_7'"), HasSubstr("0.03")));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.link[5].inertia(0, 1) += 0.01; }),
+              AllOf(HasSubstr("'link_6'"), HasSubstr("symmetric")));
+}
+
+TEST(Validate, AcceptsThinPlatesRoundedToFiveDigitsAndPointMasses) {
+  EXPECT_EQ(refusal_of_moments({0.012345, 0.023456, 0.035802}), "nothing was refused");
+  EXPECT_EQ(refusal_of_moments({0.0, 0.0, 0.0}), "nothing was refused");
+}
+
+TEST(Validate, RefusesARevoluteLinkWithoutInertiaAboutItsAxis) {
+  EXPECT_THAT(refusal_of([](RobotModel& m) {
+                m.chain.link[6].first_moment = Vec3(0.0, 0.0, 0.01);
+                m.chain.link[6].inertia = Vec3(0.001, 0.001, 0.0).asDiagonal();
+              }),
+              AllOf(HasSubstr("'link_7'"), HasSubstr("'joint_7'")));
+}
+
+TEST(Validate, RefusesLimitsThatAreMissingOrCrossed) {
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.lower = 2.5; }),
+              AllOf(HasSubstr("'joint_2'"), HasSubstr("2.5 rad"), HasSubstr("2.09")));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.velocity = 0.0; }),
+              AllOf(HasSubstr("'joint_2'"), HasSubstr("velocity limit is 0 rad/s")));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.effort = -3.0; }),
+              AllOf(HasSubstr("'joint_2'"), HasSubstr("effort limit is -3 N m")));
+}
+
+TEST(Validate, RefusesNegativeRotorInertiaAndFriction) {
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.rotor_inertia[2] = -0.1; }),
+              AllOf(HasSubstr("'joint_3'"), HasSubstr("rotor inertia is -0.1")));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.viscous_friction[2] = -0.1; }), HasSubstr("viscous"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.coulomb_friction[2] = -0.1; }), HasSubstr("Coulomb"));
+}
+
+TEST(Validate, RefusesShapesThatDoNotFit) {
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.n = 0; }), HasSubstr("no revolute"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.n = kMaxJoints + 1; }), HasSubstr("up to 12"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints.pop_back(); }), HasSubstr("7 joints"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.R_PB0[1] *= 1.1; }),
+              AllOf(HasSubstr("'joint_2'"), HasSubstr("rotation matrix")));
+}
+
+TEST(Validate, RefusesNamesThatWouldBreakACsvHeader) {
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[0].name = "a,b"; }), HasSubstr("'a,b'"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[0].link = ""; }), HasSubstr("empty name"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.name = ""; }), HasSubstr("empty name"));
+}
+
+}  // namespace
+}  // namespace armtune

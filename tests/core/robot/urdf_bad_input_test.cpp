@@ -1,0 +1,180 @@
+// Files that cannot be used, each refused with the names and values to look for.
+
+#include "tests/core/support/urdf_text.hpp"
+
+namespace armtune {
+namespace {
+
+using test::joint;
+using test::kInertial;
+using test::kLimit;
+using test::link;
+using test::one_joint;
+using test::robot;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class UrdfBadInput : public test::UrdfFiles {};
+
+TEST_F(UrdfBadInput, NumbersUrdfdomCannotReadAreRefused) {
+  for (const char* mass : {"nan", "inf", "1,5", "1e400", "1.5kg", "0x10", ""}) {
+    const std::string text = kInertial.substr(0, 23) + mass + kInertial.substr(24);
+    ASSERT_THAT(refusal(robot(one_joint(text))),
+                AllOf(HasSubstr(fmt::format("mass [{}]", mass)), HasSubstr("Link [b]")));
+  }
+  EXPECT_THAT(refusal(robot(one_joint("<inertial><mass/></inertial>"))), HasSubstr("Link [b]"));
+  EXPECT_THAT(refusal(robot(one_joint("<inertial><mass value='1'/><inertia ixx='1'/></inertial>"))),
+              AllOf(HasSubstr("ixy"), HasSubstr("Link [b]")));
+}
+
+TEST_F(UrdfBadInput, PrintfFormatsThatCrashUrdfdomAreRefusedWithTheirLine) {
+  EXPECT_THAT(refusal(robot(one_joint("<inertial><mass value='%s%s%n'/></inertial>"))),
+              AllOf(HasSubstr("arm.urdf:3:"), HasSubstr("'%'")));
+  EXPECT_THAT(refusal(robot(one_joint("<inertial><mass value=%s%s%n /></inertial>"))), HasSubstr("'%'"));
+  EXPECT_THAT(refusal(robot(one_joint("<inertial><mass value='&#37;s'/></inertial>"))), HasSubstr("'&#..;'"));
+}
+
+struct Refused {
+  const char* what;
+  std::string text;
+  std::vector<std::string> says;
+};
+
+TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
+  const auto zero_mass = [](const std::string& mass, const std::string& moments) {
+    return fmt::format("<inertial><mass value='{}'/><inertia {} ixy='0' ixz='0' iyz='0'/></inertial>", mass,
+                       moments);
+  };
+  const std::string ones = "ixx='1' iyy='1' izz='1'";
+  const std::string axis = "<axis xyz='0 0 1'/>";
+  const std::string two = link("a") + link("b");
+  const std::string three = two + link("c");
+  const std::vector<Refused> table = {
+      {"no inertial", robot(one_joint("")), {"link 'b'", "mass is 0 kg"}},
+      {"zero mass", robot(one_joint(zero_mass("0", ones))), {"link 'b'", "mass is 0 kg"}},
+      {"negative mass", robot(one_joint(zero_mass("-2", ones))), {"link 'b'", "mass is -2 kg"}},
+      {"negative inertia",
+       robot(one_joint(zero_mass("1", "ixx='-1' iyy='1' izz='1'"))),
+       {"link 'b'", "-1 kg m^2"}},
+      {"triangle",
+       robot(one_joint(zero_mass("1", "ixx='1' iyy='1' izz='3'"))),
+       {"link 'b'", "1, 1, 3", "triangle"}},
+      {"zero axis", robot(one_joint(kInertial, "<axis xyz='0 0 0'/>" + kLimit)), {"joint 'j'", "'0 0 0'"}},
+      {"NaN axis", robot(one_joint(kInertial, "<axis xyz='0 nan 0'/>" + kLimit)), {"joint [j]", "nan"}},
+      {"NaN origin",
+       robot(one_joint(kInertial, "<origin xyz='0 nan 0'/>" + axis + kLimit)),
+       {"joint [j]", "nan"}},
+      {"no limit", robot(one_joint(kInertial, axis)), {"[j]", "limit"}},
+      {"no effort",
+       robot(one_joint(kInertial, axis + "<limit lower='0' upper='1' velocity='1'/>")),
+       {"effort", "[j]"}},
+      {"crossed",
+       robot(one_joint(kInertial, axis + "<limit lower='2' upper='1' velocity='1' effort='1'/>")),
+       {"joint 'j'", "2 rad", "upper limit 1"}},
+      {"no speed",
+       robot(one_joint(kInertial, axis + "<limit lower='0' upper='1' velocity='0' effort='1'/>")),
+       {"joint 'j'", "velocity limit is 0 rad/s"}},
+      {"negative damping",
+       robot(one_joint(kInertial, axis + kLimit + "<dynamics damping='-3'/>")),
+       {"joint 'j'", "viscous friction is -3"}},
+      {"continuous",
+       robot(two + joint("j", "continuous", "a", "b", axis)),
+       {"joint 'j'", "velocity", "effort"}},
+      {"floating", robot(two + joint("j", "floating", "a", "b")), {"joint 'j'", "floating"}},
+      {"planar", robot(two + joint("j", "planar", "a", "b")), {"joint 'j'", "planar"}},
+      {"spherical", robot(two + joint("j", "spherical", "a", "b")), {"[j]", "[spherical]"}},
+      {"mimic",
+       robot(two + joint("j", "revolute", "a", "b", axis + kLimit + "<mimic joint='k'/>")),
+       {"joint 'j'", "'k'"}},
+      {"two branches",
+       robot(three + joint("j", "revolute", "a", "b") + joint("k", "revolute", "a", "c")),
+       {"needs a serial arm", "'j'", "'k'"}},
+      {"two branches over a fixed link",
+       robot(three + link("d") + joint("f", "fixed", "a", "b") + joint("j", "revolute", "a", "c") +
+             joint("k", "prismatic", "b", "d")),
+       {"needs a serial arm", "'j'", "'k'"}},
+      {"cycle below the root",
+       robot(three + joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "c") +
+             joint("l", "revolute", "c", "b")),
+       {"link 'b'", "a second time"}},
+      {"detached cycle",
+       robot(three + link("d") + joint("j", "revolute", "a", "b") + joint("k", "fixed", "c", "d") +
+             joint("l", "fixed", "d", "c")),
+       {"link 'c'", "root link 'a'"}},
+      {"diamond",
+       robot(three + link("d") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "a", "c") +
+             joint("l", "fixed", "b", "d") + joint("m", "fixed", "c", "d")),
+       {"link 'd'", "a second time"}},
+      {"two roots", robot(two), {"[a]", "[b]"}},
+      {"duplicate link", robot(link("a") + link("a")), {"'a'", "not unique"}},
+      {"missing link", robot(link("a") + joint("j", "revolute", "a", "b")), {"[b]", "[j]"}},
+      {"no moving joint", robot(two + joint("j", "fixed", "a", "b")), {"robot 'r'", "nothing to control"}},
+      {"empty name", "<robot name=''>" + one_joint() + "</robot>", {"robot has an empty name"}},
+      {"SDF", "<sdf version='1.6'><model name='m'/></sdf>", {"'robot' element"}},
+      {"not closed", "<robot name='r'><link name='a'/>", {"Error reading Element value"}},
+      {"half a tag", "<robot name='r'><link name='a", {":1:", "closing quote"}},
+      {"quote missing", "<robot name='r'>\n<link name='a/>\n<link name='b'/></robot>", {":2:", "'<'"}},
+      {"comment not closed", "<robot name='r'><!-- </robot>", {":1:", "'<!--'"}},
+      {"empty", "", {"is empty"}},
+      {"UTF-16", std::string("\xFF\xFE<\0r\0", 6), {"UTF-16"}},
+      {"NUL", std::string("<robot\0 name='r'/>", 18), {"binary"}},
+      {"entity bomb", "<!DOCTYPE r [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;'>]><robot name='r'/>", {":1:"}},
+      {"xacro element",
+       "<robot name='r'>\n<xacro:include filename='x'/></robot>",
+       {":2:", "<xacro:include>", "xacro FILE.urdf.xacro > FILE.urdf", "ros2 run xacro xacro"}},
+      {"xacro value",
+       robot(one_joint("<inertial><mass value='${m}'/></inertial>")),
+       {":3:", "${m}", "xacro"}},
+      {"xacro argument", robot(one_joint("<visual name='$(arg prefix)'/>")), {"$(arg prefix)", "xacro"}},
+  };
+  for (const Refused& row : table) {
+    const std::string message = refusal(row.text);
+    for (const std::string& part : row.says) ASSERT_THAT(message, HasSubstr(part)) << row.what;
+  }
+}
+
+TEST_F(UrdfBadInput, MoreThanTwelveJointsAreRefused) {
+  std::string text = link("l0");
+  for (int i = 1; i <= 13; ++i)
+    text += link(fmt::format("l{}", i)) +
+            joint(fmt::format("j{:02}", i), "revolute", fmt::format("l{}", i - 1), fmt::format("l{}", i));
+  EXPECT_THAT(refusal(robot(text)), AllOf(HasSubstr("'j13'"), HasSubstr("up to 12")));
+}
+
+TEST_F(UrdfBadInput, FilesThatCannotBeReadAreRefused) {
+  EXPECT_THAT(refusal_of_file(folder_ + "/missing.urdf"), HasSubstr("no such file"));
+  EXPECT_THAT(refusal_of_file(folder_), HasSubstr("is a directory"));
+  const std::string path = write("");
+  std::filesystem::resize_file(path, (32u << 20) + 1);
+  EXPECT_THAT(refusal_of_file(path), HasSubstr("larger than 32 MB"));
+}
+
+TEST_F(UrdfBadInput, DeepNestingAndTooManyLinksAreRefusedBeforeParsing) {
+  std::string deep = "<robot name='r'>";
+  for (int i = 0; i < 100'000; ++i) deep += "<a>";
+  EXPECT_THAT(refusal(deep), HasSubstr("nested deeper than 1000"));
+
+  std::string links = link("l0");
+  for (int i = 1; i <= 10'000; ++i)
+    links += link(fmt::format("l{}", i), "") +
+             joint(fmt::format("j{}", i), "fixed", fmt::format("l{}", i - 1), fmt::format("l{}", i));
+  EXPECT_THAT(refusal(robot(links)), HasSubstr("more than 10000 links"));
+}
+
+TEST_F(UrdfBadInput, TagsWithThousandsOfAttributesAreRefusedBeforeParsing) {
+  std::string text = "<robot name='r'";
+  for (int i = 0; i < 60'000; ++i) text += fmt::format(" a{}='1'", i);
+  EXPECT_THAT(refusal(text + "/>"), HasSubstr("more than 1000 attributes"));
+}
+
+TEST_F(UrdfBadInput, AsManyFixedLinksAsAllowedAreMergedWithoutRecursion) {
+  std::string text = one_joint();
+  for (int i = 0; i < 9'998; ++i)
+    text +=
+        link(fmt::format("l{}", i)) + joint(fmt::format("j{}", i), "fixed",
+                                            i == 0 ? "b" : fmt::format("l{}", i - 1), fmt::format("l{}", i));
+  EXPECT_EQ(read(robot(text)).chain.link[0].mass, 9'999.0);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,22 @@
+#pragma once
+// The program's commands: each adds itself to the command line and leaves its exit code in `exit_code`.
+
+namespace CLI {
+class App;
+}
+
+namespace armtune::cli {
+
+/// Exit codes of the program.
+inline constexpr int kDone = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kBadInput = 2;
+inline constexpr int kNoFeasiblePoint = 3;
+inline constexpr int kInterrupted = 130;
+
+void add_robot_command(CLI::App& app, int& exit_code);
+void add_simulate_command(CLI::App& app, int& exit_code);
+void add_tune_command(CLI::App& app, int& exit_code);
+void add_compare_command(CLI::App& app, int& exit_code);
+
+}  // namespace armtune::cli

@@ -1,0 +1,129 @@
+// armtune compare: gain sets side by side over the same scenarios.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/gains/study.hpp"
+#include "tuner/run/comparison.hpp"
+#include "tuner/run/run_folder.hpp"
+#include "tuner/run/simulate.hpp"
+
+namespace armtune::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::vector<std::string> sets;
+  std::vector<std::string> scenarios;
+  std::string stepper = "midpoint";
+  std::string folder;
+  int workers = default_workers();
+  bool all_metrics = false;
+};
+
+/// A run folder stands for the gains in it.
+std::string gains_of(const std::string& set) {
+  std::error_code ignored;
+  return fs::is_directory(set, ignored) ? (fs::path(set) / "gains.yaml").string() : set;
+}
+
+/// Short and unique: the folder's or file's name.
+std::string label_of(const std::string& set, const std::vector<ComparedSet>& taken) {
+  const fs::path path(set.ends_with('/') ? set.substr(0, set.size() - 1) : set);
+  std::string label = path.has_extension() ? stem(path.string()) : path.filename().string();
+  std::replace(label.begin(), label.end(), ',', '_');
+  for (const ComparedSet& other : taken) {
+    if (other.name == label) return label + "_" + std::to_string(taken.size() + 1);
+  }
+  return label;
+}
+
+/// Those asked for; else those of the first run folder's study; else those of the bundled study.
+std::vector<Scenario> scenarios_of(const Arguments& args) {
+  std::vector<Scenario> scenarios;
+  for (const std::string& name : args.scenarios) scenarios.push_back(load_scenario(name));
+  if (!scenarios.empty()) return scenarios;
+  for (const std::string& set : args.sets) {
+    std::error_code ignored;
+    const fs::path study = fs::path(set) / "study.yaml";
+    if (fs::exists(study, ignored)) return load_study(study.string()).scenarios;
+  }
+  return load_study("ur10_gaze").scenarios;
+}
+
+int run(const Arguments& args) {
+  const auto scenarios = scenarios_of(args);
+  for (const std::string& set : args.sets) {
+    for (const Scenario& s : scenarios) load_gains(gains_of(set), joint_names(*s.robot));
+  }
+  if (!args.folder.empty()) make_run_folder(args.folder);
+  SimulateOptions options;
+  options.stepper = stepper_from_name(args.stepper);
+  options.workers = args.workers;
+  ProgressLine line;
+  std::vector<ComparedSet> sets;
+  for (const std::string& set : args.sets) {
+    const std::string label = label_of(set, sets);
+    options.progress = [&](std::size_t done) {
+      line.show(fmt::format("{}: {} of {} scenarios", label, done, scenarios.size()));
+    };
+    sets.push_back(
+        {label,
+         simulate(
+             scenarios, [&](const Scenario& s) { return load_gains(gains_of(set), joint_names(*s.robot)); },
+             options, stop_requested())});
+    if (stop_requested()) return kInterrupted;
+  }
+  line.clear();
+  std::vector<Metric> metrics = headline_metrics();
+  if (args.all_metrics) {
+    metrics.clear();
+    for (std::size_t m = 0; m < kMetricCount; ++m) metrics.push_back(static_cast<Metric>(m));
+  }
+  fmt::print("{}", comparison_table(sets, metrics));
+  if (!args.folder.empty()) {
+    write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
+    for (const ComparedSet& set : sets) {
+      write_text_file(args.folder + "/errors_" + set.name + ".csv", errors_csv(set.results));
+    }
+    Provenance p;
+    p.command = command_line();
+    p.gains_source = gains_of(args.sets.front());
+    p.workers = args.workers;
+    for (const Scenario& s : scenarios) p.scenarios.push_back(&s);
+    write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    fmt::print("wrote {}: comparison.csv, errors_<set>.csv, run.yaml\n", args.folder);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "Simulate gain sets over the same scenarios: one table, ratios against the first");
+  command->add_option("RUN_OR_GAINS", args->sets, "run folders, gains files or bundled gains")->required();
+  command->add_option("--scenarios", args->scenarios,
+                      "scenarios (default: those of the first run folder's study, else of the bundled one)");
+  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
+      ->capture_default_str();
+  command->add_option("--workers", args->workers, "threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
+  command->add_option("--out", args->folder, "new folder for comparison.csv and errors_<set>.csv");
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

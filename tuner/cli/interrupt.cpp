@@ -1,0 +1,40 @@
+#include "tuner/cli/interrupt.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+namespace armtune::cli {
+namespace {
+
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void on_signal(int signal) {
+  if (stop.exchange(true)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
+}  // namespace
+
+std::atomic<bool>& stop_requested() {
+  return stop;
+}
+
+void catch_interrupts() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
+
+std::string& command_line() {
+  static std::string text;
+  return text;
+}
+
+int default_workers() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace armtune::cli

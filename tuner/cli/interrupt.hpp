@@ -1,0 +1,19 @@
+#pragma once
+// SIGINT and SIGTERM as a flag that long work looks at. Signal handlers leave no other way than a global.
+
+#include <atomic>
+#include <string>
+
+namespace armtune::cli {
+
+/// True once the user asked to stop. The first signal is polite; a second one ends the program at once.
+std::atomic<bool>& stop_requested();
+void catch_interrupts();
+
+/// The command line as typed, for provenance.
+std::string& command_line();
+
+/// Threads to use when the user says nothing: one per processor.
+int default_workers();
+
+}  // namespace armtune::cli

@@ -1,0 +1,55 @@
+// armtune: the program.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/common/error.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace {
+
+std::string version_text() {
+  std::string text;
+  for (const auto& [name, version] : armtune::versions()) text += fmt::format("{} {}\n", name, version);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace armtune;
+  for (int i = 0; i < argc; ++i) cli::command_line() += (i > 0 ? " " : "") + std::string(argv[i]);
+  cli::catch_interrupts();
+
+  CLI::App app{
+      "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
+      "tunes the controller's gains with NLopt, so that tracking errors fall while every joint stays "
+      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\nthen:        armtune "
+      "tune"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 failed; 2 usage or bad input; 3 done, but no feasible point; 130 interrupted, "
+      "everything so far saved.");
+  int exit_code = cli::kDone;
+  cli::add_robot_command(app, exit_code);
+  cli::add_simulate_command(app, exit_code);
+  cli::add_tune_command(app, exit_code);
+  cli::add_compare_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? cli::kDone : cli::kBadInput;
+  } catch (const InputError& e) {
+    fmt::print(stderr, "armtune: {}\n", e.what());
+    return cli::kBadInput;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "armtune: failed: {}\n", e.what());
+    return cli::kFailed;
+  }
+  return exit_code;
+}

@@ -1,0 +1,118 @@
+// armtune simulate: scenarios under one set of gains.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/rollout/recorder.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/run/comparison.hpp"
+#include "tuner/run/run_folder.hpp"
+#include "tuner/run/simulate.hpp"
+
+namespace armtune::cli {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> scenarios;
+  std::string gains = "published";
+  std::string stepper = "midpoint";
+  std::string folder;
+  int workers = default_workers();
+  int record_every = 5;
+};
+
+void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
+                 const std::vector<ScenarioResult>& results, double seconds) {
+  const std::string& folder = args.folder;
+  const auto joints = joint_names(*scenarios.front().robot);
+  const std::string gains_path = find_data_file("gains", args.gains);
+  write_text_file(folder + "/errors.csv", errors_csv(results));
+  write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(scenarios.front())));
+  write_text_file(folder + "/gains.yaml", gains_yaml(load_gains(args.gains, joints), {"from " + gains_path}));
+  Provenance p;
+  p.command = command_line();
+  p.gains_source = gains_path;
+  p.workers = args.workers;
+  p.wall_seconds = seconds;
+  p.extra = {{"stepper", args.stepper}};
+  for (const Scenario& scenario : scenarios) p.scenarios.push_back(&scenario);
+  p.seed = scenarios.front().seed;
+  write_text_file(folder + "/run.yaml", run_yaml(p));
+}
+
+int run(const Arguments& args) {
+  std::vector<Scenario> scenarios;
+  for (const std::string& name : args.scenarios) scenarios.push_back(load_scenario(name));
+  for (const Scenario& scenario : scenarios) load_gains(args.gains, joint_names(*scenario.robot));
+  SimulateOptions options;
+  options.stepper = stepper_from_name(args.stepper);
+  options.workers = args.workers;
+  options.folder = args.folder;
+  options.record_stride = args.record_every;
+  if (!args.folder.empty()) make_run_folder(args.folder);
+
+  ProgressLine line;
+  options.progress = [&](std::size_t done) {
+    line.show(fmt::format("{} of {} scenarios", done, scenarios.size()));
+  };
+  const auto began = std::chrono::steady_clock::now();
+  const auto results = simulate(
+      scenarios, [&](const Scenario& s) { return load_gains(args.gains, joint_names(*s.robot)); }, options,
+      stop_requested());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
+  line.clear();
+
+  std::vector<Metric> all;
+  for (std::size_t m = 0; m < kMetricCount; ++m) all.push_back(static_cast<Metric>(m));
+  fmt::print("{}", comparison_table({{args.gains, results}}, all));
+  double simulated = 0.0;
+  bool completed = true;
+  for (const ScenarioResult& r : results) {
+    simulated += r.result.end_time;
+    completed = completed && r.result.status == RolloutStatus::kCompleted;
+  }
+  fmt::print("{:.4g} s simulated in {:.3g} s: {:.3g} times real time on {} workers\n", simulated,
+             elapsed.count(), simulated / elapsed.count(), args.workers);
+  if (!args.folder.empty()) {
+    write_files(args, scenarios, results, elapsed.count());
+    fmt::print("wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml\n",
+               args.folder);
+  }
+  if (stop_requested()) return kInterrupted;
+  return completed ? kDone : kFailed;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("simulate", "Simulate scenarios and report errors and limits");
+  command->add_option("SCENARIO", args->scenarios, "bundled scenarios or YAML files of your own")->required();
+  command->add_option("--gains", args->gains, "bundled gains or a YAML file")->capture_default_str();
+  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
+      ->capture_default_str();
+  command->add_option("--out", args->folder,
+                      "new folder for errors.csv, rollout_<scenario>.csv and the rest");
+  command->add_option("--workers", args->workers, "threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->footer([] {
+    return fmt::format("Bundled scenarios: {}\nBundled gains: {}\n",
+                       fmt::join(bundled_names("scenarios"), " "), fmt::join(bundled_names("gains"), " "));
+  });
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

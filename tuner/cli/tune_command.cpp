@@ -1,0 +1,228 @@
+// armtune tune: a study from its start gains to the files of a run folder.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/rollout/recorder.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/gains/journal.hpp"
+#include "tuner/gains/tune.hpp"
+#include "tuner/run/comparison.hpp"
+#include "tuner/run/run_folder.hpp"
+#include "tuner/run/simulate.hpp"
+
+namespace armtune::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point began) {
+  return std::chrono::duration<double>(Clock::now() - began).count();
+}
+
+struct Arguments {
+  std::string study = "ur10_gaze";
+  std::string folder;
+  int workers = default_workers();
+  long max_evaluations = 0;
+  long seed = -1;
+  int record_every = 5;
+};
+
+Study load(const Arguments& args) {
+  Study study = load_study(args.study);
+  if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
+  if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  return study;
+}
+
+std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds) {
+  const double left =
+      seconds / static_cast<double>(p.evaluations) * static_cast<double>(p.max_evaluations - p.evaluations);
+  return fmt::format("{:<6} {}/{}  best {:.4f}{}  velocity ratio {:.3f}  {:.2f} rollouts/s  {:.0f} s left",
+                     p.phase, p.evaluations, p.max_evaluations, p.best->objective,
+                     p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(*p.best),
+                     static_cast<double>(workers.rollouts_done()) / seconds, left);
+}
+
+/// Fresh rollouts of both gain sets: the figures that are reported, and the recordings.
+std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, const Arguments& args) {
+  const std::atomic<bool> never{false};  // an interrupted search still ends with its files
+  SimulateOptions options;
+  options.stepper = study.stepper;
+  options.workers = args.workers;
+  options.record_stride = args.record_every;
+  std::vector<ComparedSet> sets(2);
+  sets[0] = {"start",
+             simulate(
+                 study.scenarios, [&](const Scenario&) { return study.space.start; }, options, never)};
+  options.folder = args.folder;
+  sets[1] = {"tuned",
+             simulate(
+                 study.scenarios, [&](const Scenario&) { return result.best.gains; }, options, never)};
+  return sets;
+}
+
+void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
+  write_text_file(folder + "/start_gains.yaml", gains_yaml(study.space.start, {"start of " + study.source}));
+  write_text_file(
+      folder + "/gains.yaml",
+      gains_yaml(result.best.gains,
+                 {fmt::format("tuned by armtune, study {}, seed {}", study.name, study.solver.seed),
+                  fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}, {}",
+                              result.best.objective, largest_velocity_ratio(result.best),
+                              result.best.feasible ? "feasible" : "NOT feasible")}));
+}
+
+void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
+                   const Arguments& args, double seconds) {
+  const std::string& folder = args.folder;
+  write_text_file(folder + "/errors_start.csv", errors_csv(sets[0].results));
+  write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
+  write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(study.scenarios.front())));
+  Provenance p;
+  p.command = command_line();
+  p.gains_source = study.source;
+  p.seed = study.solver.seed;
+  p.workers = args.workers;
+  p.wall_seconds = seconds;
+  p.extra = {{"study", study.source},
+             {"evaluations", fmt::format("{}", result.evaluations)},
+             {"algorithm", study.solver.algorithm},
+             {"stepper", name(study.stepper)},
+             {"ended", result.reason},
+             {"feasible", result.best.feasible ? "true" : "false"},
+             {"objective", fmt::format("{}", result.best.objective)}};
+  for (const Scenario& scenario : study.scenarios) p.scenarios.push_back(&scenario);
+  write_text_file(folder + "/run.yaml", run_yaml(p));
+}
+
+void print_gains(const Study& study, const Gains& gains) {
+  fmt::print("{:<44}{:>12}{:>12}{:>8}\n", "gain", "start", "tuned", "ratio");
+  for (const Parameter& p : study.space.free) {
+    const double tuned = value(gains, p.entry);
+    const bool at_bound = tuned <= p.lower * (1.0 + 1e-9) || tuned >= p.upper * (1.0 - 1e-9);
+    fmt::print("{:<44}{:>12.5g}{:>12.5g}{:>8}{}\n", p.entry.name, p.start, tuned,
+               p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
+               at_bound ? "  at its bound" : "");
+  }
+  fmt::print("\n");
+}
+
+void print_verdict(const Study& study, const TuneResult& result, const Objective& objective) {
+  fmt::print("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study.name, result.best.objective,
+             result.best_of_sweep
+                 ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,
+                               result.best_of_sweep->feasible ? "" : ", not feasible")
+                 : "",
+             result.evaluations, result.reason);
+  fmt::print("largest velocity ratio {:.4f}; {}\n", largest_velocity_ratio(result.best),
+             result.best.feasible ? "every constraint holds" : "NOT feasible:");
+  if (result.best.feasible) return;
+  if (result.best.status != "completed") fmt::print("  {}\n", result.best.status);
+  for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
+    if (result.best.constraints[c] > 0.0) {
+      fmt::print("  {} is missed by {:.4g}\n", objective.constraint_name(c), result.best.constraints[c]);
+    }
+  }
+}
+
+int run(Arguments args) {
+  const auto began = Clock::now();
+  const Study study = load(args);
+  if (args.folder.empty()) args.folder = default_run_folder(study.name);
+  make_run_folder(args.folder);
+  write_text_file(args.folder + "/start_gains.yaml",
+                  gains_yaml(study.space.start, {"start of " + study.source}));
+  write_text_file(args.folder + "/study.yaml", study_yaml(study, "start_gains.yaml"));
+
+  Workers workers(study.scenarios, study.stepper, args.workers);
+  std::unique_ptr<Journal> journal;
+  std::optional<Objective> objective;
+  ProgressLine line;
+  TuneCallbacks callbacks;
+  callbacks.begin = [&](const Objective& o) {
+    objective = o;
+    journal = std::make_unique<Journal>(args.folder + "/evaluations.csv", study, *objective);
+  };
+  callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
+    journal->append(phase, e, seconds_since(began));
+  };
+  callbacks.progress = [&](const TuneProgress& p) {
+    line.show(progress_text(p, workers, seconds_since(began)));
+  };
+  const TuneResult result = tune(study, workers, stop_requested(), callbacks);
+  line.clear();
+  if (result.evaluations == 0) {
+    fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
+    return kInterrupted;
+  }
+  write_gains(study, result, args.folder);
+  line.show("fresh rollouts of the start and the tuned gains");
+  const auto sets = verify(study, result, args);
+  line.clear();
+  write_reports(study, result, sets, args, seconds_since(began));
+
+  fmt::print("{}", comparison_table(sets, headline_metrics()));
+  print_gains(study, result.best.gains);
+  print_verdict(study, result, *objective);
+  fmt::print(
+      "wrote {} in {:.0f} s: gains.yaml, errors.csv, errors_start.csv, evaluations.csv, "
+      "rollout_<scenario>.csv, columns.csv, study.yaml, run.yaml\n"
+      "next: armtune compare published {} --scenarios {}\n",
+      args.folder, seconds_since(began), args.folder, study.scenarios.back().name);
+  if (result.interrupted) return kInterrupted;
+  return result.best.feasible ? kDone : kNoFeasiblePoint;
+}
+
+std::string help_footer() {
+  std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
+                                 fmt::join(bundled_names("studies"), " "));
+  for (const AlgorithmInfo& a : algorithms()) text += fmt::format("  {:<12} {}\n", a.name, a.meaning);
+  text += "\nGains (study file, parameters; * tuned by default):\n";
+  for (const GainField& field : gain_fields()) {
+    if (!field.is_number()) continue;
+    text += fmt::format("{} {:<30} {}{}\n", field.search_upper_factor > 0.0 ? "*" : " ", field.name,
+                        field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
+  }
+  text += "\nMetrics (study file, objective and constraints):\n";
+  for (const MetricField& field : metric_fields()) {
+    text += fmt::format("  {:<34} {} [{}]\n", field.name, field.meaning, field.unit);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_tune_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
+  command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
+      ->capture_default_str();
+  command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
+  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--max-evaluations", args->max_evaluations,
+                   "budget, start and sweep included (default: the study's)")
+      ->check(CLI::Range(1L, 1000000000L));
+  command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
+      ->check(CLI::Range(0L, 1000000000000L));
+  command
+      ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->footer(help_footer);
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

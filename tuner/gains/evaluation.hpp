@@ -1,0 +1,31 @@
+#pragma once
+// What a candidate turned out to be worth, and the one ordering of candidates.
+
+#include <string>
+#include <vector>
+
+#include "core/control/gains.hpp"
+#include "sim/rollout/rollout.hpp"
+
+namespace armtune {
+
+struct Evaluation {
+  std::vector<double> x;  ///< search coordinates
+  Gains gains;
+  double objective = 0.0;           ///< finite; the start scores 1
+  std::vector<double> constraints;  ///< g <= 0 holds, in natural units
+  double violation = 0.0;           ///< sum of relative violations; 0 if feasible
+  bool feasible = false;
+  std::string status;                  ///< "completed", or what went wrong first
+  std::vector<RolloutResult> results;  ///< one per scenario
+};
+
+/// Feasible before infeasible; among feasible the smaller objective; among infeasible the smaller violation,
+/// then the smaller objective.
+inline bool better(const Evaluation& a, const Evaluation& b) {
+  if (a.feasible != b.feasible) return a.feasible;
+  if (!a.feasible && a.violation != b.violation) return a.violation < b.violation;
+  return a.objective < b.objective;
+}
+
+}  // namespace armtune

@@ -1,0 +1,115 @@
+#include "tuner/gains/objective.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+/// Ratio that a term scores, at least, in a scenario that did not complete: far above any completed one.
+constexpr double kIncompletePenalty = 10.0;
+/// A metric relative to its reference counts at most this much, so that one wild value stays comparable.
+constexpr double kLargestRatio = 10.0;
+
+const char* metric_name(Metric m) {
+  return metric_fields()[static_cast<std::size_t>(m)].name;
+}
+
+}  // namespace
+
+Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
+                     const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
+                     const std::string& where)
+    : terms_(std::move(terms)), constraints_(std::move(constraints)) {
+  for (std::size_t s = 0; s < scenarios.size(); ++s) {
+    if (start[s].status != RolloutStatus::kCompleted) {
+      throw InputError(
+          fmt::format("{}: the start gains do not complete {}: {}; the objective is relative to "
+                      "them, so begin with gains that do",
+                      where, scenarios[s].name, start[s].reason));
+    }
+    durations_.push_back(scenarios[s].duration);
+    start_.push_back(start[s].metrics);
+  }
+  for (const ObjectiveTerm& term : terms_) {
+    for (const std::size_t s : term.scenarios) {
+      const double reference = std::max(term.floor, start_[s][term.metric]);
+      if (!(std::isfinite(reference) && reference > 0.0)) {
+        throw InputError(
+            fmt::format("{}: {} of the start gains in {} is {}, which gives no reference; leave that "
+                        "scenario out of the term or give it a 'floor'",
+                        where, metric_name(term.metric), scenarios[s].name, start_[s][term.metric]));
+      }
+    }
+  }
+}
+
+double Objective::incompleteness(const RolloutResult& result, std::size_t s) const {
+  if (result.status == RolloutStatus::kCompleted) return 0.0;
+  return 2.0 - std::clamp(result.end_time / durations_[s], 0.0, 1.0);
+}
+
+double Objective::limit(std::size_t c, std::size_t s) const {
+  const Constraint& constraint = constraints_[c];
+  return constraint.limit ? *constraint.limit : start_[s][constraint.metric];
+}
+
+std::string Objective::constraint_name(std::size_t c) const {
+  const Constraint& constraint = constraints_[c];
+  return fmt::format("{} {} {}", metric_name(constraint.metric), constraint.upper ? "<=" : ">=",
+                     constraint.limit ? fmt::format("{}", *constraint.limit) : "start");
+}
+
+void Objective::judge(Evaluation& e) const {
+  double sum = 0.0;
+  double weights = 0.0;
+  for (const ObjectiveTerm& term : terms_) {
+    double mean = 0.0;
+    for (const std::size_t s : term.scenarios) {
+      const double incomplete = incompleteness(e.results[s], s);
+      const double reference = std::max(term.floor, start_[s][term.metric]);
+      const double ratio = e.results[s].metrics[term.metric] / reference;
+      mean += incomplete > 0.0 || !std::isfinite(ratio) ? kIncompletePenalty * std::max(1.0, incomplete)
+                                                        : std::min(ratio, kLargestRatio);
+    }
+    sum += term.weight * mean / static_cast<double>(term.scenarios.size());
+    weights += term.weight;
+  }
+  e.objective = sum / weights;
+
+  e.constraints.assign(constraint_count(), 0.0);
+  e.violation = 0.0;
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const Constraint& constraint = constraints_[c];
+    double worst = -HUGE_VAL;
+    double relative = 0.0;
+    for (const std::size_t s : constraint.scenarios) {
+      const double bound = limit(c, s);
+      if (std::isnan(bound)) continue;  // the metric has nothing to judge here, as without obstacles
+      const double scale = bound != 0.0 ? std::abs(bound) : 1.0;
+      const double v = e.results[s].metrics[constraint.metric];
+      double g = constraint.upper ? v - bound : bound - v;
+      if (!std::isfinite(g)) g = scale * std::max(1.0, incompleteness(e.results[s], s));
+      worst = std::max(worst, g);
+      relative = std::max(relative, g / scale);
+    }
+    e.constraints[c] = std::isfinite(worst) ? worst : 0.0;
+    e.violation += relative;
+  }
+  double incomplete = 0.0;
+  e.status = "completed";
+  for (std::size_t s = 0; s < e.results.size(); ++s) {
+    const double here = incompleteness(e.results[s], s);
+    if (here > 0.0 && e.status == "completed") e.status = e.results[s].reason;
+    incomplete += here;
+  }
+  e.constraints.back() = incomplete;
+  e.violation += incomplete;
+  e.feasible = e.violation <= 0.0;
+}
+
+}  // namespace armtune

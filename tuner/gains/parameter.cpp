@@ -1,0 +1,87 @@
+#include "tuner/gains/parameter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+double to_coordinate(const Parameter& p, double v) {
+  const double x = p.scale == Scale::kLog ? std::log(v / p.lower) / std::log(p.upper / p.lower)
+                                          : (v - p.lower) / (p.upper - p.lower);
+  return std::clamp(x, 0.0, 1.0);
+}
+
+double from_coordinate(const Parameter& p, double coordinate) {
+  const double x = std::clamp(coordinate, 0.0, 1.0);
+  const double v =
+      p.scale == Scale::kLog ? p.lower * std::pow(p.upper / p.lower, x) : p.lower + x * (p.upper - p.lower);
+  return std::clamp(v, p.lower, p.upper);
+}
+
+}  // namespace
+
+std::vector<GainEntry> gain_entries(const std::vector<std::string>& joints) {
+  std::vector<GainEntry> entries;
+  for (const GainField& field : gain_fields()) {
+    if (!field.is_number()) continue;
+    const auto components = component_names(field, joints);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      entries.push_back({&field, i, components[i].empty() ? field.name : field.name + ("/" + components[i])});
+    }
+  }
+  return entries;
+}
+
+double& value(Gains& gains, const GainEntry& entry) {
+  return numbers(gains, *entry.field)[entry.component];
+}
+double value(const Gains& gains, const GainEntry& entry) {
+  return numbers(gains, *entry.field)[entry.component];
+}
+
+std::vector<double> ParameterSpace::start_point() const {
+  std::vector<double> x;
+  for (const Parameter& p : free) x.push_back(to_coordinate(p, p.start));
+  return x;
+}
+
+Gains ParameterSpace::gains_at(const std::vector<double>& x) const {
+  Gains gains = start;
+  for (std::size_t i = 0; i < free.size(); ++i) value(gains, free[i].entry) = from_coordinate(free[i], x[i]);
+  for (const Link& link : links) {
+    value(gains, link.entry) = link.factor * value(gains, free[link.parameter].entry);
+  }
+  return gains;
+}
+
+std::vector<double> ParameterSpace::point_of(const Gains& gains) const {
+  std::vector<double> x;
+  for (const Parameter& p : free) x.push_back(to_coordinate(p, value(gains, p.entry)));
+  return x;
+}
+
+void validate(const ParameterSpace& space, const std::string& where) {
+  if (space.free.empty()) throw InputError(where + ": no parameter to tune; list some under 'parameters'");
+  for (const Parameter& p : space.free) {
+    const auto fail = [&](const std::string& what) {
+      throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));
+    };
+    if (!std::isfinite(p.lower) || !std::isfinite(p.upper) || p.lower >= p.upper) {
+      fail(fmt::format("lower bound {} is not below upper bound {}", p.lower, p.upper));
+    }
+    if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; gains are not", p.lower));
+    if (p.scale == Scale::kLog && p.lower <= 0.0) {
+      fail(fmt::format("lower bound {} on a log scale; give one above zero or 'scale: linear'", p.lower));
+    }
+    if (!(p.start >= p.lower && p.start <= p.upper)) {
+      fail(fmt::format("start {} lies outside its bounds {} .. {}", p.start, p.lower, p.upper));
+    }
+  }
+}
+
+}  // namespace armtune

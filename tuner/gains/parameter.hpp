@@ -1,0 +1,58 @@
+#pragma once
+// The search space: which gains a study turns, between which bounds, on which scale.
+
+#include <string>
+#include <vector>
+
+#include "core/control/gain_fields.hpp"
+
+namespace armtune {
+
+enum class Scale { kLog, kLinear };
+
+/// One number of one gain field.
+struct GainEntry {
+  const GainField* field = nullptr;
+  std::size_t component = 0;
+  std::string name;  ///< "task_space_gains_p/rx", "slerpDurationErrorGain"
+};
+
+/// All numbers of all fields of an arm with these joints, in the order of the fields.
+std::vector<GainEntry> gain_entries(const std::vector<std::string>& joints);
+
+double& value(Gains& gains, const GainEntry& entry);
+double value(const Gains& gains, const GainEntry& entry);
+
+struct Parameter {
+  GainEntry entry;
+  double start = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+  Scale scale = Scale::kLog;
+};
+
+/// A gain that follows a tuned parameter: value = factor * its value.
+struct Link {
+  GainEntry entry;
+  std::size_t parameter = 0;  ///< index into ParameterSpace::free
+  double factor = 1.0;
+};
+
+struct ParameterSpace {
+  Gains start;  ///< with fixed values already in place
+  std::vector<Parameter> free;
+  std::vector<Link> links;
+
+  /// Search coordinates (one per free parameter, 0 at the lower and 1 at the upper bound) of the start.
+  std::vector<double> start_point() const;
+  /// Gains at search coordinates; coordinates are clamped to [0, 1].
+  Gains gains_at(const std::vector<double>& x) const;
+  /// Search coordinates of gains, clamped to the bounds.
+  std::vector<double> point_of(const Gains& gains) const;
+};
+
+/// Throws InputError, with `where` in front, naming the parameter whose bounds are crossed, whose start lies
+/// outside them, or whose scale does not fit.
+void validate(const ParameterSpace& space, const std::string& where);
+
+}  // namespace armtune

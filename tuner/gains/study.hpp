@@ -1,0 +1,42 @@
+#pragma once
+// A study: what is tuned, over which scenarios, for which metrics, under which constraints, and how.
+
+#include <string>
+#include <vector>
+
+#include "tuner/gains/objective.hpp"
+#include "tuner/gains/parameter.hpp"
+#include "tuner/gains/solver.hpp"
+
+namespace armtune {
+
+/// One direction of the coarse sweep before the search: these parameters are multiplied together.
+struct SweepAxis {
+  std::vector<std::size_t> parameters;  ///< indices into ParameterSpace::free
+  std::vector<double> factors;          ///< on the start's value; bounds clamp
+};
+
+struct Study {
+  std::string name;
+  std::string source;
+  std::string description;
+  std::string gains;  ///< where the start gains came from
+  std::vector<Scenario> scenarios;
+  ParameterSpace space;
+  std::vector<ObjectiveTerm> terms;
+  std::vector<Constraint> constraints;
+  std::vector<SweepAxis> sweep;  ///< may be empty
+  SolverOptions solver;
+  long max_evaluations = 300;  ///< start and sweep included
+  double max_minutes = 0.0;    ///< 0: no limit
+  Stepper stepper = Stepper::kMidpoint;
+};
+
+/// Reads a bundled study by name, or a file by path. Throws InputError.
+Study load_study(const std::string& name_or_path);
+
+/// The study with every default written out, as YAML that load_study reads. `gains_file`: where the start
+/// gains are kept beside it.
+std::string study_yaml(const Study& study, const std::string& gains_file);
+
+}  // namespace armtune

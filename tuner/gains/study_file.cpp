@@ -1,0 +1,257 @@
+// Study files: reader of study.hpp's load_study.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "sim/yaml/map_reader.hpp"
+#include "tuner/gains/study.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<Scenario> read_scenarios(const yaml::Node& node, const std::string& folder) {
+  std::vector<Scenario> scenarios;
+  for (const std::string& name : node.as_strings()) {
+    scenarios.push_back(load_scenario(find_data_file("scenarios", name, folder)));
+    const auto joints = joint_names(*scenarios.back().robot);
+    if (joints != joint_names(*scenarios.front().robot)) {
+      node.fail(fmt::format("{} and {} have different joints; a study tunes one arm", scenarios.front().name,
+                            scenarios.back().name));
+    }
+    for (std::size_t i = 0; i + 1 < scenarios.size(); ++i) {
+      if (scenarios[i].name == scenarios.back().name) node.fail(scenarios[i].name + " stands twice");
+    }
+  }
+  if (scenarios.empty()) node.fail("empty; name at least one scenario");
+  return scenarios;
+}
+
+Metric read_metric(const yaml::Node& node) {
+  const std::string name = node.as_string();
+  if (const auto metric = metric_from_name(name)) return *metric;
+  std::vector<std::string> names;
+  for (const MetricField& field : metric_fields()) names.emplace_back(field.name);
+  node.fail(fmt::format("'{}' is no metric{}; there are: {}", name, suggestion(name, names),
+                        fmt::join(names, ", ")));
+}
+
+/// Indices of the named scenarios; all of them if `node` is null.
+std::vector<std::size_t> read_subset(const yaml::Node* node, const std::vector<Scenario>& scenarios) {
+  std::vector<std::size_t> subset;
+  if (node == nullptr) {
+    for (std::size_t s = 0; s < scenarios.size(); ++s) subset.push_back(s);
+    return subset;
+  }
+  for (const std::string& name : node->as_strings()) {
+    const auto found = std::find_if(scenarios.begin(), scenarios.end(),
+                                    [&name](const Scenario& s) { return s.name == name; });
+    if (found == scenarios.end()) node->fail("'" + name + "' is not one of the study's scenarios");
+    subset.push_back(static_cast<std::size_t>(found - scenarios.begin()));
+  }
+  if (subset.empty()) node->fail("empty; leave the key out for all scenarios");
+  return subset;
+}
+
+std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vector<Scenario>& scenarios) {
+  std::vector<ObjectiveTerm> terms;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    ObjectiveTerm& term = terms.emplace_back();
+    term.metric = read_metric(map.required("metric"));
+    term.weight = map.number_in("weight", 1.0, 0.0, kInfinity);
+    term.floor = map.number_in("floor", 0.0, 0.0, kInfinity);
+    term.scenarios = read_subset(map.optional("scenarios"), scenarios);
+    map.finish();
+  }
+  double weights = 0.0;
+  for (const ObjectiveTerm& term : terms) weights += term.weight;
+  if (!(weights > 0.0)) node.fail("no term with a weight above zero");
+  return terms;
+}
+
+std::vector<Constraint> read_constraints(const yaml::Node& node, const std::vector<Scenario>& scenarios) {
+  std::vector<Constraint> constraints;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    Constraint& constraint = constraints.emplace_back();
+    constraint.metric = read_metric(map.required("metric"));
+    constraint.upper = map.has("at_most");
+    if (constraint.upper == map.has("at_least")) item.fail("give one of: at_most, at_least");
+    const yaml::Node& limit = map.required(constraint.upper ? "at_most" : "at_least");
+    if (!limit.is_word("start")) constraint.limit = limit.as_number();
+    constraint.scenarios = read_subset(map.optional("scenarios"), scenarios);
+    map.finish();
+  }
+  return constraints;
+}
+
+/// Entries that a name stands for: one number, or all of a field.
+std::vector<GainEntry> find_entries(const yaml::Node& node, const std::vector<GainEntry>& all) {
+  const std::string name = node.as_string();
+  std::vector<GainEntry> found;
+  std::vector<std::string> names;
+  for (const GainEntry& entry : all) {
+    if (entry.name == name || entry.field->name == name) found.push_back(entry);
+    if (names.empty() || names.back() != entry.field->name) names.emplace_back(entry.field->name);
+    names.push_back(entry.name);
+  }
+  if (found.empty())
+    node.fail("'" + name + "' is no gain" + suggestion(name, names) + "; see armtune tune --help");
+  return found;
+}
+
+Parameter default_parameter(const GainEntry& entry, const Gains& start) {
+  Parameter p;
+  p.entry = entry;
+  p.start = value(start, entry);
+  const bool tuned = entry.field->search_upper_factor > 0.0;
+  p.lower = p.start * (tuned ? entry.field->search_lower_factor : 0.2);
+  p.upper = p.start * (tuned ? entry.field->search_upper_factor : 5.0);
+  return p;
+}
+
+template <typename List>
+auto find_by_name(List& list, const std::string& name) {
+  return std::find_if(list.begin(), list.end(), [&name](const auto& p) { return p.entry.name == name; });
+}
+
+/// One entry of `parameters`: which gains, then fixed, linked, or tuned between bounds.
+void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, ParameterSpace& space) {
+  yaml::MapReader map(node);
+  const auto entries = find_entries(map.required("name"), all);
+  const yaml::Node* fixed = map.optional("fixed");
+  const yaml::Node* link = map.optional("link");
+  const yaml::Node* lower = map.optional("lower");
+  const yaml::Node* upper = map.optional("upper");
+  const yaml::Node* start = map.optional("start");
+  const std::string scale = map.string("scale", "log");
+  const double factor = map.number_in("factor", 1.0, 0.0, kInfinity);
+  if (scale != "log" && scale != "linear")
+    map.required("scale").fail("'" + scale + "' is not one of: log, linear");
+  map.finish();
+  if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
+  for (const GainEntry& entry : entries) {
+    if (const auto old = find_by_name(space.free, entry.name); old != space.free.end()) space.free.erase(old);
+    if (fixed != nullptr) {
+      value(space.start, entry) = fixed->as_number();
+    } else if (link != nullptr) {
+      const auto target = find_by_name(space.free, link->as_string());
+      if (target == space.free.end()) {
+        link->fail("'" + link->as_string() + "' is not a tuned parameter listed before this one");
+      }
+      space.links.push_back({entry, static_cast<std::size_t>(target - space.free.begin()), factor});
+    } else {
+      if (start != nullptr) value(space.start, entry) = start->as_number();
+      Parameter p = default_parameter(entry, space.start);
+      p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;
+      if (lower != nullptr) p.lower = lower->as_number();
+      if (upper != nullptr) p.upper = upper->as_number();
+      space.free.push_back(p);
+    }
+  }
+}
+
+ParameterSpace read_space(const yaml::Node* node, const Gains& start,
+                          const std::vector<std::string>& joints) {
+  ParameterSpace space;
+  space.start = start;
+  const auto all = gain_entries(joints);
+  if (node == nullptr) {
+    for (const GainEntry& entry : all) {
+      if (entry.field->search_upper_factor > 0.0) space.free.push_back(default_parameter(entry, start));
+    }
+    return space;
+  }
+  // Links refer to free parameters by index: whatever takes parameters away must stand before them.
+  for (const yaml::Node& item : node->items()) {
+    const std::size_t links = space.links.size();
+    const std::size_t free = space.free.size();
+    read_parameter(item, all, space);
+    if (space.free.size() < free && links > 0) {
+      item.fail("takes a parameter away after a link was made; list fixed and linked gains in order of need");
+    }
+  }
+  return space;
+}
+
+std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<GainEntry>& all,
+                                  const ParameterSpace& space) {
+  std::vector<SweepAxis> axes;
+  double points = 1.0;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    SweepAxis& axis = axes.emplace_back();
+    for (const yaml::Node& name : map.required("parameters").items()) {
+      for (const GainEntry& entry : find_entries(name, all)) {
+        const auto found = find_by_name(space.free, entry.name);
+        if (found == space.free.end()) name.fail(entry.name + " is not tuned by this study");
+        axis.parameters.push_back(static_cast<std::size_t>(found - space.free.begin()));
+      }
+    }
+    axis.factors = map.required("factors").as_numbers();
+    for (const double f : axis.factors) {
+      if (!(f > 0.0)) map.required("factors").fail(fmt::format("factor {} is not above zero", f));
+    }
+    points *= static_cast<double>(axis.factors.size());
+    map.finish();
+  }
+  if (points > 1e5) node.fail(fmt::format("{:.0f} points; at most 100000", points));
+  return axes;
+}
+
+void read_search(const yaml::Node& node, Study& study) {
+  yaml::MapReader map(node);
+  study.solver.algorithm = map.string("algorithm", study.solver.algorithm);
+  algorithm_from_name(study.solver.algorithm);
+  study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
+  if (study.max_evaluations < 1) map.required("max_evaluations").fail("must be at least 1");
+  study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);
+  study.solver.initial_step = map.number_in("initial_step", study.solver.initial_step, 1e-6, 0.5);
+  study.solver.x_tolerance = map.number_in("x_tolerance", study.solver.x_tolerance, 0.0, 1.0);
+  study.solver.objective_tolerance =
+      map.number_in("objective_tolerance", study.solver.objective_tolerance, 0.0, 1.0);
+  const long seed = map.integer("seed", 1);
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  study.solver.seed = static_cast<std::uint64_t>(seed);
+  study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
+  map.finish();
+}
+
+}  // namespace
+
+Study load_study(const std::string& name_or_path) {
+  const std::string path = find_data_file("studies", name_or_path);
+  const yaml::Node root = yaml::parse_file(path);
+  yaml::MapReader map(root);
+  Study study;
+  study.name = stem(path);
+  study.source = path;
+  study.description = map.string("description", "");
+  study.scenarios = read_scenarios(map.required("scenarios"), folder_of(path));
+  const auto joints = joint_names(*study.scenarios.front().robot);
+  study.gains = map.required("gains").as_string();
+  const Gains start = load_gains(study.gains, joints, folder_of(path));
+  study.space = read_space(map.optional("parameters"), start, joints);
+  validate(study.space, path);
+  study.terms = read_objective(map.required("objective"), study.scenarios);
+  if (const yaml::Node* node = map.optional("constraints")) {
+    study.constraints = read_constraints(*node, study.scenarios);
+  }
+  if (const yaml::Node* node = map.optional("sweep")) {
+    study.sweep = read_sweep(*node, gain_entries(joints), study.space);
+  }
+  if (const yaml::Node* node = map.optional("search")) read_search(*node, study);
+  map.finish();
+  return study;
+}
+
+}  // namespace armtune

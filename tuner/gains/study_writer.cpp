@@ -1,0 +1,72 @@
+// Study files: writer of study.hpp's study_yaml.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tuner/gains/study.hpp"
+
+namespace armtune {
+namespace {
+
+const char* metric_name(Metric m) {
+  return metric_fields()[static_cast<std::size_t>(m)].name;
+}
+
+std::string subset_text(const std::vector<std::size_t>& subset, const std::vector<Scenario>& scenarios) {
+  std::vector<std::string> names;
+  for (const std::size_t s : subset) names.push_back(scenarios[s].name);
+  return fmt::format("[{}]", fmt::join(names, ", "));
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string study_yaml(const Study& study, const std::string& gains_file) {
+  std::string text =
+      fmt::format("description: {}\ngains: {}\nscenarios:\n", quoted(study.description), gains_file);
+  for (const Scenario& scenario : study.scenarios) text += fmt::format("  - {}\n", quoted(scenario.source));
+  text += "parameters:\n";
+  for (const Parameter& p : study.space.free) {
+    text += fmt::format("  - {{name: {}, start: {}, lower: {}, upper: {}, scale: {}}}\n", p.entry.name,
+                        p.start, p.lower, p.upper, p.scale == Scale::kLog ? "log" : "linear");
+  }
+  for (const Link& link : study.space.links) {
+    text += fmt::format("  - {{name: {}, link: {}, factor: {}}}\n", link.entry.name,
+                        study.space.free[link.parameter].entry.name, link.factor);
+  }
+  text += "objective:\n";
+  for (const ObjectiveTerm& term : study.terms) {
+    text +=
+        fmt::format("  - {{metric: {}, weight: {}, floor: {}, scenarios: {}}}\n", metric_name(term.metric),
+                    term.weight, term.floor, subset_text(term.scenarios, study.scenarios));
+  }
+  if (!study.constraints.empty()) text += "constraints:\n";
+  for (const Constraint& c : study.constraints) {
+    text += fmt::format("  - {{metric: {}, {}: {}, scenarios: {}}}\n", metric_name(c.metric),
+                        c.upper ? "at_most" : "at_least", c.limit ? fmt::format("{}", *c.limit) : "start",
+                        subset_text(c.scenarios, study.scenarios));
+  }
+  if (!study.sweep.empty()) text += "sweep:\n";
+  for (const SweepAxis& axis : study.sweep) {
+    std::vector<std::string> names;
+    for (const std::size_t p : axis.parameters) names.push_back(study.space.free[p].entry.name);
+    text += fmt::format("  - {{parameters: [{}], factors: [{}]}}\n", fmt::join(names, ", "),
+                        fmt::join(axis.factors, ", "));
+  }
+  text += fmt::format(
+      "search: {{algorithm: {}, max_evaluations: {}, max_minutes: {}, initial_step: {}, x_tolerance: {}, "
+      "objective_tolerance: {}, seed: {}, stepper: {}}}\n",
+      study.solver.algorithm, study.max_evaluations, study.max_minutes, study.solver.initial_step,
+      study.solver.x_tolerance, study.solver.objective_tolerance, study.solver.seed, name(study.stepper));
+  return text;
+}
+
+}  // namespace armtune

@@ -1,0 +1,47 @@
+#pragma once
+// The tuning loop: start gains, coarse sweep, search.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+
+#include "tuner/gains/study.hpp"
+#include "tuner/gains/workers.hpp"
+
+namespace armtune {
+
+struct TuneProgress {
+  const char* phase = "";
+  long evaluations = 0;
+  long max_evaluations = 0;
+  const Evaluation* last = nullptr;
+  const Evaluation* best = nullptr;
+};
+
+struct TuneCallbacks {
+  /// Once, when the start gains were simulated and the objective stands.
+  std::function<void(const Objective&)> begin;
+  /// For every evaluation that simulated something, in order. `phase`: start, sweep or search.
+  std::function<void(const char* phase, const Evaluation&)> evaluated;
+  std::function<void(const TuneProgress&)> progress;
+};
+
+struct TuneResult {
+  Evaluation start;
+  std::optional<Evaluation> best_of_sweep;
+  Evaluation best;  ///< feasible if any feasible point was seen
+  long evaluations = 0;
+  bool interrupted = false;
+  std::string reason;  ///< why the search ended
+};
+
+/// Runs the study. `stop`: set from outside to end after the rollouts under way are dropped. Deterministic:
+/// a function of the study alone, unless max_minutes is set. Throws InputError if the start gains give no
+/// reference.
+TuneResult tune(const Study& study, Workers& workers, const std::atomic<bool>& stop,
+                const TuneCallbacks& callbacks);
+
+/// Largest |q'|/limit over an evaluation's scenarios.
+double largest_velocity_ratio(const Evaluation& e);
+
+}  // namespace armtune

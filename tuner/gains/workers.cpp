@@ -1,0 +1,46 @@
+#include "tuner/gains/workers.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tuner/run/parallel.hpp"
+
+namespace armtune {
+
+Workers::Workers(std::vector<Scenario> scenarios, Stepper stepper, int count)
+    : scenarios_(std::move(scenarios)), stepper_(stepper), longest_first_(scenarios_.size()) {
+  for (int w = 0; w < count; ++w) rollouts_.emplace_back(scenarios_.size());
+  std::iota(longest_first_.begin(), longest_first_.end(), std::size_t{0});
+  std::stable_sort(longest_first_.begin(), longest_first_.end(), [this](std::size_t a, std::size_t b) {
+    return scenarios_[a].periods() > scenarios_[b].periods();
+  });
+}
+
+Workers::~Workers() = default;
+
+Rollout& Workers::rollout(std::size_t worker, std::size_t scenario) {
+  auto& slot = rollouts_[worker][scenario];
+  if (!slot) slot = std::make_unique<Rollout>(scenarios_[scenario], stepper_);
+  return *slot;
+}
+
+std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
+                                                                    const std::atomic<bool>& stop) {
+  std::vector<std::vector<RolloutResult>> results(candidates.size(),
+                                                  std::vector<RolloutResult>(scenarios_.size()));
+  // All candidates of the longest scenario first: short rollouts fill the gaps at the end.
+  parallel_for(candidates.size() * scenarios_.size(), count(), stop,
+               [&](std::size_t worker, std::size_t job) {
+                 const std::size_t scenario = longest_first_[job / candidates.size()];
+                 const std::size_t candidate = job % candidates.size();
+                 results[candidate][scenario] =
+                     rollout(worker, scenario).run(candidates[candidate], [&stop](const Observation&) {
+                       return !stop;
+                     });
+                 ++done_;
+               });
+  if (stop) return std::nullopt;
+  return results;
+}
+
+}  // namespace armtune

@@ -1,0 +1,40 @@
+#pragma once
+// Rollouts in parallel. The unit of work is one rollout; every worker has plants of its own, so results do
+// not depend on the number of workers.
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/rollout/rollout.hpp"
+
+namespace armtune {
+
+class Workers {
+ public:
+  /// count: threads (>= 1).
+  Workers(std::vector<Scenario> scenarios, Stepper stepper, int count);
+  ~Workers();
+
+  const std::vector<Scenario>& scenarios() const { return scenarios_; }
+  int count() const { return static_cast<int>(rollouts_.size()); }
+  long rollouts_done() const { return done_; }
+
+  /// All scenarios for every candidate: results[candidate][scenario]. Nothing if `stop` became true before
+  /// all were done.
+  std::optional<std::vector<std::vector<RolloutResult>>> run(std::span<const Gains> candidates,
+                                                             const std::atomic<bool>& stop);
+
+ private:
+  Rollout& rollout(std::size_t worker, std::size_t scenario);
+
+  std::vector<Scenario> scenarios_;
+  Stepper stepper_;
+  std::vector<std::vector<std::unique_ptr<Rollout>>> rollouts_;  ///< [worker][scenario], made when first used
+  std::vector<std::size_t> longest_first_;
+  std::atomic<long> done_{0};
+};
+
+}  // namespace armtune

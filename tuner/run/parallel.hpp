@@ -1,0 +1,39 @@
+#pragma once
+// Jobs shared out to threads, in order; results go to slots of their own, so nothing depends on who did what.
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace armtune {
+
+/// Calls job(worker, index) for index 0 .. count-1, started in that order, on `workers` threads (>= 1, the
+/// caller's included). No job is started once `stop` is true. The first exception ends the rest and is thrown
+/// again here.
+inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>& stop,
+                         const std::function<void(std::size_t worker, std::size_t index)>& job) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr error;
+  std::mutex error_mutex;
+  const auto work = [&](std::size_t worker) {
+    try {
+      for (std::size_t i = next++; i < count && !stop; i = next++) job(worker, i);
+    } catch (...) {
+      const std::lock_guard lock(error_mutex);
+      if (!error) error = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
+    work(0);
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace armtune

@@ -1,0 +1,108 @@
+#include "tuner/run/run_folder.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <Eigen/Core>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <thread>
+
+#include "core/common/error.hpp"
+#include "sim/csv/text_file.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string utc(const char* format) {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return fmt::format(fmt::runtime(format), fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
+}
+
+/// FNV-1a, 64 bits: tells files apart, guards nothing.
+std::string hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c) {
+    hash = (hash ^ static_cast<unsigned char>(*c)) * 1099511628211ULL;
+  }
+  return fmt::format("fnv1a-{:016x}", hash);
+}
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+void make_run_folder(const std::string& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored)) {
+    throw InputError(
+        fmt::format("{}: is there already and not empty; name another folder with --out, or take "
+                    "this one away",
+                    folder));
+  }
+  make_folder(folder);
+}
+
+std::string default_run_folder(const std::string& name) {
+  return fmt::format("runs/{}_{}", name, utc("{:%Y%m%d-%H%M%S}"));
+}
+
+std::vector<std::pair<std::string, std::string>> versions() {
+  return {{"armtune", ARMTUNE_VERSION},
+          {"compiler", ARMTUNE_COMPILER},
+          {"build_type", ARMTUNE_BUILD_TYPE},
+          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"simbody", ARMTUNE_SIMBODY_VERSION},
+          {"nlopt", ARMTUNE_NLOPT_VERSION},
+          {"urdfdom", ARMTUNE_URDFDOM_VERSION},
+          {"yaml_cpp", ARMTUNE_YAML_VERSION},
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
+}
+
+std::string run_yaml(const Provenance& p) {
+  char host[256] = "";
+  ::gethostname(host, sizeof host - 1);
+  std::string text =
+      fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n", quoted(p.command),
+                  quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")), p.wall_seconds, p.seed, p.workers);
+  for (const auto& [key, value] : p.extra) text += fmt::format("{}: {}\n", key, quoted(value));
+  text += "versions:\n";
+  for (const auto& [library, version] : versions())
+    text += fmt::format("  {}: {}\n", library, quoted(version));
+  text += fmt::format("machine:\n  host: {}\n  processor: {}\n  hardware_threads: {}\n", quoted(host),
+                      quoted(processor()), std::thread::hardware_concurrency());
+  text += "inputs:\n";
+  std::set<std::string> files;
+  if (fs::exists(p.gains_source)) files.insert(p.gains_source);
+  for (const Scenario* scenario : p.scenarios) {
+    files.insert(scenario->source);
+    files.insert(scenario->robot->source);
+  }
+  for (const std::string& file : files) text += fmt::format("  {}: {}\n", quoted(file), hash_of_file(file));
+  return text;
+}
+
+}  // namespace armtune

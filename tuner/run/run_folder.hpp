@@ -1,0 +1,36 @@
+#pragma once
+// The folder a run leaves behind, and where its results came from.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune {
+
+/// Makes the run's folder. Throws InputError if it exists and holds anything: finished results are never
+/// overwritten.
+void make_run_folder(const std::string& folder);
+
+/// "runs/<name>_20261121-103000" (UTC) below the current folder.
+std::string default_run_folder(const std::string& name);
+
+/// What run.yaml says.
+struct Provenance {
+  std::string command;  ///< as typed
+  std::vector<const Scenario*> scenarios;
+  std::string gains_source;
+  unsigned long long seed = 0;
+  int workers = 1;
+  double wall_seconds = 0.0;
+  std::vector<std::pair<std::string, std::string>> extra;  ///< further keys: values
+};
+
+/// Text of run.yaml: versions, machine, date, seed, hashes of every input file.
+std::string run_yaml(const Provenance& p);
+
+/// Name and version of every library in use, one per line, as run.yaml and --version show them.
+std::vector<std::pair<std::string, std::string>> versions();
+
+}  // namespace armtune

@@ -1,0 +1,35 @@
+#include "tuner/run/simulate.hpp"
+
+#include <optional>
+
+#include "sim/rollout/recorder.hpp"
+#include "tuner/run/parallel.hpp"
+
+namespace armtune {
+
+std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
+                                     const std::function<Gains(const Scenario&)>& gains_of,
+                                     const SimulateOptions& options, const std::atomic<bool>& stop) {
+  std::vector<ScenarioResult> results(scenarios.size());
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    results[i].scenario = scenarios[i].name;
+    results[i].result.status = RolloutStatus::kInterrupted;
+    results[i].result.reason = "interrupted before it began";
+  }
+  std::atomic<std::size_t> done{0};
+  parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t i) {
+    Rollout rollout(scenarios[i], options.stepper);
+    std::optional<Recorder> recorder;
+    if (!options.folder.empty()) recorder.emplace(scenarios[i], options.record_stride);
+    results[i].result = rollout.run(gains_of(scenarios[i]), [&](const Observation& o) {
+      if (recorder) (*recorder)(o);
+      return !stop;
+    });
+    if (recorder) recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv");
+    ++done;
+    if (options.progress) options.progress(done);
+  });
+  return results;
+}
+
+}  // namespace armtune

@@ -1,0 +1,27 @@
+#pragma once
+// One set of gains over several scenarios, in parallel, with the files a person looks at afterwards.
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/csv/error_report.hpp"
+
+namespace armtune {
+
+struct SimulateOptions {
+  Stepper stepper = Stepper::kMidpoint;
+  int workers = 1;
+  std::string folder;     ///< rollout_<scenario>.csv go here; empty: none are written
+  int record_stride = 5;  ///< every k-th control period is written
+  std::function<void(std::size_t done)> progress;  ///< from any worker
+};
+
+/// Results in the order of the scenarios. gains_of(scenario): its gains. Scenarios that were not reached
+/// before `stop` have the status interrupted.
+std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
+                                     const std::function<Gains(const Scenario&)>& gains_of,
+                                     const SimulateOptions& options, const std::atomic<bool>& stop);
+
+}  // namespace armtune
