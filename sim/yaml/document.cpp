@@ -7,204 +7,24 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <unordered_map>
 
 #include "core/common/error.hpp"
+#include "sim/yaml/source_text.hpp"
 
 namespace armtune::yaml {
 namespace {
 
 constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-
-/// Escapes line breaks and other control characters, so that a message stays one line.
-std::string one_line(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\n') {
-      out += "\\n";
-    } else if (is_control(c)) {
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-/// A value as a message shows it: in quotes, cut when long, never in the middle of a UTF-8 character.
-std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  if (text.size() <= kLongest) return fmt::format("'{}'", text);
-  std::size_t end = kLongest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return fmt::format("'{}...'", text.substr(0, end));
-}
-
-[[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
-                          std::string_view what) {
-  const std::string key = key_path.empty() ? std::string() : fmt::format("key '{}': ", key_path);
-  throw InputError(one_line(fmt::format("{}:{}: {}{}", file, line, key, what)));
-}
-
-/// std::from_chars over all of `text`, with the '+' that it does not know: no locale, no octal, no spaces.
-template <typename T>
-std::errc convert(std::string_view text, T& value) {
-  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
-  const char* const first = text.data() + (plus ? 1 : 0);
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(first, last, value);
-  return end == last || error == std::errc::invalid_argument ? error : std::errc::invalid_argument;
-}
-
-/// The digits of an integer with leading zeros, without those zeros; empty for any other text.
-std::string without_leading_zeros(std::string_view text) {
-  const bool sign = !text.empty() && (text[0] == '-' || text[0] == '+');
-  const std::string_view digits = text.substr(sign ? 1 : 0);
-  const bool is_integer = digits.find_first_not_of("0123456789") == std::string_view::npos;
-  if (!is_integer || digits.size() < 2 || digits[0] != '0') return {};
-  const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
-  return fmt::format("{}{}", text[0] == '-' ? "-" : "", digits.substr(first));
-}
-
-void refuse_leading_zeros(const Node& node, std::string_view text) {
-  const std::string decimal = without_leading_zeros(text);
-  if (decimal.empty()) return;
-  node.fail(fmt::format("{} has a leading zero, octal to some YAML readers and decimal to others; write {}",
-                        shown(text), decimal));
+[[noreturn]] void fail_too_large(const std::string& file) {
+  throw InputError(
+      one_line(fmt::format("{}: larger than {} MB; expected a smaller file", file, kMaxBytes >> 20)));
 }
 
 }  // namespace
-
-void Node::fail(const std::string& what) const {
-  fail_at(*file_, line_, key_path_, what);
-}
-
-std::string Node::description() const {
-  switch (kind_) {
-    case Kind::kNull:
-      return "the value is empty";
-    case Kind::kSequence:
-      return fmt::format("the value is a list of {}", items_.size());
-    case Kind::kMap:
-      return "the value is a map";
-    case Kind::kScalar:
-      break;
-  }
-  return is_text_ ? fmt::format("{} is a quoted text", shown(text_))
-                  : fmt::format("the value is {}", shown(text_));
-}
-
-const std::string& Node::plain_text(const std::string& expected) const {
-  if (kind_ != Kind::kScalar) fail(fmt::format("{}; expected {}", description(), expected));
-  if (is_text_) fail(fmt::format("{}; expected {}, without quotes", description(), expected));
-  return text_;
-}
-
-std::string Node::as_string() const {
-  if (kind_ != Kind::kScalar) fail(description() + "; expected a text");
-  double number = 0.0;
-  const bool is_number = convert(text_, number) == std::errc() && std::isfinite(number);
-  if (!is_text_ && (is_number || text_ == "true" || text_ == "false")) {
-    fail(fmt::format("{0} is a {1}; expected a text: to mean one, put it in quotes, \"{2}\"", shown(text_),
-                     is_number ? "number" : "boolean", text_));
-  }
-  return text_;
-}
-
-double Node::as_number() const {
-  const std::string& text = plain_text("a number");
-  refuse_leading_zeros(*this, text);
-  double value = 0.0;
-  const std::errc error = convert(text, value);
-  if (error == std::errc::result_out_of_range) {
-    fail(shown(text) + " does not fit a double; expected a magnitude from 1e-307 to 1e308, or 0");
-  }
-  if (error != std::errc()) {
-    fail(shown(text) +
-         " is not a number; expected a decimal number with '.' and no unit, such as -1.5 or 1e3");
-  }
-  if (!std::isfinite(value)) fail(shown(text) + " is not finite; expected a finite number");
-  return value;
-}
-
-long Node::as_integer() const {
-  const std::string& text = plain_text("an integer");
-  refuse_leading_zeros(*this, text);
-  long value = 0;
-  const std::errc error = convert(text, value);
-  if (error == std::errc::result_out_of_range)
-    fail(shown(text) + " does not fit 64 bit; expected a smaller integer");
-  if (error != std::errc()) {
-    fail(shown(text) + " is not an integer; expected decimal digits only, without point, exponent or unit");
-  }
-  return value;
-}
-
-bool Node::as_boolean() const {
-  const std::string& text = plain_text("true or false");
-  if (text == "true") return true;
-  if (text == "false") return false;
-  for (const auto& [meant, spellings] : {std::pair("true", " yes Yes YES on On ON y Y True TRUE 1 "),
-                                         std::pair("false", " no No NO off Off OFF n N False FALSE 0 ")}) {
-    if (std::string_view(spellings).find(" " + text + " ") != std::string_view::npos) {
-      fail(fmt::format("{} is not a boolean here; write {}", shown(text), meant));
-    }
-  }
-  fail(shown(text) + " is not a boolean; expected true or false");
-}
-
-std::vector<double> Node::as_numbers() const {
-  std::vector<double> values;
-  if (kind_ != Kind::kSequence) fail(description() + "; expected a list of numbers, such as [1.0, 2.5]");
-  for (const Node& item : items_) values.push_back(item.as_number());
-  return values;
-}
-
-std::vector<double> Node::as_numbers(std::size_t count) const {
-  if (kind_ != Kind::kSequence) fail(fmt::format("{}; expected a list of {} numbers", description(), count));
-  if (items_.size() != count) {
-    fail(fmt::format("the list has {} entries; expected {} numbers", items_.size(), count));
-  }
-  return as_numbers();
-}
-
-std::vector<std::string> Node::as_strings() const {
-  std::vector<std::string> values;
-  if (kind_ != Kind::kSequence) fail(description() + "; expected a list of texts, such as [left, right]");
-  for (const Node& item : items_) values.push_back(item.as_string());
-  return values;
-}
-
-const std::vector<Node>& Node::items() const {
-  if (kind_ != Kind::kSequence) fail(description() + "; expected a list");
-  return items_;
-}
-
-const std::vector<std::pair<std::string, Node>>& Node::entries() const {
-  if (kind_ == Kind::kMap) return entries_;
-  // 'mass:5' is one plain scalar to YAML, and the most common way to lose a map.
-  const bool no_space = kind_ == Kind::kScalar && !is_text_ && text_.find(':') != std::string::npos;
-  fail(fmt::format("{}; expected a map of 'key: value'{}", description(),
-                   no_space ? ", with a space after the colon" : ""));
-}
-
-const Node* Node::find(std::string_view key) const {
-  const auto& all = entries();
-  const auto entry = std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.first == key; });
-  return entry == all.end() ? nullptr : &entry->second;
-}
 
 /// Builds our tree from yaml-cpp's events and refuses at the first event that should not be: nothing is ever
 /// expanded, so an alias bomb or a huge list costs no more than its first offending item.
@@ -404,18 +224,9 @@ class TreeBuilder final : public YAML::EventHandler {
       rest.remove_prefix(std::min(rest.find_first_of(" \t\r\n"), rest.size()));
       rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
     }
-    if (rest.empty() || (rest[0] != '"' && rest[0] != '\'')) return;
-    const char quote = rest[0];
-    for (std::size_t i = 1; i < rest.size(); ++i) {
-      if (quote == '"' && rest[i] == '\\') {
-        ++i;
-      } else if (rest[i] == quote) {
-        if (quote == '"' || i + 1 == rest.size() || rest[i + 1] != quote) return;
-        ++i;
-      }
-    }
+    if (closes_quote(rest)) return;
     fail_at(*file_, line_of(mark), next_path(),
-            fmt::format("the quote {} opened here is never closed", quote));
+            fmt::format("the quote {} opened here is never closed", rest[0]));
   }
 
   /// Line of an empty list element: yaml-cpp marks it at whatever comes after it.
@@ -439,29 +250,6 @@ class TreeBuilder final : public YAML::EventHandler {
   std::size_t item_count_ = 0;
   int documents_ = 0;
 };
-
-namespace {
-
-/// yaml-cpp ends a file at \x04 without a word, keeps NUL in values and guesses UTF-16.
-void check_characters(std::string_view text, const std::string& file) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    throw InputError(one_line(file + ": the text is UTF-16; save it as UTF-8"));
-  }
-  int line = 1;
-  for (const char c : text) {
-    if (c == '\n') ++line;
-    if (!is_control(c) || c == '\n' || c == '\r' || c == '\t') continue;
-    fail_at(file, line, {},
-            fmt::format("control character 0x{:02x}; expected text in UTF-8", static_cast<unsigned>(c)));
-  }
-}
-
-[[noreturn]] void fail_too_large(const std::string& file) {
-  throw InputError(
-      one_line(fmt::format("{}: larger than {} MB; expected a smaller file", file, kMaxBytes >> 20)));
-}
-
-}  // namespace
 
 Node parse_text(const std::string& text, const std::string& file_name) {
   if (text.size() > kMaxBytes) fail_too_large(file_name);
@@ -487,20 +275,7 @@ Node parse_text(const std::string& text, const std::string& file_name) {
 }
 
 Node parse_file(const std::string& path) {
-  const auto fail = [&](const std::string& what) { throw InputError(one_line(path + ": " + what)); };
-  std::error_code status_error;
-  const std::filesystem::file_status status = std::filesystem::status(path, status_error);
-  if (status.type() == std::filesystem::file_type::not_found) fail("no such file");
-  if (status.type() == std::filesystem::file_type::directory) fail("is a directory; expected a YAML file");
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail("cannot be opened: " + std::generic_category().message(errno));
-  // One byte more than allowed is enough to know, also for a pipe or a device that has no size.
-  std::string text(kMaxBytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) fail("cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_text(text, path);
+  return parse_text(read_text(path), path);
 }
 
 }  // namespace armtune::yaml

@@ -60,6 +60,7 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
   options.stepper = study.stepper;
   options.workers = args.workers;
   options.record_stride = args.record_every;
+  options.folder = args.folder + "/start";
   std::vector<ComparedSet> sets(2);
   sets[0] = {"start",
              simulate(
@@ -71,8 +72,14 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
   return sets;
 }
 
+/// What the start was, before anything is simulated: an interrupted run can be judged by it too.
+void write_start(const Study& study, const std::string& folder) {
+  make_folder(folder + "/start");
+  write_text_file(folder + "/start/gains.yaml", gains_yaml(study.space.start, {"start of " + study.source}));
+  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
+}
+
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
-  write_text_file(folder + "/start_gains.yaml", gains_yaml(study.space.start, {"start of " + study.source}));
   write_text_file(
       folder + "/gains.yaml",
       gains_yaml(result.best.gains,
@@ -85,7 +92,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
                    const Arguments& args, double seconds) {
   const std::string& folder = args.folder;
-  write_text_file(folder + "/errors_start.csv", errors_csv(sets[0].results));
+  write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
   write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(study.scenarios.front())));
   Provenance p;
@@ -140,9 +147,7 @@ int run(Arguments args) {
   const Study study = load(args);
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
   make_run_folder(args.folder);
-  write_text_file(args.folder + "/start_gains.yaml",
-                  gains_yaml(study.space.start, {"start of " + study.source}));
-  write_text_file(args.folder + "/study.yaml", study_yaml(study, "start_gains.yaml"));
+  write_start(study, args.folder);
 
   Workers workers(study.scenarios, study.stepper, args.workers);
   std::unique_ptr<Journal> journal;
@@ -175,10 +180,10 @@ int run(Arguments args) {
   print_gains(study, result.best.gains);
   print_verdict(study, result, *objective);
   fmt::print(
-      "wrote {} in {:.0f} s: gains.yaml, errors.csv, errors_start.csv, evaluations.csv, "
-      "rollout_<scenario>.csv, columns.csv, study.yaml, run.yaml\n"
-      "next: armtune compare published {} --scenarios {}\n",
-      args.folder, seconds_since(began), args.folder, study.scenarios.back().name);
+      "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
+      "study.yaml, run.yaml; the start's in start/\n"
+      "next: armtune compare {}/start {}\n",
+      args.folder, seconds_since(began), args.folder, args.folder);
   if (result.interrupted) return kInterrupted;
   return result.best.feasible ? kDone : kNoFeasiblePoint;
 }

@@ -14,6 +14,7 @@ struct Evaluation {
   Gains gains;
   double objective = 0.0;           ///< finite; the start scores 1
   std::vector<double> constraints;  ///< g <= 0 holds, in natural units
+  std::vector<double> relative;     ///< the same over their limits, for the search
   double violation = 0.0;           ///< sum of relative violations; 0 if feasible
   bool feasible = false;
   std::string status;                  ///< "completed", or what went wrong first

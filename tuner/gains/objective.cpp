@@ -82,11 +82,12 @@ void Objective::judge(Evaluation& e) const {
   e.objective = sum / weights;
 
   e.constraints.assign(constraint_count(), 0.0);
+  e.relative.assign(constraint_count(), 0.0);
   e.violation = 0.0;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     const Constraint& constraint = constraints_[c];
     double worst = -HUGE_VAL;
-    double relative = 0.0;
+    double relative = -HUGE_VAL;
     for (const std::size_t s : constraint.scenarios) {
       const double bound = limit(c, s);
       if (std::isnan(bound)) continue;  // the metric has nothing to judge here, as without obstacles
@@ -97,8 +98,10 @@ void Objective::judge(Evaluation& e) const {
       worst = std::max(worst, g);
       relative = std::max(relative, g / scale);
     }
-    e.constraints[c] = std::isfinite(worst) ? worst : 0.0;
-    e.violation += relative;
+    if (!std::isfinite(worst)) continue;
+    e.constraints[c] = worst;
+    e.relative[c] = relative;
+    e.violation += std::max(0.0, relative);
   }
   double incomplete = 0.0;
   e.status = "completed";
@@ -108,6 +111,7 @@ void Objective::judge(Evaluation& e) const {
     incomplete += here;
   }
   e.constraints.back() = incomplete;
+  e.relative.back() = incomplete;
   e.violation += incomplete;
   e.feasible = e.violation <= 0.0;
 }

@@ -17,6 +17,7 @@ double to_coordinate(const Parameter& p, double v) {
 }
 
 double from_coordinate(const Parameter& p, double coordinate) {
+  if (coordinate == to_coordinate(p, p.start)) return p.start;  // to the bit, whatever exp and log round
   const double x = std::clamp(coordinate, 0.0, 1.0);
   const double v =
       p.scale == Scale::kLog ? p.lower * std::pow(p.upper / p.lower, x) : p.lower + x * (p.upper - p.lower);

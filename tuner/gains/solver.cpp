@@ -5,6 +5,7 @@
 
 #include <nlopt.h>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 
@@ -56,6 +57,7 @@ Optimizer create(nlopt_algorithm code, std::size_t n) {
 /// point's values are kept.
 struct Search {
   const SolverProblem* problem = nullptr;
+  double penalty = 0.0;  ///< 0: constraints go to NLopt
   nlopt_opt outer = nullptr;
   std::vector<double> x;
   SolverValue value;
@@ -82,7 +84,13 @@ struct Search {
 };
 
 double objective(unsigned n, const double* x, double*, void* data) {
-  return static_cast<Search*>(data)->at(n, x).objective;
+  auto* search = static_cast<Search*>(data);
+  const SolverValue& value = search->at(n, x);
+  double penalised = value.objective;
+  if (search->penalty > 0.0) {
+    for (const double g : value.constraints) penalised += search->penalty * std::max(0.0, g);
+  }
+  return penalised;
 }
 
 void constraints(unsigned m, double* g, unsigned n, const double* x, double*, void* data) {
@@ -143,7 +151,11 @@ SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& option
     set_box(local.get(), options);
     nlopt_set_local_optimizer(inner.get(), local.get());
   }
-  const bool wrap = !chosen.info.takes_constraints && problem.constraint_count > 0;
+  const bool constrained = problem.constraint_count > 0;
+  const bool penalised = constrained && options.constraints == ConstraintHandling::kPenalty;
+  const bool wrap =
+      constrained && !penalised &&
+      (options.constraints == ConstraintHandling::kLagrangian || !chosen.info.takes_constraints);
   Optimizer outer = wrap ? create(NLOPT_AUGLAG, n) : std::move(inner);
   if (wrap) {
     set_box(outer.get(), options);
@@ -153,8 +165,9 @@ SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& option
   Search search;
   search.problem = &problem;
   search.outer = outer.get();
+  if (penalised) search.penalty = options.penalty;
   nlopt_set_min_objective(outer.get(), objective, &search);
-  if (problem.constraint_count > 0) {
+  if (constrained && !penalised) {
     const std::vector<double> tolerance(problem.constraint_count, 0.0);
     nlopt_add_inequality_mconstraint(outer.get(), static_cast<unsigned>(problem.constraint_count),
                                      constraints, &search, tolerance.data());

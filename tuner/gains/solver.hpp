@@ -8,7 +8,7 @@
 
 namespace armtune {
 
-/// Objective and constraints (g <= 0 holds) at one point; all finite.
+/// Objective and constraints (g <= 0 holds; relative to their limits) at one point; all finite.
 struct SolverValue {
   double objective = 0.0;
   std::vector<double> constraints;
@@ -21,11 +21,20 @@ struct SolverProblem {
   std::function<bool(const std::vector<double>& x, SolverValue& value)> evaluate;
 };
 
+/// How an algorithm is made to respect constraints.
+enum class ConstraintHandling {
+  kAuto,        ///< by the algorithm itself if it takes constraints, else kLagrangian
+  kLagrangian,  ///< NLopt's augmented Lagrangian around it
+  kPenalty      ///< exact penalty: objective + penalty * sum of max(0, g)
+};
+
 struct SolverOptions {
   std::string algorithm = "COBYLA";
   double initial_step = 0.1;  ///< of the unit box
   double x_tolerance = 1e-3;  ///< of the unit box
   double objective_tolerance = 1e-4;
+  ConstraintHandling constraints = ConstraintHandling::kAuto;
+  double penalty = 2.0;    ///< of kPenalty, per unit of relative violation
   std::uint64_t seed = 1;  ///< of algorithms that draw random numbers
 };
 

@@ -212,6 +212,14 @@ void read_search(const yaml::Node& node, Study& study) {
   yaml::MapReader map(node);
   study.solver.algorithm = map.string("algorithm", study.solver.algorithm);
   algorithm_from_name(study.solver.algorithm);
+  const std::string constraints = map.string("constraints", "auto");
+  if (constraints != "auto" && constraints != "lagrangian" && constraints != "penalty") {
+    map.required("constraints").fail("'" + constraints + "' is not one of: auto, lagrangian, penalty");
+  }
+  study.solver.constraints = constraints == "auto"         ? ConstraintHandling::kAuto
+                             : constraints == "lagrangian" ? ConstraintHandling::kLagrangian
+                                                           : ConstraintHandling::kPenalty;
+  study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
   study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
   if (study.max_evaluations < 1) map.required("max_evaluations").fail("must be at least 1");
   study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);

@@ -27,6 +27,18 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+const char* constraint_handling_name(ConstraintHandling handling) {
+  switch (handling) {
+    case ConstraintHandling::kAuto:
+      return "auto";
+    case ConstraintHandling::kLagrangian:
+      return "lagrangian";
+    case ConstraintHandling::kPenalty:
+      return "penalty";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string study_yaml(const Study& study, const std::string& gains_file) {
@@ -62,10 +74,12 @@ std::string study_yaml(const Study& study, const std::string& gains_file) {
                         fmt::join(axis.factors, ", "));
   }
   text += fmt::format(
-      "search: {{algorithm: {}, max_evaluations: {}, max_minutes: {}, initial_step: {}, x_tolerance: {}, "
+      "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
+      "initial_step: {}, x_tolerance: {}, "
       "objective_tolerance: {}, seed: {}, stepper: {}}}\n",
-      study.solver.algorithm, study.max_evaluations, study.max_minutes, study.solver.initial_step,
-      study.solver.x_tolerance, study.solver.objective_tolerance, study.solver.seed, name(study.stepper));
+      study.solver.algorithm, constraint_handling_name(study.solver.constraints), study.solver.penalty,
+      study.max_evaluations, study.max_minutes, study.solver.initial_step, study.solver.x_tolerance,
+      study.solver.objective_tolerance, study.solver.seed, name(study.stepper));
   return text;
 }
 

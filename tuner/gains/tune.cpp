@@ -57,7 +57,7 @@ bool Run::evaluate(const char* phase, const std::vector<std::vector<double>>& po
       if (callbacks_.begin) callbacks_.begin(*objective_);
     }
     objective_->judge(e);
-    seen_[e.x] = {e.objective, e.constraints};
+    seen_[e.x] = {e.objective, e.relative};
     const bool first = out_.evaluations++ == 0;
     if (first || better(e, out_.best)) out_.best = e;
     if (callbacks_.evaluated) callbacks_.evaluated(phase, e);

@@ -1,0 +1,29 @@
+#pragma once
+// Private to sim/yaml: what a text must be before it is parsed, and how messages show parts of it.
+
+#include <string>
+#include <string_view>
+
+namespace armtune::yaml {
+
+/// Escapes line breaks and other control characters, so that a message stays one line.
+std::string one_line(std::string_view text);
+
+/// A value as a message shows it: in quotes, cut when long, never in the middle of a UTF-8 character.
+std::string shown(std::string_view text);
+
+/// Throws InputError "FILE:LINE: key 'a/b': what", on one line; without the key where the path is empty.
+[[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
+                          std::string_view what);
+
+/// Throws InputError for UTF-16 and for control characters. yaml-cpp ends a file at \x04 without a word,
+/// keeps NUL in values and guesses UTF-16.
+void check_characters(std::string_view text, const std::string& file);
+
+/// Whether the quote that `text` begins with is closed in it. True for a text that begins with none.
+bool closes_quote(std::string_view text);
+
+/// The whole file, up to one byte more than kMaxBytes. Throws InputError for what cannot be read.
+std::string read_text(const std::string& path);
+
+}  // namespace armtune::yaml
