@@ -11,19 +11,18 @@ namespace armtune {
 namespace {
 
 std::vector<GainField> make_fields() {
-  const double low = 1.0 / 6.0;
-  const double high = 6.0;
+  constexpr auto kFactor = SearchRange::kFactor;
   return {
       {"joint_space_gains_p", "1/s", "Kp of the joint space law that leaves the start pose, per joint",
        &Gains::joint_space_gains_p},
       {"joint_space_gains_d", "N m s/rad", "Kd of the joint space law, per joint",
        &Gains::joint_space_gains_d},
       {"task_space_gains_p", "1/s", "Kp of the Cartesian law: x y z, then rotation about x y z",
-       &Gains::task_space_gains_p, true, false, low, high},
+       &Gains::task_space_gains_p, true, false, kFactor, 1.0 / 6.0, 6.0},
       {"task_space_gains_i", "1/s^2", "Ki of the Cartesian law, same order", &Gains::task_space_gains_i, true,
-       false, 0.01, 100.0},
+       false, SearchRange::kCriticalDamping},
       {"task_space_gains_d", "N m s/rad", "Kd on the joint space error S, per joint",
-       &Gains::task_space_gains_d, true, false, low, high},
+       &Gains::task_space_gains_d, true, false, kFactor, 1.0 / 6.0, 6.0},
       {"force_control_gains", "N", "repulsive force of an obstacle at zero distance, per joint origin",
        &Gains::force_control_gains},
       {"obstacleInfluenceRadius", "m", "an obstacle repels joint origins closer than this",
@@ -33,9 +32,9 @@ std::vector<GainField> make_fields() {
       {"joint_trajectory_duration", "s", "time from the start pose to joint_space_goal",
        &Gains::joint_trajectory_duration, true, true},
       {"trajectoryDurationErrorGain", "s/m", "time a return to the path takes per metre of distance",
-       &Gains::trajectoryDurationErrorGain, true, true, low, 3.0},
+       &Gains::trajectoryDurationErrorGain, true, true, kFactor, 1.0 / 6.0, 3.0},
       {"slerpDurationErrorGain", "s/rad", "time a turn to a target takes per radian of angle",
-       &Gains::slerpDurationErrorGain, true, true, 0.1, 3.0},
+       &Gains::slerpDurationErrorGain, true, true, kFactor, 0.1, 3.0},
       {"slerpAngularErrorThreshold", "rad",
        "gaze errors above this are interpolated, below it tracked directly",
        &Gains::slerpAngularErrorThreshold, true, true},

@@ -10,6 +10,14 @@
 
 namespace armtune {
 
+/// The range a gain is searched in when a study names none.
+enum class SearchRange {
+  kNone,    ///< not tuned unless a study says so
+  kFactor,  ///< lower_factor .. upper_factor times the start, on a log scale
+  /// Ki: 0 .. Kp^2/4 of the same axis, on a linear scale. Beyond it e'' + Kp e' + Ki e = 0 would oscillate.
+  kCriticalDamping
+};
+
 struct GainField {
   const char* name;
   const char* unit;
@@ -18,9 +26,10 @@ struct GainField {
       member;
   bool required = true;            ///< must stand in a gains file
   bool strictly_positive = false;  ///< otherwise numbers must be >= 0 (the joint goal: any)
-  /// Default search range as factors on the start's value; both zero: not tuned unless a study says so.
-  double search_lower_factor = 0.0;
-  double search_upper_factor = 0.0;
+  SearchRange search = SearchRange::kNone;
+  /// Of kFactor: bounds as factors on the start's value.
+  double lower_factor = 0.2;
+  double upper_factor = 5.0;
 
   bool is_number() const { return member.index() <= 2; }
 };

@@ -17,6 +17,14 @@ namespace {
   throw InputError(fmt::format("{}: cannot {}: {}", path, what, std::strerror(errno)));
 }
 
+/// Takes the half-written file away, then fails.
+[[noreturn]] void give_up(const std::string& partial, const std::string& path, const char* what) {
+  const int reason = errno;
+  ::unlink(partial.c_str());
+  errno = reason;
+  fail(path, what);
+}
+
 }  // namespace
 
 void write_text_file(const std::string& path, std::string_view text) {
@@ -29,15 +37,14 @@ void write_text_file(const std::string& path, std::string_view text) {
     if (written < 0) {
       const int reason = errno;
       ::close(file);
-      ::unlink(partial.c_str());
       errno = reason;
-      fail(partial, "write it");
+      give_up(partial, partial, "write it");
     }
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   const bool synced = ::fsync(file) == 0;
-  if (::close(file) != 0 || !synced) fail(partial, "write it");
-  if (std::rename(partial.c_str(), path.c_str()) != 0) fail(path, "replace it");
+  if (::close(file) != 0 || !synced) give_up(partial, partial, "write it");
+  if (std::rename(partial.c_str(), path.c_str()) != 0) give_up(partial, path, "replace it");
 }
 
 void make_folder(const std::string& path) {

@@ -195,7 +195,7 @@ std::string help_footer() {
   text += "\nGains (study file, parameters; * tuned by default):\n";
   for (const GainField& field : gain_fields()) {
     if (!field.is_number()) continue;
-    text += fmt::format("{} {:<30} {}{}\n", field.search_upper_factor > 0.0 ? "*" : " ", field.name,
+    text += fmt::format("{} {:<30} {}{}\n", field.search != SearchRange::kNone ? "*" : " ", field.name,
                         field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
   }
   text += "\nMetrics (study file, objective and constraints):\n";

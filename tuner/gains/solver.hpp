@@ -30,9 +30,9 @@ enum class ConstraintHandling {
 
 struct SolverOptions {
   std::string algorithm = "COBYLA";
-  double initial_step = 0.1;  ///< of the unit box
-  double x_tolerance = 1e-3;  ///< of the unit box
-  double objective_tolerance = 1e-4;
+  double initial_step = 0.1;         ///< of the unit box
+  double x_tolerance = 1e-3;         ///< of the unit box
+  double objective_tolerance = 0.0;  ///< relative; 0: the gains decide
   ConstraintHandling constraints = ConstraintHandling::kAuto;
   double penalty = 2.0;    ///< of kPenalty, per unit of relative violation
   std::uint64_t seed = 1;  ///< of algorithms that draw random numbers

@@ -10,7 +10,8 @@
 
 namespace armtune {
 
-/// One direction of the coarse sweep before the search: these parameters are multiplied together.
+/// One direction of the coarse sweep that the search is compared with: these parameters are multiplied
+/// together.
 struct SweepAxis {
   std::vector<std::size_t> parameters;  ///< indices into ParameterSpace::free
   std::vector<double> factors;          ///< on the start's value; bounds clamp

@@ -113,9 +113,15 @@ Parameter default_parameter(const GainEntry& entry, const Gains& start) {
   Parameter p;
   p.entry = entry;
   p.start = value(start, entry);
-  const bool tuned = entry.field->search_upper_factor > 0.0;
-  p.lower = p.start * (tuned ? entry.field->search_lower_factor : 0.2);
-  p.upper = p.start * (tuned ? entry.field->search_upper_factor : 5.0);
+  if (entry.field->search == SearchRange::kCriticalDamping) {
+    const double Kp = start.task_space_gains_p[static_cast<Eigen::Index>(entry.component)];
+    p.lower = 0.0;
+    p.upper = std::max(0.25 * Kp * Kp, 2.0 * p.start);
+    p.scale = Scale::kLinear;
+  } else {
+    p.lower = p.start * entry.field->lower_factor;
+    p.upper = p.start * entry.field->upper_factor;
+  }
   return p;
 }
 
@@ -133,9 +139,9 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
   const yaml::Node* lower = map.optional("lower");
   const yaml::Node* upper = map.optional("upper");
   const yaml::Node* start = map.optional("start");
-  const std::string scale = map.string("scale", "log");
+  const std::string scale = map.string("scale", "");
   const double factor = map.number_in("factor", 1.0, 0.0, kInfinity);
-  if (scale != "log" && scale != "linear")
+  if (!scale.empty() && scale != "log" && scale != "linear")
     map.required("scale").fail("'" + scale + "' is not one of: log, linear");
   map.finish();
   if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
@@ -152,7 +158,7 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
     } else {
       if (start != nullptr) value(space.start, entry) = start->as_number();
       Parameter p = default_parameter(entry, space.start);
-      p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;
+      if (!scale.empty()) p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;
       if (lower != nullptr) p.lower = lower->as_number();
       if (upper != nullptr) p.upper = upper->as_number();
       space.free.push_back(p);
@@ -167,7 +173,7 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start,
   const auto all = gain_entries(joints);
   if (node == nullptr) {
     for (const GainEntry& entry : all) {
-      if (entry.field->search_upper_factor > 0.0) space.free.push_back(default_parameter(entry, start));
+      if (entry.field->search != SearchRange::kNone) space.free.push_back(default_parameter(entry, start));
     }
     return space;
   }

@@ -109,7 +109,7 @@ bool Run::sweep() {
 
 void Run::search() {
   SolverProblem problem;
-  problem.start = out_.best.x;
+  problem.start = out_.start.x;
   problem.constraint_count = objective_->constraint_count();
   bool interrupted = false;
   problem.evaluate = [&](const std::vector<double>& x, SolverValue& value) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <random>
 
 #include "tests/core/support/arms.hpp"
@@ -51,8 +52,7 @@ double potential_energy(const Chain& chain, const JointVector& q) {
   return energy;
 }
 
-/// M(q) from the energy's second derivatives by q', exact because the energy is quadratic in q'; body twists
-/// from point Jacobians.
+/// M(q) = sum of J_v^T m J_v + J_w^T I J_w over the bodies, with point Jacobians at their centres of mass.
 JointMatrix mass_from_body_jacobians(const Chain& chain, const JointVector& q) {
   const Poses poses = test::poses_at(chain, q);
   JointMatrix M = JointMatrix::Zero(chain.n, chain.n);
@@ -95,7 +95,8 @@ TEST(MassMatrix, IsTheSumOverTheBodiesJacobians) {
 
 TEST(MassMatrix, GivesTheKineticEnergyOfTheMovingBodies) {
   std::mt19937 generator(203);
-  WorstError worst("kinetic energy", 1e-7);  // twists by finite differences of poses: 12^5 h^4 / 30 = 1e-8
+  WorstError worst("kinetic energy",
+                   1e-9);  // twists are differences of poses; at 5 rad/s, 5^5 h^4 / 30 = 1e-10
   for (const RobotModel& arm : test::all_arms()) {
     for (int sample = 0; sample < kSamples; ++sample) {
       const JointVector q = test::random_configuration(generator, arm);
@@ -126,9 +127,8 @@ TEST(InverseDynamics, IsMassAndRotorTimesAccelerationPlusBiasPlusFriction) {
 
 TEST(InverseDynamics, SolvesLagrangesEquation) {
   std::mt19937 generator(205);
-  // Differences of M, whose fifth derivative along 12 joints at 1 rad/s is at most 24^5: 24^5 h^4 / 30 =
-  // 3e-7.
-  WorstError worst("Lagrange", 1e-6);
+  // Differences of M, which moves at twice the rate of a pose: at 10 rad/s, 10^5 h^4 / 30 = 3e-9.
+  WorstError worst("Lagrange", 3e-9);
   for (const RobotModel& arm : test::all_arms()) {
     const Chain& chain = arm.chain;
     for (int sample = 0; sample < 3; ++sample) {
@@ -188,7 +188,7 @@ TEST(InverseDynamics, PowerOfAFrictionlessArmIsTheRateOfItsEnergy) {
   std::mt19937 generator(208);
   // Differences of an energy whose twists are differences already; the floor is the size of one term, for the
   // power passes through zero.
-  WorstError worst("power", 1e-6);
+  WorstError worst("power", 1e-8);
   for (const RobotModel& arm : test::all_arms()) {
     const Chain chain = test::without_friction(arm.chain);
     for (int sample = 0; sample < kSamples; ++sample) {

@@ -1,0 +1,133 @@
+// Bad input: exit code 2, nothing on stdout, and exactly one line on stderr that says where and what.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/core/support/urdf_text.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::ShortStudy;
+using testing::HasSubstr;
+
+/// Checks that the command is refused in one line, and gives that line.
+std::string refused(const std::vector<std::string>& arguments) {
+  const Finished finished = test::run_program(arguments);
+  EXPECT_EQ(finished.exit_code, 2) << finished.err;
+  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  EXPECT_THAT(finished.err, testing::StartsWith("armtune: "));
+  return finished.err;
+}
+
+/// Scenario, gains and study in a folder, and variants of each.
+class BadInput : public testing::Test {
+ protected:
+  std::string study_with(const std::string& parameters) const {
+    return ShortStudyText(parameters, test::kShortObjective, test::kShortConstraints, test::kShortSearch);
+  }
+  std::string ShortStudyText(const std::string& parameters, const std::string& objective,
+                             const std::string& constraints, const std::string& search) const {
+    return files_.write("bad_study.yaml", "gains: gains.yaml\nscenarios: [short.yaml]\n" + parameters +
+                                              objective + constraints + search);
+  }
+  std::string gains_with(const std::string& from, const std::string& to) const {
+    std::string text = test::read_text(files_ / "gains.yaml");
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos);
+    return files_.write("bad_gains.yaml", text.replace(at, from.size(), to));
+  }
+
+  const ShortStudy files_;
+};
+
+TEST_F(BadInput, MissingFile) {
+  const std::string path = files_ / "nowhere.yaml";
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"simulate", path},
+                                                    {"simulate", "moving_target", "--gains", path},
+                                                    {"tune", path},
+                                                    {"robot", path},
+                                                    {"robot", files_ / "nowhere.urdf"},
+                                                    {"compare", path}}) {
+    EXPECT_THAT(refused(arguments), HasSubstr("nowhere"));
+  }
+}
+
+TEST_F(BadInput, Xacro) {
+  const std::string path = files_.write("arm.urdf",
+                                        "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"
+                                        "  <xacro:include filename='macros.xacro'/>\n</robot>\n");
+  EXPECT_THAT(refused({"robot", path}), testing::AllOf(HasSubstr(path), HasSubstr("xacro")));
+}
+
+TEST_F(BadInput, JointWithoutLimits) {
+  const std::string path =
+      files_.write("arm.urdf", test::robot(test::one_joint(test::kInertial, "<axis xyz='0 0 1'/>")));
+  EXPECT_THAT(refused({"robot", path}), testing::AllOf(HasSubstr(path), HasSubstr("limit")));
+  const std::string endless = files_.write(
+      "endless.urdf", test::robot(test::link("a", "") + test::link("b") +
+                                  test::joint("turning", "continuous", "a", "b", "<axis xyz='0 0 1'/>")));
+  EXPECT_THAT(refused({"robot", endless}), testing::AllOf(HasSubstr(endless), HasSubstr("turning")));
+}
+
+TEST_F(BadInput, UnknownYamlKey) {
+  const std::string scenario = files_.write("bad.yaml", "base: moving_target\ndurations: 8\n");
+  EXPECT_THAT(refused({"simulate", scenario}),
+              testing::AllOf(HasSubstr(scenario + ":2"), HasSubstr("did you mean 'duration'")));
+  const std::string gains = gains_with("slerpDurationErrorGain:", "slerpDurationErrorGian:");
+  EXPECT_THAT(refused({"simulate", files_ / "short.yaml", "--gains", gains}),
+              testing::AllOf(HasSubstr(gains), HasSubstr("slerpDurationErrorGain")));
+  const std::string study =
+      ShortStudyText(test::kShortParameters, test::kShortObjective, "constrains: []\n", "");
+  EXPECT_THAT(refused({"tune", study}),
+              testing::AllOf(HasSubstr(study), HasSubstr("did you mean 'constraints'")));
+}
+
+TEST_F(BadInput, BoundCrossed) {
+  const std::string study =
+      study_with("parameters:\n  - {name: slerpDurationErrorGain, lower: 4, upper: 1}\n");
+  EXPECT_THAT(refused({"tune", study}),
+              testing::AllOf(HasSubstr(study), HasSubstr("slerpDurationErrorGain"),
+                             HasSubstr("lower bound 4"), HasSubstr("upper bound 1")));
+}
+
+TEST_F(BadInput, WrongCountOfGains) {
+  const std::string gains = gains_with("task_space_gains_d: [280, ", "task_space_gains_d: [");
+  EXPECT_THAT(
+      refused({"simulate", files_ / "short.yaml", "--gains", gains}),
+      testing::AllOf(HasSubstr(gains), HasSubstr("task_space_gains_d"), HasSubstr("5"), HasSubstr("6")));
+}
+
+TEST_F(BadInput, UnknownNames) {
+  EXPECT_THAT(refused({"simulate", "moving_traget"}), HasSubstr("did you mean 'moving_target'"));
+  EXPECT_THAT(refused({"simulate", "moving_target", "--gains", "publishd"}),
+              HasSubstr("did you mean 'published'"));
+  EXPECT_THAT(refused({"simulate", files_ / "short.yaml", "--stepper", "rk5"}),
+              testing::AllOf(HasSubstr("rk5"), HasSubstr("semi_implicit_euler")));
+  EXPECT_THAT(refused({"tune", "ur10_gase"}), HasSubstr("did you mean 'ur10_gaze'"));
+  EXPECT_THAT(refused({"robot", "ur11"}), HasSubstr("did you mean 'ur10'"));
+  EXPECT_THAT(refused({"compare", "published", "--scenarios", "fixed_targe"}), HasSubstr("'fixed_target'"));
+}
+
+TEST_F(BadInput, LeavesNoFolderBehind) {
+  refused({"tune", study_with("parameters:\n  - {name: no_such_gain}\n"), "--out", files_ / "run"});
+  EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
+  refused({"simulate", "moving_traget", "--out", files_ / "run"});
+  EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
+}
+
+TEST_F(BadInput, StartGainsThatDoNotCompleteAreNoReference) {
+  files_.write("short.yaml", "base: moving_target\nduration: 3\n");
+  const std::string message =
+      refused({"tune", study_with(test::kShortParameters), "--out", files_ / "run", "--workers", "1"});
+  EXPECT_THAT(message, testing::AllOf(HasSubstr("bad_study.yaml"), HasSubstr("short")));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using test::ShortStudy;
+using testing::HasSubstr;
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    names.push_back(entry.path().filename());
+  return names;
+}
+
+TEST(Simulate, WritesTheFilesItNames) {
+  const ShortStudy files;
+  const Finished done = run_program({"simulate", files / "short.yaml", "--gains", files / "gains.yaml",
+                                     "--out", files / "run", "--workers", "1"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(done.err, "") << "quiet where there is no terminal";
+  EXPECT_THAT(files_in(files / "run"),
+              testing::UnorderedElementsAre("errors.csv", "rollout_short.csv", "columns.csv", "gains.yaml",
+                                            "run.yaml"));
+  const auto errors = test::read_csv(files / "run/errors.csv");
+  ASSERT_EQ(errors.rows.size(), 1U);
+  EXPECT_EQ(errors.at(0, "scenario"), "short");
+  EXPECT_EQ(errors.at(0, "status"), "completed");
+  EXPECT_GT(std::stod(errors.at(0, "samples")), 100.0);
+  EXPECT_THAT(done.out, HasSubstr("error/orientation/max"));
+  EXPECT_THAT(test::read_text(files / "run/run.yaml"),
+              testing::AllOf(HasSubstr("simbody"), HasSubstr("seed: 1"), HasSubstr("fnv1a-")));
+}
+
+TEST(Simulate, ItsGainsFileGivesTheSameRunAgain) {
+  const ShortStudy files;
+  ASSERT_EQ(
+      run_program({"simulate", files / "short.yaml", "--gains", files / "gains.yaml", "--out", files / "a"})
+          .exit_code,
+      0);
+  ASSERT_EQ(
+      run_program({"simulate", files / "short.yaml", "--gains", files / "a/gains.yaml", "--out", files / "b"})
+          .exit_code,
+      0);
+  EXPECT_EQ(test::read_text(files / "a/errors.csv"), test::read_text(files / "b/errors.csv"));
+  EXPECT_EQ(test::read_text(files / "a/rollout_short.csv"), test::read_text(files / "b/rollout_short.csv"));
+}
+
+TEST(Simulate, OverwritesNoFinishedRun) {
+  const ShortStudy files;
+  std::filesystem::create_directory(files / "run");
+  files.write("run/kept.txt", "precious");
+  const Finished refused = run_program({"simulate", files / "short.yaml", "--out", files / "run"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr(files / "run"));
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+  EXPECT_THAT(files_in(files / "run"), testing::ElementsAre("kept.txt"));
+  EXPECT_EQ(test::read_text(files / "run/kept.txt"), "precious");
+}
+
+TEST(Simulate, ARunThatDivergesOrDoesNotTrackFailsAndSaysWhy) {
+  const ShortStudy files;
+  files.write("too_short.yaml", "base: moving_target\nduration: 3\n");
+  const Finished failed = run_program(
+      {"simulate", files / "too_short.yaml", "--gains", files / "gains.yaml", "--out", files / "run"});
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_THAT(failed.out, HasSubstr("followTrajectory was never held"));
+  const auto errors = test::read_csv(files / "run/errors.csv");
+  EXPECT_EQ(errors.at(0, "status"), "no_samples");
+  EXPECT_EQ(errors.at(0, "error/position/max"), "");
+}
+
+TEST(Compare, GivesTheNumbersOfTheRunItself) {
+  const ShortStudy files;
+  ASSERT_EQ(run_program({"simulate", files / "short.yaml", files / "short_realistic.yaml", "--gains",
+                         files / "gains.yaml", "--out", files / "run"})
+                .exit_code,
+            0);
+  const Finished done =
+      run_program({"compare", "published", files / "run", "--scenarios", files / "short.yaml",
+                   files / "short_realistic.yaml", "--out", files / "comparison", "--workers", "2"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(test::read_text(files / "comparison/errors_run.csv"), test::read_text(files / "run/errors.csv"));
+  const auto errors = test::read_csv(files / "run/errors.csv");
+  const auto comparison = test::read_csv(files / "comparison/comparison.csv");
+  std::map<std::string, std::size_t> rows = {{"short", 0}, {"short_realistic", 1}};
+  EXPECT_FALSE(comparison.rows.empty());
+  for (std::size_t r = 0; r < comparison.rows.size(); ++r) {
+    EXPECT_EQ(comparison.at(r, "run"),
+              errors.at(rows.at(comparison.at(r, "scenario")), comparison.at(r, "metric")));
+  }
+  EXPECT_THAT(done.out, HasSubstr("ratio"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/gains/study.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Finished;
+using test::Program;
+using test::run_program;
+using test::ShortStudy;
+using testing::HasSubstr;
+
+/// What a run folder holds at least; the start's own files stand beside them under other names.
+constexpr const char* kFiles[] = {
+    "study.yaml",  "gains.yaml", "evaluations.csv",   "errors.csv",
+    "columns.csv", "run.yaml",   "rollout_short.csv", "rollout_short_realistic.csv"};
+
+void expect_whole_run(const std::string& folder) {
+  for (const char* file : kFiles) EXPECT_TRUE(fs::exists(folder + "/" + file)) << file;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory()) continue;
+    EXPECT_NE(entry.path().extension(), ".partial") << entry.path();
+    EXPECT_GT(fs::file_size(entry.path()), 0U) << entry.path();
+  }
+  const auto journal = test::read_csv(folder + "/evaluations.csv");
+  EXPECT_FALSE(journal.rows.empty());
+  EXPECT_EQ(journal.at(0, "phase"), "start");
+  EXPECT_EQ(journal.at(0, "objective"), "1");
+  EXPECT_TRUE(test::read_text(folder + "/evaluations.csv").ends_with('\n'));
+}
+
+TEST(TuneCommand, LeavesGainsThatTheOtherCommandsTake) {
+  const ShortStudy files;
+  const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
+                                      "--max-evaluations", "8", "--seed", "5"});
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err << tuned.out;
+  EXPECT_EQ(tuned.err, "") << "quiet where there is no terminal";
+  EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("start"), HasSubstr("tuned"),
+                                        HasSubstr("every constraint holds"), HasSubstr(files / "run")));
+  expect_whole_run(files / "run");
+  EXPECT_LE(test::read_csv(files / "run/evaluations.csv").rows.size(), 8U);
+
+  const Finished again =
+      run_program({"simulate", files / "short.yaml", files / "short_realistic.yaml", "--gains",
+                   files / "run/gains.yaml", "--out", files / "again", "--workers", "1"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(test::read_text(files / "again/errors.csv"), test::read_text(files / "run/errors.csv"))
+      << "the reported figures are those of the gains file";
+
+  const Finished compared = run_program({"compare", files / "run", "--out", files / "compared"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_EQ(test::read_text(files / "compared/errors_run.csv"), test::read_text(files / "run/errors.csv"))
+      << "a run folder stands for its gains and its study's scenarios";
+}
+
+TEST(TuneCommand, ItsResolvedStudyGivesTheSameEvaluationsAgain) {
+  const ShortStudy files;
+  ASSERT_EQ(
+      run_program({"tune", files.path(), "--out", files / "a", "--workers", "1", "--max-evaluations", "6"})
+          .exit_code,
+      0);
+  const Finished again =
+      run_program({"tune", files / "a/study.yaml", "--out", files / "b", "--workers", "2"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto a = test::read_csv(files / "a/evaluations.csv");
+  const auto b = test::read_csv(files / "b/evaluations.csv");
+  ASSERT_EQ(a.header, b.header);
+  ASSERT_EQ(a.header.back(), "time/wall");
+  ASSERT_EQ(a.rows.size(), b.rows.size());
+  for (std::size_t r = 0; r < a.rows.size(); ++r) {
+    for (std::size_t c = 0; c + 1 < a.header.size(); ++c)
+      EXPECT_EQ(a.rows[r][c], b.rows[r][c]) << a.header[c];
+  }
+}
+
+TEST(TuneCommand, WithoutAFeasiblePointItEndsWithThreeAndSaysWhatIsMissed) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective,
+                         "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 0.01}\n");
+  const Finished tuned =
+      run_program({"tune", files.path(), "--out", files / "run", "--max-evaluations", "3", "--workers", "2"});
+  EXPECT_EQ(tuned.exit_code, 3) << tuned.err;
+  EXPECT_THAT(tuned.out,
+              testing::AllOf(HasSubstr("NOT feasible"), HasSubstr("joint_velocity/max_ratio <= 0.01")));
+  expect_whole_run(files / "run");
+}
+
+TEST(TuneCommand, InterruptedItKeepsEverythingSoFar) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "search: {max_evaluations: 100000, x_tolerance: 0, objective_tolerance: 0}\n");
+  Program tuning({"tune", files.path(), "--out", files / "run", "--workers", "2"}, testing::TempDir());
+  const std::string journal = files / "run/evaluations.csv";
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  const auto rows = [&] {
+    const std::string text = test::read_text(journal);
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  while (rows() < 3 && tuning.running() && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ASSERT_GE(rows(), 3);
+  ASSERT_TRUE(tuning.running());
+  tuning.interrupt();
+  const Finished ended = tuning.wait();
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("interrupted"));
+  expect_whole_run(files / "run");
+  EXPECT_EQ(run_program({"simulate", files / "short.yaml", "--gains", files / "run/gains.yaml"}).exit_code,
+            0);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,105 @@
+// No allocation inside a control period.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "core/robot/theta.hpp"
+#include "tests/core/support/allocation_counter.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/controller_rig.hpp"
+#include "tests/core/support/states.hpp"
+
+namespace armtune {
+namespace {
+
+class Allocation : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns malloc";
+  }
+};
+
+TEST_F(Allocation, IsSeenByTheCounterInNewAndInEigen) {
+  const long before = test::allocations();
+  const std::vector<double> numbers(100, 1.0);
+  EXPECT_GT(test::allocations(), before) << numbers.size();
+  const long between = test::allocations();
+  const Eigen::MatrixXd matrix = Eigen::MatrixXd::Ones(20, 20);
+  EXPECT_GT(test::allocations(), between) << matrix.sum();
+}
+
+TEST_F(Allocation, NeverHappensInUpdateInAnyStateWithObstaclesAndSlerps) {
+  test::Rig rig;
+  rig.gains.joint_trajectory_duration = 0.2;
+  rig.path.frequency = 0.5;
+  rig.path.terms = {{1, Vec3(0.05, 0, 0), Vec3(0, 0.05, 0)}, {2, Vec3(0, 0, 0.02), Vec3(0, 0, 0)}};
+  const std::unique_ptr<Controller> controller = rig.controller();
+  const Poses poses = test::poses_at(rig.model->chain, rig.goal().q);
+  const std::vector<Vec3> near = {poses.p_0B[2] + Vec3(0.1, 0.1, 0.0), poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)};
+  const Vec3 elsewhere = rig.p_0G + Vec3(0.5, 0.3, 0.2);
+  std::array<int, 4> visits{};
+  int slerps = 0;
+  int damped = 0;
+  long allocations = 0;
+  for (int step = 0; step < 1000; ++step) {
+    Scene scene = rig.scene();
+    if (step >= 600 && step < 700) scene.obstacles = near;
+    if (step >= 800) scene.p_0G = elsewhere;
+    JointState measured = rig.goal();
+    if (step >= 900 && step < 950) measured.q[4] = 0.0;  // the wrist's singularity: the damped inverse
+    const long before = test::allocations();
+    const ControlOutput& out = controller->update(measured, scene, step * rig.period);
+    allocations += test::allocations() - before;
+    ++visits[static_cast<std::size_t>(out.state)];
+    slerps += out.slerping ? 1 : 0;
+    damped += out.damped ? 1 : 0;
+  }
+  EXPECT_EQ(allocations, 0);
+  for (std::size_t state = 0; state < visits.size(); ++state) {
+    EXPECT_GT(visits[state], 50) << name(static_cast<ControlState>(state));
+  }
+  EXPECT_GT(slerps, 50);
+  EXPECT_GT(damped, 40);
+}
+
+TEST_F(Allocation, NeverHappensInAKernelForThreeToTwelveJoints) {
+  std::mt19937 generator(601);
+  for (int n = 3; n <= kMaxJoints; ++n) {
+    const RobotModel arm = test::random_arm(n, 700u + static_cast<unsigned>(n), true);
+    const Chain& chain = arm.chain;
+    const JointVector q = test::random_configuration(generator, arm);
+    const JointVector qd = test::random_vector(generator, n, 1.0);
+    const JointVector qdr = test::random_vector(generator, n, 1.0);
+    const JointVector qdd = test::random_vector(generator, n, 2.0);
+    const long before = test::allocations();
+    Poses poses;
+    Jacobian J;
+    Jacobian J_dot;
+    JointMatrix M;
+    JointVector tau;
+    SlotineLi motion;
+    ParameterVector gradient;
+    Regressor Y;
+    forward_kinematics(chain, q, poses);
+    tool_jacobian(chain, poses, J);
+    tool_jacobian_derivative(chain, poses, J, qd, J_dot);
+    mass_matrix(chain, poses, M);
+    inverse_dynamics(chain, poses, qd, qdd, tau);
+    gravity_torque(chain, poses, tau);
+    slotine_li_forward(chain, poses, qd, qdr, qdd, motion);
+    const ParameterVector theta = theta_of(chain);
+    slotine_li_torque(chain, poses, motion, theta, tau);
+    slotine_li_gradient(motion, gradient);
+    slotine_li_regressor(chain, poses, motion, Y);
+    EXPECT_EQ(test::allocations(), before) << arm.name;
+    EXPECT_TRUE(tau.allFinite() && gradient.allFinite() && Y.allFinite() && J_dot.allFinite() &&
+                M.allFinite());
+  }
+}
+
+}  // namespace
+}  // namespace armtune

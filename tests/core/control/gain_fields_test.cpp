@@ -1,0 +1,128 @@
+#include "core/control/gain_fields.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "core/common/error.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/controller_rig.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// What validate says about a UR10's gains after one change.
+std::string refusal_of(const std::function<void(Gains&)>& change) {
+  Gains gains = test::ur10_gains();
+  change(gains);
+  try {
+    validate(gains, joint_names(test::ur10()), "gains.yaml");
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("gains.yaml: "));
+    return error.what();
+  }
+  return "nothing was refused";
+}
+
+void set(Gains& gains, const GainField& field, std::size_t index, double value) {
+  numbers(gains, field)[index] = value;
+}
+
+TEST(GainFields, NamesAreDeclaredOnce) {
+  std::set<std::string> names;
+  for (const GainField& field : gain_fields()) EXPECT_TRUE(names.insert(field.name).second) << field.name;
+}
+
+TEST(GainFields, NumbersAreOnePerComponentName) {
+  Gains gains = test::ur10_gains();
+  const std::vector<std::string> joints = joint_names(test::ur10());
+  for (const GainField& field : gain_fields()) {
+    if (!field.is_number()) {
+      EXPECT_TRUE(numbers(gains, field).empty()) << field.name;
+      continue;
+    }
+    EXPECT_EQ(numbers(gains, field).size(), component_names(field, joints).size()) << field.name;
+  }
+}
+
+TEST(GainFields, NumbersAreTheGainsOwnMemory) {
+  Gains gains = test::ur10_gains();
+  for (const GainField& field : gain_fields()) {
+    if (std::string(field.name) == "task_space_gains_i") set(gains, field, 4, 0.77);
+  }
+  EXPECT_EQ(gains.task_space_gains_i[4], 0.77);
+}
+
+TEST(GainFields, PublishedGainsAreValid) {
+  EXPECT_EQ(refusal_of([](Gains&) {}), "nothing was refused");
+}
+
+TEST(GainFields, EveryNumberMustBeFiniteAndTheRefusalNamesTheGain) {
+  for (const GainField& field : gain_fields()) {
+    const std::size_t count = [&] {
+      Gains gains = test::ur10_gains();
+      return numbers(gains, field).size();
+    }();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        EXPECT_THAT(refusal_of([&](Gains& gains) { set(gains, field, i, bad); }),
+                    AllOf(HasSubstr(field.name), HasSubstr(std::isnan(bad) ? "nan" : "inf")));
+      }
+    }
+  }
+}
+
+TEST(GainFields, NoNumberButTheJointGoalMayBeNegative) {
+  for (const GainField& field : gain_fields()) {
+    if (!field.is_number()) continue;
+    const std::string message = refusal_of([&](Gains& gains) { set(gains, field, 0, -1.25); });
+    if (std::string(field.name) == "joint_space_goal") {
+      EXPECT_EQ(message, "nothing was refused");
+    } else {
+      EXPECT_THAT(message, AllOf(HasSubstr(field.name), HasSubstr("-1.25")));
+    }
+  }
+}
+
+TEST(GainFields, ZeroIsRefusedExactlyWhereAFieldIsStrictlyPositive) {
+  for (const GainField& field : gain_fields()) {
+    if (!field.is_number()) continue;
+    const std::string message = refusal_of([&](Gains& gains) { set(gains, field, 0, 0.0); });
+    EXPECT_EQ(message == "nothing was refused", !field.strictly_positive) << field.name << ": " << message;
+  }
+}
+
+TEST(GainFields, TheRefusalNamesTheComponent) {
+  EXPECT_THAT(refusal_of([](Gains& gains) { gains.task_space_gains_p[3] = -2.0; }),
+              HasSubstr("task_space_gains_p/rx is -2"));
+  EXPECT_THAT(refusal_of([](Gains& gains) { gains.task_space_gains_d[2] = -2.0; }),
+              HasSubstr("task_space_gains_d/elbow_joint is -2"));
+}
+
+TEST(GainFields, AWrongNumberOfJointGainsIsRefusedWithBothNumbers) {
+  EXPECT_THAT(
+      refusal_of([](Gains& gains) { gains.force_control_gains = JointVector::Ones(5); }),
+      AllOf(HasSubstr("force_control_gains has 5 values"), HasSubstr("needs 6"), HasSubstr("wrist_3_joint")));
+}
+
+TEST(GainFields, ReleaseRadiusIsZeroOrAtLeastTheInfluenceRadius) {
+  EXPECT_EQ(refusal_of([](Gains& gains) { gains.release_radius = gains.obstacleInfluenceRadius; }),
+            "nothing was refused");
+  EXPECT_THAT(refusal_of([](Gains& gains) { gains.release_radius = 0.3; }),
+              AllOf(HasSubstr("release_radius is 0.3"), HasSubstr("obstacleInfluenceRadius = 0.325")));
+}
+
+TEST(GainFields, ASlerpMustStartBeforeItsEnd) {
+  EXPECT_EQ(refusal_of([](Gains& gains) { gains.slerp_start = 0.999; }), "nothing was refused");
+  EXPECT_THAT(refusal_of([](Gains& gains) { gains.slerp_start = 1.0; }), HasSubstr("slerp_start is 1"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,79 @@
+#include "sim/csv/error_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+std::vector<ScenarioResult> two_results() {
+  std::mt19937_64 generator(8);
+  std::uniform_real_distribution<double> exponent(-15.0, 15.0);
+  std::vector<ScenarioResult> results(2);
+  results[0].scenario = "first";
+  for (double& v : results[0].result.metrics.value) v = std::pow(10.0, exponent(generator));
+  results[0].result.metrics.max_ratio_joint = "elbow_joint";
+  results[1].scenario = "second";
+  results[1].result.status = RolloutStatus::kDiverged;
+  return results;
+}
+
+TEST(ErrorsCsv, HasTheColumnsInTheirOrder) {
+  const test::Csv csv(errors_csv(two_results()));
+  EXPECT_THAT(
+      csv.header,
+      testing::ElementsAre(
+          "scenario", "status", "error/position/x/max", "error/position/y/max", "error/position/z/max",
+          "error/position/rms", "error/position/max", "error/orientation/x/max", "error/orientation/y/max",
+          "error/orientation/z/max", "error/orientation/rms", "error/orientation/max",
+          "error/linear_velocity/rms", "error/linear_velocity/max", "error/angular_velocity/rms",
+          "error/angular_velocity/max", "samples", "gaze/rms", "gaze/max", "gaze/rate_error/rms",
+          "gaze/rate_error/max", "gaze/time_outside_threshold", "reacquisition/time",
+          "joint_velocity/max_ratio", "joint_velocity/max_ratio_joint", "joint_velocity/max_ratio_time",
+          "joint_position/min_margin", "joint_effort/max_ratio", "effort_rate/rms", "obstacle/min_clearance",
+          "compensation_error/rms"));
+}
+
+TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {
+  const auto results = two_results();
+  const test::Csv csv(errors_csv(results));
+  ASSERT_EQ(csv.rows.size(), 2U);
+  EXPECT_EQ(csv.at(0, "status"), "completed");
+  EXPECT_EQ(csv.at(1, "status"), "diverged");
+  EXPECT_EQ(csv.at(0, "joint_velocity/max_ratio_joint"), "elbow_joint");
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_EQ(csv.rows[r].size(), csv.header.size());
+    for (std::size_t i = 0; i < kMetricCount; ++i) {
+      const std::string cell = csv.at(r, metric_fields()[i].name);
+      const double value = results[r].result.metrics.value[i];
+      if (std::isnan(value)) {
+        EXPECT_EQ(cell, "");
+      } else {
+        EXPECT_EQ(std::stod(cell), value) << metric_fields()[i].name;
+      }
+    }
+  }
+}
+
+TEST(ColumnsCsv, ExplainsEveryColumnOfBothFiles) {
+  const auto columns = rollout_columns(test::scenario_of("obstacle_pass"));
+  const std::string text = columns_csv(columns);
+  EXPECT_THAT(text, testing::StartsWith("file,name,unit,meaning\n"));
+  for (const std::string& name : test::Csv(errors_csv({})).header) {
+    EXPECT_THAT(text, testing::HasSubstr("errors.csv," + name + ",")) << name;
+  }
+  for (const Column& column : columns) {
+    EXPECT_THAT(text, testing::HasSubstr("rollout_*.csv," + column.name + "," + column.unit + ",\""))
+        << column.name;
+    EXPECT_NE(column.meaning, "") << column.name;
+  }
+}
+
+}  // namespace
+}  // namespace armtune

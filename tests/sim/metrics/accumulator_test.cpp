@@ -1,0 +1,277 @@
+#include "sim/metrics/accumulator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/core/support/arms.hpp"
+
+namespace armtune {
+namespace {
+
+using enum ControlState;
+
+TEST(Spread, IsTheRootMeanSquareAndTheLargestMagnitude) {
+  Spread spread;
+  EXPECT_TRUE(std::isnan(spread.rms()));
+  EXPECT_TRUE(std::isnan(spread.max()));
+  for (const double x : {3.0, -4.0, 0.0, 0.0}) spread.add(x);
+  EXPECT_DOUBLE_EQ(spread.rms(), 2.5);
+  EXPECT_EQ(spread.max(), 4.0);
+  EXPECT_EQ(spread.count(), 4);
+}
+
+/// Feeds a window of one sample per second from an event at 0 s to its end.
+double reacquisition(const std::vector<bool>& outside) {
+  Reacquisition r;
+  r.start(0.0);
+  double t = 0.0;
+  for (const bool sample : outside) r.add(t++, sample);
+  return r.longest(t);
+}
+
+TEST(Reacquisition, IsZeroWhereTheGazeWasNeverLost) {
+  EXPECT_EQ(reacquisition({false, false, false}), 0.0);
+}
+TEST(Reacquisition, LastsUntilTheGazeIsInside) {
+  EXPECT_EQ(reacquisition({true, true, true, false, false}), 3.0);
+}
+TEST(Reacquisition, LastsUntilTheGazeIsInsideForGood) {
+  EXPECT_EQ(reacquisition({true, false, false, true, false, false}), 4.0);
+  EXPECT_EQ(reacquisition({false, false, true, false}), 3.0);
+}
+TEST(Reacquisition, IsTheWholeWindowIfTheGazeNeverSettles) {
+  EXPECT_EQ(reacquisition({true, true, true}), 3.0);
+  EXPECT_EQ(reacquisition({true, false, true}), 3.0);
+}
+
+TEST(Reacquisition, OfSeveralEventsTheLongestCounts) {
+  Reacquisition r;
+  r.add(0.0, true);  // before any event
+  r.start(1.0);
+  for (const double t : {1.0, 2.0, 3.0}) r.add(t, true);
+  r.add(4.0, false);
+  r.start(10.0);  // the second takes 2 s, not 3
+  r.add(10.0, true);
+  r.add(12.0, false);
+  EXPECT_EQ(r.longest(20.0), 3.0);
+}
+
+TEST(Reacquisition, AnEventEndsTheWindowOfTheOneBefore) {
+  Reacquisition r;
+  r.start(0.0);
+  r.add(0.0, true);
+  r.start(5.0);  // never settled: 5 s
+  r.add(5.0, true);
+  r.add(6.0, false);
+  EXPECT_EQ(r.longest(8.0), 5.0);
+}
+
+TEST(Reacquisition, HasNoValueWithoutAnEvent) {
+  Reacquisition r;
+  r.add(0.0, true);
+  EXPECT_TRUE(std::isnan(r.longest(1.0)));
+}
+
+constexpr double kPeriod = 0.1;
+constexpr double kThreshold = 0.15;
+
+/// One period made by hand, at rest and on target unless a test says otherwise.
+struct Period {
+  explicit Period(const RobotModel& model) {
+    q = JointVector::Zero(model.n());
+    qd = JointVector::Zero(model.n());
+    control.torque = control.commanded = JointVector::Zero(model.n());
+    control.state = kFollowTrajectory;
+    o.q = &q;
+    o.qd = &qd;
+    o.control = &control;
+    o.poses = &poses;
+    o.target_motion = {Vec3(0.0, 0.0, 1.0), Vec3::Zero(), Vec3::Zero()};  // straight ahead of the tool
+    o.obstacle_distance = std::numeric_limits<double>::infinity();
+  }
+  JointVector q, qd;
+  ControlOutput control;
+  Poses poses;
+  Observation o;
+};
+
+class Accumulated : public testing::Test {
+ protected:
+  void add(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      p_.o.time = kPeriod * k_++;
+      metrics_.add(p_.o);
+    }
+  }
+  /// A second in followTrajectory: from here on tracking counts.
+  void settle() { add(10); }
+  Metrics result() { return metrics_.result(kPeriod * k_); }
+
+  const RobotModel model_ = test::ur10();
+  Period p_{model_};
+  MetricAccumulator metrics_{model_, kThreshold, kPeriod};
+  int k_ = 0;
+};
+
+TEST_F(Accumulated, TrackingCountsFromOneSecondAfterFollowTrajectoryWasEntered) {
+  p_.o.error.setConstant(9.0);
+  p_.control.state = kLeaveSingularity;
+  add(20);
+  p_.control.state = kReturnToTrajectory;
+  add(20);
+  p_.control.state = kFollowTrajectory;
+  add(10);
+  EXPECT_EQ(MetricAccumulator(metrics_).result(0.0)[Metric::kSamples], 0.0);
+  p_.o.error.setConstant(0.5);
+  add(7);
+  const Metrics m = result();
+  EXPECT_EQ(m[Metric::kSamples], 7.0);
+  EXPECT_EQ(m[Metric::kPositionXMax], 0.5);
+  EXPECT_EQ(m[Metric::kOrientationZMax], 0.5);
+}
+
+TEST_F(Accumulated, TrackingPausesWhileASlerpRunsAndBeginsAnewAfterAnotherState) {
+  settle();
+  add(3);
+  p_.control.slerping = true;
+  add(5);
+  p_.control.slerping = false;
+  add(2);
+  p_.control.state = kAvoidObstacles;
+  add(5);
+  p_.control.state = kFollowTrajectory;
+  add(10);  // the second after it was entered again
+  add(4);
+  EXPECT_EQ(result()[Metric::kSamples], 3.0 + 2.0 + 4.0);
+}
+
+TEST_F(Accumulated, EveryAxisHasItsLargestAndAllTogetherTheNorm) {
+  settle();
+  p_.o.error << 0.3, 0.0, -0.4, 0.01, -0.02, 0.02;
+  p_.o.error_rate << 0.0, 3.0, 4.0, 0.6, 0.0, 0.8;
+  add();
+  p_.o.error << -0.1, 0.2, 0.2, 0.0, 0.0, 0.0;
+  p_.o.error_rate.setZero();
+  add();
+  const Metrics m = result();
+  EXPECT_EQ(m[Metric::kPositionXMax], 0.3);
+  EXPECT_EQ(m[Metric::kPositionYMax], 0.2);
+  EXPECT_EQ(m[Metric::kPositionZMax], 0.4);
+  EXPECT_DOUBLE_EQ(m[Metric::kPositionMax], 0.5);
+  EXPECT_DOUBLE_EQ(m[Metric::kPositionRms], std::sqrt((0.25 + 0.09) / 2.0));
+  EXPECT_EQ(m[Metric::kOrientationXMax], 0.01);
+  EXPECT_EQ(m[Metric::kOrientationYMax], 0.02);
+  EXPECT_EQ(m[Metric::kOrientationZMax], 0.02);
+  EXPECT_DOUBLE_EQ(m[Metric::kOrientationMax], 0.03);
+  EXPECT_DOUBLE_EQ(m[Metric::kLinearVelocityMax], 5.0);
+  EXPECT_DOUBLE_EQ(m[Metric::kLinearVelocityRms], 5.0 / std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(m[Metric::kAngularVelocityMax], 1.0);
+}
+
+TEST_F(Accumulated, TheLargestVelocityRatioNamesJointAndTime) {
+  p_.control.state = kLeaveSingularity;  // limits count always
+  add(3);
+  p_.qd[1] = -0.5 * model_.joints[1].limits.velocity;
+  add();
+  p_.qd[1] = 0.0;
+  p_.qd[4] = 0.8 * model_.joints[4].limits.velocity;
+  add();
+  p_.qd[4] *= 0.5;
+  add(3);
+  const Metrics m = result();
+  EXPECT_DOUBLE_EQ(m[Metric::kJointVelocityMaxRatio], 0.8);
+  EXPECT_EQ(m.max_ratio_joint, model_.joints[4].name);
+  EXPECT_DOUBLE_EQ(m[Metric::kJointVelocityMaxRatioTime], 0.4);
+}
+
+TEST_F(Accumulated, TheSmallestMarginIsThatOfTheClosestLimitAndNegativeBeyond) {
+  const JointLimits& elbow = model_.joints[2].limits;
+  p_.q[2] = elbow.upper - 0.3;
+  add();
+  EXPECT_NEAR(MetricAccumulator(metrics_).result(0.0)[Metric::kJointPositionMinMargin], 0.3, 1e-12);
+  p_.q[2] = elbow.lower - 0.1;
+  add();
+  EXPECT_NEAR(result()[Metric::kJointPositionMinMargin], -0.1, 1e-12);
+}
+
+TEST_F(Accumulated, EffortIsTheCommandBeforeSaturationAndItsRateThatOfTheTorque) {
+  p_.control.commanded[3] = -2.0 * model_.joints[3].limits.effort;
+  p_.control.torque[3] = -model_.joints[3].limits.effort;
+  add();
+  p_.control.torque[3] += 3.0;
+  p_.control.torque[5] += 4.0;
+  add();
+  const Metrics m = result();
+  EXPECT_DOUBLE_EQ(m[Metric::kJointEffortMaxRatio], 2.0);
+  EXPECT_DOUBLE_EQ(m[Metric::kEffortRateRms], 5.0 / kPeriod) << "the first period has none before it";
+}
+
+TEST_F(Accumulated, TheSmallestClearanceCountsInEveryState) {
+  for (const double distance : {0.5, 0.2, 0.4}) {
+    p_.control.state = distance == 0.2 ? kAvoidObstacles : kFollowTrajectory;
+    p_.o.obstacle_distance = distance;
+    add();
+  }
+  EXPECT_EQ(result()[Metric::kObstacleMinClearance], 0.2);
+}
+
+TEST_F(Accumulated, GazeAndCompensationCountAlwaysAfterLeaveSingularity) {
+  p_.control.state = kLeaveSingularity;
+  p_.o.gaze_angle = 3.0;
+  p_.o.compensation_error = 100.0;
+  add(5);
+  p_.control.state = kReturnToTrajectory;
+  p_.control.slerping = true;
+  p_.o.gaze_angle = kThreshold;  // at the threshold is outside
+  p_.o.compensation_error = 4.0;
+  add(3);
+  p_.control.state = kAvoidObstacles;
+  p_.o.gaze_angle = 0.1;
+  add(2);
+  const Metrics m = result();
+  EXPECT_EQ(m[Metric::kGazeMax], kThreshold);
+  EXPECT_NEAR(m[Metric::kGazeRms], std::sqrt((3 * kThreshold * kThreshold + 2 * 0.01) / 5.0), 1e-12);
+  EXPECT_NEAR(m[Metric::kGazeTimeOutside], 3 * kPeriod, 1e-12);
+  EXPECT_DOUBLE_EQ(m[Metric::kCompensationErrorRms], 4.0);
+}
+
+TEST_F(Accumulated, TheGazeRateErrorIsBetweenToolAndLineWithoutRoll) {
+  // The target passes at 2 m/s in 1 m distance: the line turns at 2 rad/s about -x. Roll about z is free.
+  p_.o.target_motion.velocity = Vec3(0.0, 2.0, 0.0);
+  p_.o.twist << 0.0, 0.0, 0.0, -2.0, 0.0, 7.0;
+  add();
+  EXPECT_NEAR(MetricAccumulator(metrics_).result(0.0)[Metric::kGazeRateErrorMax], 0.0, 1e-12);
+  p_.o.twist << 0.0, 0.0, 0.0, 0.0, 0.0, 7.0;
+  add();
+  EXPECT_NEAR(result()[Metric::kGazeRateErrorMax], 2.0, 1e-12);
+}
+
+TEST_F(Accumulated, ReacquisitionRunsFromASwitchOfTheTarget) {
+  add(5);
+  p_.o.gaze_angle = 1.0;  // lost before any switch: no event
+  add(5);
+  p_.o.target = 1;
+  add(8);
+  p_.o.gaze_angle = 0.0;
+  add(4);
+  EXPECT_NEAR(result()[Metric::kReacquisitionTime], 8 * kPeriod, 1e-12);
+}
+
+TEST_F(Accumulated, WhatWasNeverJudgedHasNoValue) {
+  p_.control.state = kLeaveSingularity;
+  add(5);
+  const Metrics m = result();
+  EXPECT_EQ(m[Metric::kSamples], 0.0);
+  for (const Metric metric :
+       {Metric::kPositionXMax, Metric::kPositionRms, Metric::kOrientationMax, Metric::kLinearVelocityRms,
+        Metric::kAngularVelocityMax, Metric::kGazeRms, Metric::kGazeTimeOutside, Metric::kGazeRateErrorMax,
+        Metric::kReacquisitionTime, Metric::kObstacleMinClearance, Metric::kCompensationErrorRms}) {
+    EXPECT_TRUE(std::isnan(m[metric])) << metric_fields()[static_cast<std::size_t>(metric)].name;
+  }
+  EXPECT_FALSE(std::isnan(m[Metric::kJointPositionMinMargin]));
+}
+
+}  // namespace
+}  // namespace armtune

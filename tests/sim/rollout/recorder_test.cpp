@@ -1,0 +1,88 @@
+#include "sim/rollout/recorder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+using test::scenario_of;
+
+struct Recorded {
+  test::Csv csv{""};
+  std::vector<JointVector> q;  ///< of every period
+};
+
+Recorded record(const Scenario& scenario, int stride) {
+  const test::TemporaryFolder folder;
+  Recorder recorder(scenario, stride);
+  Recorded recorded;
+  Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), [&](const Observation& o) {
+    recorded.q.push_back(*o.q);
+    return recorder(o);
+  });
+  recorder.write_csv(folder / "rollout.csv");
+  recorded.csv = test::read_csv(folder / "rollout.csv");
+  return recorded;
+}
+
+TEST(RolloutCsv, NamesAreUniqueTreesWithoutCommasBeginningWithTime) {
+  for (const char* name : {"moving_target", "obstacle_pass"}) {
+    const auto columns = rollout_columns(scenario_of(name));
+    EXPECT_EQ(columns.front().name, "time");
+    std::set<std::string> names;
+    for (const Column& column : columns) {
+      EXPECT_TRUE(names.insert(column.name).second) << column.name << " stands twice";
+      EXPECT_EQ(column.name.find_first_of(",\" \n"), std::string::npos) << column.name;
+      EXPECT_NE(column.unit, "") << column.name;
+    }
+    for (const std::string& other : names) {
+      for (const std::string& leaf : names) {
+        EXPECT_FALSE(other.starts_with(leaf + "/")) << leaf << " is a leaf and a branch";
+      }
+    }
+    EXPECT_EQ(names.contains("obstacle/distance"), std::string(name) == "obstacle_pass");
+    for (const char* needed :
+         {"state", "tool/position/x", "desired/position/z", "error/position/x", "error/orientation/z",
+          "error/linear_velocity/y", "error/angular_velocity/x", "joint/elbow_joint/position",
+          "joint/elbow_joint/velocity", "joint/wrist_3_joint/velocity_ratio", "joint/wrist_3_joint/torque",
+          "target/position/x", "manipulability", "gaze/angle"}) {
+      EXPECT_TRUE(names.contains(needed)) << needed;
+    }
+  }
+}
+
+TEST(RolloutCsv, HasARowForEveryStrideWithRisingTimeAndTheTrueState) {
+  for (const int stride : {1, 5, 7}) {
+    const Scenario scenario = scenario_of("obstacle_pass", 0.5);
+    const Recorded recorded = record(scenario, stride);
+    const auto& csv = recorded.csv;
+    ASSERT_EQ(csv.rows.size(), static_cast<std::size_t>((250 + stride - 1) / stride));
+    double before = -1.0;
+    for (std::size_t r = 0; r < csv.rows.size(); ++r) {
+      ASSERT_EQ(csv.rows[r].size(), csv.header.size());
+      const double time = std::stod(csv.at(r, "time"));
+      EXPECT_GT(time, before);
+      EXPECT_NEAR(time, 0.002 * stride * static_cast<double>(r), 1e-9);
+      before = time;
+      const JointVector& q = recorded.q[r * static_cast<std::size_t>(stride)];
+      EXPECT_NEAR(std::stod(csv.at(r, "joint/elbow_joint/position")), q[2], 1e-8 * std::abs(q[2]) + 1e-300);
+      EXPECT_EQ(csv.at(r, "state"), "0");
+    }
+  }
+}
+
+TEST(RolloutCsv, IsRefusedWhereItCannotBeWritten) {
+  const Recorder recorder(scenario_of("moving_target"), 1);
+  EXPECT_THAT(test::refusal([&] { recorder.write_csv("/no/such/folder/rollout.csv"); }),
+              testing::HasSubstr("/no/such/folder"));
+}
+
+}  // namespace
+}  // namespace armtune

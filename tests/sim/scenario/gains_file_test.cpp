@@ -1,0 +1,143 @@
+#include "sim/scenario/gains_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/control/gain_fields.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::vector<std::string> kJoints = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
+                                          "wrist_1_joint",      "wrist_2_joint",       "wrist_3_joint"};
+
+// Field for field the published ROS parameters, the circle included.
+const std::string kRosParameters = R"(
+simple_effort_ctrl:
+  joint_space_gains_p: [5.0, 8.0, 8.0, 10.0, 1.0, 1.0]
+  joint_space_gains_d: [100.0, 75.0, 75.0, 15.0, 15.0, 5.0]
+  joint_space_goal: [20.0, -90.0, -90.0, -90.0, 90.0, 0.0]
+  joint_trajectory_duration: 6.0
+  task_space_gains_p: [80.0, 50.0, 50.0, 25.0, 15.0, 3.0]
+  task_space_gains_i: [0.1, 0.025, 0.025, 1.0, 1.0, 0.0001]
+  task_space_gains_d: [280.0, 200.0, 200.0, 25.0, 15.0, 5.0]
+  circularTrajectoryAnchorPosition: [0.65, 0.08, 0.5]
+  circularTrajectoryRadius: 0.12
+  circularTrajectoryPeriod: 15
+  trajectoryDurationErrorGain: 7
+  slerpAngularErrorThreshold: 0.15
+  slerpDurationErrorGain: 2.5
+  obstacleInfluenceRadius: 0.325
+  force_control_gains: [100, 4000, 100, 2000, 1500, 100]
+)";
+
+class GainsFile : public testing::Test {
+ protected:
+  Gains load(const std::string& text) const { return load_gains(folder_.write("gains.yaml", text), kJoints); }
+  /// Message with which the published parameters are refused after a replacement in their text.
+  std::string refused(const std::string& from, const std::string& to) const {
+    std::string text = kRosParameters;
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    const std::string message = test::refusal([&] { load(text); });
+    EXPECT_THAT(message, testing::StartsWith(folder_ / "gains.yaml"));
+    return message;
+  }
+
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(GainsFile, ThePublishedRosParametersLoadAsTheyAre) {
+  EXPECT_EQ(gains_yaml(load(kRosParameters), {}), gains_yaml(load_gains("published", kJoints), {}));
+}
+
+TEST_F(GainsFile, TheNamespaceMayHaveAnyNameOrNone) {
+  const std::string expected = gains_yaml(load(kRosParameters), {});
+  std::string text = kRosParameters;
+  text.replace(text.find("simple_effort_ctrl"), 18, "my_controller");
+  EXPECT_EQ(gains_yaml(load(text), {}), expected);
+  text = text.substr(text.find(":\n") + 2);
+  std::string bare;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
+    bare += text.substr(at + 2, text.find('\n', at) - at - 1);
+  }
+  EXPECT_EQ(gains_yaml(load(bare), {}), expected);
+}
+
+TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
+  std::mt19937_64 generator(4);
+  std::uniform_real_distribution<double> exponent(-12.0, 12.0);
+  for (int i = 0; i < 20; ++i) {
+    Gains gains = load_gains("published", kJoints);
+    for (const GainField& field : gain_fields()) {
+      for (double& x : numbers(gains, field)) x = std::pow(10.0, exponent(generator));
+    }
+    gains.slerp_start = 0.3;
+    gains.release_radius = gains.obstacleInfluenceRadius * 1.1;
+    gains.slerp_reference = i % 2 == 0 ? SlerpReference::kCurrent : SlerpReference::kStart;
+    gains.adapt_while_avoiding = i % 3 == 0;
+    const Gains back = load(gains_yaml(gains, {"a comment", "and another"}));
+    for (const GainField& field : gain_fields()) {
+      const auto written = numbers(gains, field);
+      const auto read = numbers(back, field);
+      EXPECT_TRUE(std::equal(written.begin(), written.end(), read.begin(), read.end())) << field.name;
+    }
+    EXPECT_EQ(back.slerp_reference, gains.slerp_reference);
+    EXPECT_EQ(back.adapt_while_avoiding, gains.adapt_while_avoiding);
+  }
+}
+
+TEST_F(GainsFile, JointGainsMayStandByJointName) {
+  std::string text = kRosParameters;
+  const std::string list = "task_space_gains_d: [280.0, 200.0, 200.0, 25.0, 15.0, 5.0]";
+  text.replace(text.find(list), list.size(),
+               "task_space_gains_d: {wrist_3_joint: 5, elbow_joint: 200, shoulder_pan_joint: 280, "
+               "shoulder_lift_joint: 200, wrist_1_joint: 25, wrist_2_joint: 15}");
+  EXPECT_EQ(load(text).task_space_gains_d, load(kRosParameters).task_space_gains_d);
+}
+
+TEST_F(GainsFile, AWrongCountOfGainsIsRefused) {
+  EXPECT_THAT(refused("[280.0, 200.0, ", "[280.0, "),
+              AllOf(HasSubstr("task_space_gains_d"), HasSubstr("5 entries"), HasSubstr("expected 6")));
+  EXPECT_THAT(refused("[80.0, 50.0, ", "[80.0, 80.0, 50.0, "),
+              AllOf(HasSubstr("task_space_gains_p"), HasSubstr("7 entries"), HasSubstr("expected 6")));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: [2.5]"),
+              HasSubstr("slerpDurationErrorGain"));
+}
+
+TEST_F(GainsFile, AnUnknownKeyIsRefusedWithTheNearest) {
+  EXPECT_THAT(refused("  obstacleInfluenceRadius", "  adaptation_gian: 1\n  obstacleInfluenceRadius"),
+              AllOf(HasSubstr("adaptation_gian"), HasSubstr("did you mean 'adaptation_gain'")));
+}
+
+TEST_F(GainsFile, AMissingKeyIsRefused) {
+  EXPECT_THAT(refused("  slerpDurationErrorGain: 2.5\n", ""),
+              HasSubstr("missing key 'slerpDurationErrorGain'"));
+  EXPECT_THAT(
+      refused("slerpDurationErrorGain", "slerpDurationErrorGian"),
+      AllOf(HasSubstr("missing key 'slerpDurationErrorGain'"), HasSubstr("'slerpDurationErrorGian'")));
+}
+
+TEST_F(GainsFile, GainsThatNoControllerCanUseAreRefused) {
+  EXPECT_THAT(refused("[80.0, 50.0", "[80.0, -50.0"), AllOf(HasSubstr("task_space_gains_p/y is -50")));
+  EXPECT_THAT(refused("[280.0, 200.0", "[280.0, -1e-9"), HasSubstr("task_space_gains_d/shoulder_lift_joint"));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: 0"), HasSubstr("above zero"));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: .nan"), HasSubstr("number"));
+  EXPECT_THAT(refused("slerpDurationErrorGain: 2.5", "slerpDurationErrorGain: fast"), HasSubstr("number"));
+  EXPECT_THAT(refused("  obstacleInfluenceRadius", "  release_radius: 0.1\n  obstacleInfluenceRadius"),
+              HasSubstr("release_radius"));
+  EXPECT_THAT(refused("  obstacleInfluenceRadius", "  slerp_reference: end\n  obstacleInfluenceRadius"),
+              HasSubstr("start, current"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,50 @@
+#pragma once
+// CSV without quoted commas, as the program's tables of numbers are.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/sim/support/files.hpp"
+
+namespace armtune::test {
+
+inline std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> out(1);
+  for (const char c : line) {
+    if (c == ',') {
+      out.emplace_back();
+    } else {
+      out.back() += c;
+    }
+  }
+  return out;
+}
+
+/// A table with a header row.
+struct Csv {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+
+  explicit Csv(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    header = cells(line);
+    while (std::getline(lines, line)) rows.push_back(cells(line));
+  }
+  std::string at(std::size_t row, const std::string& column) const {
+    const auto found = std::find(header.begin(), header.end(), column);
+    if (found == header.end()) return "no column " + column;
+    const auto index = static_cast<std::size_t>(found - header.begin());
+    if (row >= rows.size() || index >= rows[row].size()) return "no cell in " + column;
+    return rows[row][index];
+  }
+};
+
+inline Csv read_csv(const std::string& path) {
+  return Csv(read_text(path));
+}
+
+}  // namespace armtune::test

@@ -1,0 +1,80 @@
+#include "tuner/gains/journal.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+/// A short study whose start was "simulated" by hand.
+class Journalled : public testing::Test {
+ protected:
+  Journalled() : study_(load_study(files_.path())) {
+    e_.gains = study_.space.start;
+    for (const Scenario& s : study_.scenarios) {
+      RolloutResult r;
+      r.end_time = s.duration;
+      for (double& v : r.metrics.value) v = 1.0 / 3.0;
+      e_.results.push_back(r);
+    }
+  }
+  Objective objective() const {
+    return {study_.terms, study_.constraints, study_.scenarios, e_.results, "study"};
+  }
+
+  const test::ShortStudy files_;
+  Study study_;
+  Evaluation e_;
+};
+
+TEST_F(Journalled, EveryRowIsOnDiskAtOnceAndHasACellPerColumn) {
+  const Objective objective = this->objective();
+  const std::string path = files_ / "evaluations.csv";
+  Journal journal(path, study_, objective);
+  EXPECT_EQ(test::read_csv(path).rows.size(), 0U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    objective.judge(e_);
+    journal.append("search", e_, 0.25);
+    const auto csv = test::read_csv(path);
+    ASSERT_EQ(csv.rows.size(), i + 1);
+    EXPECT_EQ(csv.rows[i].size(), csv.header.size());
+    EXPECT_EQ(csv.at(i, "evaluation"), std::to_string(i));
+  }
+  const auto csv = test::read_csv(path);
+  EXPECT_EQ(csv.at(0, "phase"), "search");
+  EXPECT_EQ(csv.at(0, "feasible"), "1");
+  EXPECT_EQ(csv.header.back(), "time/wall");
+  EXPECT_EQ(std::stod(csv.at(0, "short_realistic/error/orientation/rms")), 1.0 / 3.0) << "to the bit";
+}
+
+TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
+  const Objective objective = this->objective();
+  Journal journal(files_ / "evaluations.csv", study_, objective);
+  e_.results[0].status = RolloutStatus::kDiverged;
+  e_.results[0].reason = "diverged at 1 s in leaveSingularity: \"elbow\" is not finite";
+  e_.results[0].metrics = {};
+  objective.judge(e_);
+  journal.append("search", e_, 0.0);
+  const auto csv = test::read_csv(files_ / "evaluations.csv");
+  ASSERT_EQ(csv.rows.size(), 1U);
+  EXPECT_EQ(csv.rows[0].size(), csv.header.size());
+  EXPECT_EQ(csv.at(0, "short/error/orientation/rms"), "");
+  EXPECT_THAT(csv.at(0, "status"), testing::HasSubstr("leaveSingularity"));
+  EXPECT_EQ(csv.at(0, "feasible"), "0");
+}
+
+TEST_F(Journalled, NeverWritesOverAnotherJournal) {
+  files_.write("evaluations.csv", "of another run\n");
+  const Objective objective = this->objective();
+  EXPECT_THAT(test::refusal([&] { Journal(files_ / "evaluations.csv", study_, objective); }),
+              testing::HasSubstr(files_ / "evaluations.csv"));
+  EXPECT_EQ(test::read_text(files_ / "evaluations.csv"), "of another run\n");
+}
+
+}  // namespace
+}  // namespace armtune

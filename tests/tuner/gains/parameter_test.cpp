@@ -1,0 +1,123 @@
+#include "tuner/gains/parameter.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+/// Two free gains, one per scale, and one that follows the first.
+class Parameters : public testing::Test {
+ protected:
+  Parameters() {
+    const Scenario scenario = test::scenario_of("moving_target");
+    joints_ = joint_names(*scenario.robot);
+    space_.start = test::published_gains(scenario);
+    space_.free = {{entry("task_space_gains_p/rx"), 25.0, 5.0, 80.0, Scale::kLog},
+                   {entry("slerpDurationErrorGain"), 2.5, 0.5, 6.5, Scale::kLinear}};
+    space_.links = {{entry("task_space_gains_p/ry"), 0, 0.6}};
+  }
+
+  GainEntry entry(const std::string& name) const {
+    for (const GainEntry& e : gain_entries(joints_)) {
+      if (e.name == name) return e;
+    }
+    ADD_FAILURE() << "no gain " << name;
+    return {};
+  }
+  double at(const std::vector<double>& x, const std::string& name) const {
+    return value(space_.gains_at(x), entry(name));
+  }
+  /// Message with which the space is refused after a change to its first parameter.
+  template <typename Change>
+  std::string refusal_after(Change&& change) const {
+    ParameterSpace changed = space_;
+    change(changed.free[0]);
+    return test::refusal([&] { validate(changed, "study.yaml"); });
+  }
+
+  std::vector<std::string> joints_;
+  ParameterSpace space_;
+};
+
+TEST_F(Parameters, EveryNumberOfEveryFieldHasAnEntryOfItsOwn) {
+  Gains gains = space_.start;
+  const auto entries = gain_entries(joints_);
+  for (std::size_t i = 0; i < entries.size(); ++i) value(gains, entries[i]) = 1000.0 + static_cast<double>(i);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    EXPECT_EQ(value(gains, entries[i]), 1000.0 + static_cast<double>(i)) << entries[i].name;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(entries[i].name, entries[j].name);
+  }
+  EXPECT_EQ(gains.task_space_gains_d[5], value(gains, entry("task_space_gains_d/wrist_3_joint")));
+}
+
+TEST_F(Parameters, TheUnitBoxSpansTheBoundsOnEachScale) {
+  EXPECT_DOUBLE_EQ(at({0.0, 0.0}, "task_space_gains_p/rx"), 5.0);
+  EXPECT_DOUBLE_EQ(at({1.0, 1.0}, "task_space_gains_p/rx"), 80.0);
+  EXPECT_DOUBLE_EQ(at({0.5, 0.5}, "task_space_gains_p/rx"), 20.0) << "the geometric mean";
+  EXPECT_DOUBLE_EQ(at({0.0, 0.0}, "slerpDurationErrorGain"), 0.5);
+  EXPECT_DOUBLE_EQ(at({1.0, 1.0}, "slerpDurationErrorGain"), 6.5);
+  EXPECT_DOUBLE_EQ(at({0.5, 0.5}, "slerpDurationErrorGain"), 3.5) << "the arithmetic mean";
+}
+
+TEST_F(Parameters, CoordinatesOfGainsLeadBackToThem) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<double> x = {unit(generator), unit(generator)};
+    const std::vector<double> back = space_.point_of(space_.gains_at(x));
+    for (std::size_t k = 0; k < x.size(); ++k) EXPECT_NEAR(back[k], x[k], 1e-14);
+  }
+}
+
+TEST_F(Parameters, TheStartIsKeptToTheBit) {
+  const Gains gains = space_.gains_at(space_.start_point());
+  EXPECT_EQ(gains.task_space_gains_p[3], 25.0);
+  EXPECT_EQ(gains.slerpDurationErrorGain, 2.5);
+}
+
+TEST_F(Parameters, BoundsHoldForCoordinatesAndGainsOutsideThem) {
+  EXPECT_EQ(at({-3.0, 7.0}, "task_space_gains_p/rx"), 5.0);
+  EXPECT_EQ(at({-3.0, 7.0}, "slerpDurationErrorGain"), 6.5);
+  Gains wild = space_.start;
+  wild.task_space_gains_p[3] = 1e6;
+  wild.slerpDurationErrorGain = 0.1;
+  EXPECT_EQ(space_.point_of(wild), (std::vector<double>{1.0, 0.0}));
+}
+
+TEST_F(Parameters, ALinkedGainFollowsByItsFactorAndTheOthersStay) {
+  for (const double x : {0.0, 0.3, 1.0}) {
+    const Gains gains = space_.gains_at({x, 0.2});
+    EXPECT_DOUBLE_EQ(gains.task_space_gains_p[4], 0.6 * gains.task_space_gains_p[3]);
+    EXPECT_EQ(gains.task_space_gains_p[5], space_.start.task_space_gains_p[5]);
+    EXPECT_EQ(gains.task_space_gains_d, space_.start.task_space_gains_d);
+  }
+}
+
+TEST_F(Parameters, WhatDoesNotFitIsRefusedByName) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  EXPECT_NO_THROW(validate(space_, "study.yaml"));
+  const auto named = [](const char* what) {
+    return AllOf(testing::StartsWith("study.yaml"), HasSubstr("task_space_gains_p/rx"), HasSubstr(what));
+  };
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 90.0; }), named("not below upper bound 80"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper; }), named("not below"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.upper = HUGE_VAL; }), named("bound"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = std::nan(""); }), named("bound"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = -1.0; }), named("negative"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 0.0; }), named("log"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.start = 4.9; }),
+              named("start 4.9 lies outside its bounds 5 .. 80"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.start = std::nan(""); }), named("start"));
+  EXPECT_THAT(test::refusal([] { validate({}, "study.yaml"); }), HasSubstr("no parameter"));
+}
+
+}  // namespace
+}  // namespace armtune

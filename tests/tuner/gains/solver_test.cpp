@@ -1,0 +1,163 @@
+#include "tuner/gains/solver.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using Point = std::vector<double>;
+
+// Least squared distance to (0.9, 0.7, 0.2), where x + y <= 1: the optimum (0.6, 0.4, 0.2) lies on the
+// constraint, inside the box, at 0.18.
+constexpr double kOptimum = 0.18;
+
+double distance_squared(const Point& x) {
+  return std::pow(x[0] - 0.9, 2) + std::pow(x[1] - 0.7, 2) + std::pow(x[2] - 0.2, 2);
+}
+double excess(const Point& x) {
+  return x[0] + x[1] - 1.0;
+}
+
+struct Searched {
+  double best = HUGE_VAL;  ///< smallest objective of a feasible point
+  SolverOutcome outcome;
+  std::vector<Point> points;
+};
+
+Searched search(const SolverOptions& options, bool constrained, std::size_t budget) {
+  Searched s;
+  SolverProblem problem;
+  problem.start = {0.1, 0.2, 0.9};
+  problem.constraint_count = constrained ? 1 : 0;
+  problem.evaluate = [&](const Point& x, SolverValue& value) {
+    if (s.points.size() == budget) return false;
+    s.points.push_back(x);
+    value.objective = distance_squared(x);
+    value.constraints.clear();
+    if (constrained) value.constraints.push_back(excess(x));
+    if (!constrained || excess(x) <= 0.0) s.best = std::min(s.best, value.objective);
+    return true;
+  };
+  s.outcome = minimize(problem, options);
+  return s;
+}
+
+bool is_global(const std::string& algorithm) {
+  for (const char* name : {"CRS2", "ESCH", "ISRES", "DIRECT_L", "MLSL"}) {
+    if (algorithm == name) return true;
+  }
+  return false;
+}
+
+class EverySolver : public testing::TestWithParam<std::string> {
+ protected:
+  SolverOptions options() const {
+    SolverOptions options;
+    options.algorithm = GetParam();
+    return options;
+  }
+};
+
+TEST_P(EverySolver, FindsAnOptimumOnTheConstraint) {
+  // Local ones converge; global ones come near in a budget that a tuning run could afford.
+  const Searched s = search(options(), true, 4000);
+  RecordProperty("points", static_cast<int>(s.points.size()));
+  RecordProperty("best", std::to_string(s.best));
+  EXPECT_LT(s.best, kOptimum + (is_global(GetParam()) ? 0.02 : 0.005));
+  EXPECT_GE(s.best, kOptimum - 1e-12) << "nothing feasible is better";
+}
+
+TEST_P(EverySolver, FindsAnOptimumInsideTheBoxWithoutConstraints) {
+  const Searched s = search(options(), false, 4000);
+  // A Nelder-Mead simplex that meets a bound can collapse onto it and stay there, at 1 instead of 0.9.
+  const double tolerance = GetParam() == "NELDERMEAD" ? 0.011 : is_global(GetParam()) ? 5e-3 : 1e-4;
+  EXPECT_LT(s.best, tolerance);
+}
+
+TEST_P(EverySolver, StaysInTheBox) {
+  const Searched s = search(options(), true, 500);
+  for (const Point& x : s.points) {
+    ASSERT_EQ(x.size(), 3U);
+    for (const double coordinate : x) {
+      ASSERT_GE(coordinate, 0.0);
+      ASSERT_LE(coordinate, 1.0);
+    }
+  }
+}
+
+TEST_P(EverySolver, EndsAtOnceWhenTold) {
+  SolverProblem problem;
+  problem.start = {0.5, 0.5, 0.5};
+  problem.constraint_count = 1;
+  int calls = 0;
+  problem.evaluate = [&](const Point& x, SolverValue& value) {
+    value = {distance_squared(x), {excess(x)}};
+    return ++calls < 7;
+  };
+  const SolverOutcome outcome = minimize(problem, options());
+  EXPECT_TRUE(outcome.stopped);
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_EQ(calls, 7) << "it is not asked again after it said no";
+}
+
+TEST_P(EverySolver, LetsAnExceptionOutWithItsMessage) {
+  SolverProblem problem;
+  problem.start = {0.5, 0.5, 0.5};
+  problem.constraint_count = 1;
+  int calls = 0;
+  problem.evaluate = [&](const Point& x, SolverValue& value) {
+    if (++calls == 5) throw InputError("the disk is full");
+    value = {distance_squared(x), {excess(x)}};
+    return true;
+  };
+  EXPECT_EQ(test::refusal([&] { minimize(problem, options()); }), "the disk is full");
+  EXPECT_EQ(calls, 5);
+}
+
+TEST_P(EverySolver, RepeatsItselfForTheSameSeed) {
+  SolverOptions seeded = options();
+  seeded.seed = 3;
+  const Searched first = search(seeded, true, 300);
+  EXPECT_EQ(search(seeded, true, 300).points, first.points);
+  const bool draws = GetParam() == "CRS2" || GetParam() == "ESCH" || GetParam() == "ISRES";
+  seeded.seed = 4;
+  EXPECT_EQ(search(seeded, true, 300).points == first.points, !draws);
+}
+
+std::vector<std::string> algorithm_names() {
+  std::vector<std::string> names;
+  for (const AlgorithmInfo& a : algorithms()) names.emplace_back(a.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, EverySolver, testing::ValuesIn(algorithm_names()),
+                         [](const auto& algorithm) { return algorithm.param; });
+
+TEST(Solver, OffersTheAlgorithmsOfTheDocumentation) {
+  EXPECT_THAT(algorithm_names(), testing::IsSupersetOf({"BOBYQA", "COBYLA", "SBPLX", "NELDERMEAD", "CRS2",
+                                                        "ESCH", "ISRES", "DIRECT_L", "MLSL"}));
+}
+
+TEST(Solver, AnExactPenaltyFindsTheConstrainedOptimumToo) {
+  for (const char* algorithm : {"SBPLX", "NELDERMEAD"}) {
+    SolverOptions options;
+    options.algorithm = algorithm;
+    options.constraints = ConstraintHandling::kPenalty;  // its weight is above the multiplier, 0.6
+    EXPECT_LT(search(options, true, 4000).best, kOptimum + 0.01) << algorithm;
+  }
+}
+
+TEST(Solver, AnUnknownAlgorithmIsRefusedWithTheNearest) {
+  const std::string message = test::refusal([] { algorithm_from_name("BOBYQUA"); });
+  EXPECT_THAT(message, testing::HasSubstr("did you mean 'BOBYQA'"));
+  for (const std::string& name : algorithm_names()) EXPECT_THAT(message, testing::HasSubstr(name));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,166 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/gains/study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::ShortStudy;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Message with which a study of these parts is refused.
+std::string refusal(const std::string& parameters, const std::string& objective = test::kShortObjective,
+                    const std::string& constraints = test::kShortConstraints,
+                    const std::string& search = test::kShortSearch) {
+  const ShortStudy files(parameters, objective, constraints, search);
+  const std::string message = test::refusal([&] { load_study(files.path()); });
+  EXPECT_THAT(message, testing::StartsWith(files.path()));
+  return message;
+}
+
+Study parameters_study(const std::string& parameters) {
+  return load_study(ShortStudy(parameters).path());
+}
+
+TEST(StudyFile, TheBundledStudyTunesTwentyGainsOverItsFourScenarios) {
+  const Study study = load_study("ur10_gaze");
+  EXPECT_EQ(study.space.free.size(), 20U);
+  std::vector<std::string> scenarios;
+  for (const Scenario& s : study.scenarios) scenarios.push_back(s.name);
+  EXPECT_THAT(scenarios, testing::ElementsAre("moving_target", "realistic_moving_target",
+                                              "realistic_target_switch", "realistic_obstacle_pass"));
+  for (const Parameter& p : study.space.free) {
+    EXPECT_LT(p.lower, p.start) << p.entry.name;
+    EXPECT_GT(p.upper, p.start) << p.entry.name;
+  }
+  ASSERT_FALSE(study.constraints.empty());
+  EXPECT_EQ(study.constraints[0].metric, Metric::kJointVelocityMaxRatio);
+  EXPECT_EQ(study.constraints[0].limit, 0.9);
+  EXPECT_EQ(study.sweep.size(), 2U);
+}
+
+TEST(StudyFile, ReadsBackFromItsResolvedForm) {
+  const ShortStudy files(
+      "parameters:\n"
+      "  - {name: adaptation_gain, fixed: 0.125}\n"
+      "  - {name: task_space_gains_p}\n"
+      "  - {name: task_space_gains_p/ry, link: task_space_gains_p/rx, factor: 0.7}\n"
+      "  - {name: slerpDurationErrorGain, start: 2.2, lower: 1, upper: 4, scale: linear}\n",
+      "objective:\n"
+      "  - {metric: error/orientation/rms, weight: 2, floor: 1e-3}\n"
+      "  - {metric: error/position/max, scenarios: [short]}\n",
+      "constraints:\n"
+      "  - {metric: joint_velocity/max_ratio, at_most: 0.87}\n"
+      "  - {metric: joint_position/min_margin, at_least: start, scenarios: [short_realistic]}\n"
+      "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.5, 2]}\n",
+      "search: {algorithm: ISRES, max_evaluations: 77, max_minutes: 3, initial_step: 0.2, x_tolerance: "
+      "0.002,\n"
+      "         objective_tolerance: 0.003, seed: 9, stepper: rk4}\n");
+  const Study study = load_study(files.path());
+  EXPECT_EQ(study.space.start.adaptation_gain, 0.125);
+  EXPECT_EQ(study.space.start.slerpDurationErrorGain, 2.2);
+  EXPECT_EQ(study.space.free.size(), 6U) << "five of Kp, one time gain";
+  ASSERT_EQ(study.space.links.size(), 1U);
+
+  files.write("start.yaml", gains_yaml(study.space.start, {}));
+  const std::string text = study_yaml(study, "start.yaml");
+  const Study again = load_study(files.write("resolved.yaml", text));
+  EXPECT_EQ(study_yaml(again, "start.yaml"), text);
+  EXPECT_EQ(again.space.start_point(), study.space.start_point());
+  ASSERT_EQ(again.space.free.size(), study.space.free.size());
+  for (std::size_t i = 0; i < study.space.free.size(); ++i) {
+    EXPECT_EQ(again.space.free[i].entry.name, study.space.free[i].entry.name);
+    EXPECT_EQ(again.space.free[i].lower, study.space.free[i].lower);
+    EXPECT_EQ(again.space.free[i].upper, study.space.free[i].upper);
+    EXPECT_EQ(again.space.free[i].scale, study.space.free[i].scale);
+  }
+  // Any point gives the same gains, links and fixed values included.
+  const std::vector<double> x(study.space.free.size(), 0.3);
+  EXPECT_EQ(gains_yaml(again.space.gains_at(x), {}), gains_yaml(study.space.gains_at(x), {}));
+  EXPECT_EQ(again.constraints.size(), 2U);
+  EXPECT_FALSE(again.constraints[1].limit.has_value());
+  EXPECT_FALSE(again.constraints[1].upper);
+  EXPECT_EQ(again.solver.algorithm, "ISRES");
+  EXPECT_EQ(again.max_evaluations, 77);
+  EXPECT_EQ(again.stepper, Stepper::kRungeKutta4);
+}
+
+TEST(StudyFile, TheBundledStudyReadsBackFromItsResolvedForm) {
+  const Study study = load_study("ur10_gaze");
+  const test::TemporaryFolder folder;
+  folder.write("start.yaml", gains_yaml(study.space.start, {}));
+  const std::string text = study_yaml(study, "start.yaml");
+  const Study again = load_study(folder.write("study.yaml", text));
+  EXPECT_EQ(study_yaml(again, "start.yaml"), text);
+  EXPECT_EQ(again.space.start_point(), study.space.start_point());
+}
+
+TEST(StudyFile, AFieldNameStandsForAllItsNumbers) {
+  EXPECT_EQ(parameters_study("parameters:\n  - {name: task_space_gains_d}\n").space.free.size(), 6U);
+}
+
+TEST(StudyFile, UnknownNamesAreRefusedWithTheNearest) {
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gain_p/rx}\n"),
+              AllOf(HasSubstr("is no gain"), HasSubstr("did you mean 'task_space_gains_p/rx'")));
+  EXPECT_THAT(refusal(test::kShortParameters, "objective:\n  - {metric: error/orientaton/rms}\n"),
+              AllOf(HasSubstr("is no metric"), HasSubstr("did you mean 'error/orientation/rms'")));
+  EXPECT_THAT(refusal(test::kShortParameters, test::kShortObjective,
+                      "constraints:\n  - {metric: joint_velocty/max_ratio, at_most: 1}\n"),
+              HasSubstr("did you mean 'joint_velocity/max_ratio'"));
+  EXPECT_THAT(refusal(test::kShortParameters, "objective:\n  - {metric: gaze/rms, scenarios: [shirt]}\n"),
+              HasSubstr("'shirt' is not one of the study's scenarios"));
+}
+
+TEST(StudyFile, AnAlgorithmOrStepperThatIsNotOfferedIsRefused) {
+  const auto search = [](const std::string& text) {
+    const ShortStudy files(test::kShortParameters, test::kShortObjective, "", "search: {" + text + "}\n");
+    return test::refusal([&] { load_study(files.path()); });
+  };
+  EXPECT_THAT(search("algorithm: COBYLLA"), AllOf(HasSubstr("COBYLLA"), HasSubstr("did you mean 'COBYLA'")));
+  EXPECT_THAT(search("stepper: euler"), AllOf(HasSubstr("euler"), HasSubstr("midpoint")));
+  EXPECT_THAT(search("max_evaluations: 0"), HasSubstr("max_evaluations"));
+  EXPECT_THAT(search("seed: -1"), HasSubstr("negative"));
+  EXPECT_THAT(search("budget: 10"), HasSubstr("unknown key 'budget'"));
+}
+
+TEST(StudyFile, AnUnknownScenarioIsRefused) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write(
+      "study.yaml", "gains: published\nscenarios: [moving_tarket]\nobjective:\n  - {metric: gaze/rms}\n");
+  EXPECT_THAT(test::refusal([&] { load_study(path); }),
+              AllOf(HasSubstr("moving_tarket"), HasSubstr("did you mean 'moving_target'")));
+}
+
+TEST(StudyFile, ParametersThatDoNotFitAreRefused) {
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gains_p/rx, lower: 60, upper: 10}\n"),
+              AllOf(HasSubstr("task_space_gains_p/rx"), HasSubstr("not below")));
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gains_p/rx, lower: 30, upper: 60}\n"),
+              HasSubstr("start 25 lies outside its bounds 30 .. 60"));
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gains_p/rx, fixed: 1, link: adaptation_gain}\n"),
+              HasSubstr("at most one of"));
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gains_p/rx, link: task_space_gains_p/ry}\n"),
+              HasSubstr("'task_space_gains_p/ry' is not a tuned parameter"));
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gains_p/rx, fixed: 30}\n"),
+              HasSubstr("no parameter"));
+  EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gains_p/rx, scale: cubic}\n"), HasSubstr("cubic"));
+}
+
+TEST(StudyFile, ConstraintsAndTermsThatSayNothingAreRefused) {
+  EXPECT_THAT(refusal(test::kShortParameters, "objective: []\n"), HasSubstr("weight"));
+  EXPECT_THAT(refusal(test::kShortParameters, "objective:\n  - {metric: gaze/rms, weight: 0}\n"),
+              HasSubstr("weight"));
+  EXPECT_THAT(refusal(test::kShortParameters, "objective:\n  - {metric: gaze/rms, weight: -1}\n"),
+              HasSubstr("weight"));
+  EXPECT_THAT(refusal(test::kShortParameters, test::kShortObjective,
+                      "constraints:\n  - {metric: joint_velocity/max_ratio}\n"),
+              HasSubstr("at_most"));
+  EXPECT_THAT(refusal(test::kShortParameters, test::kShortObjective,
+                      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 1, at_least: 0}\n"),
+              HasSubstr("at_most"));
+}
+
+}  // namespace
+}  // namespace armtune

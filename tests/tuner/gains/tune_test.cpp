@@ -1,0 +1,173 @@
+#include "tuner/gains/tune.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/gains/journal.hpp"
+
+namespace armtune {
+namespace {
+
+using test::ShortStudy;
+
+struct Tuned {
+  TuneResult result;
+  std::string journal;  ///< text of evaluations.csv
+  std::vector<Evaluation> evaluations;
+};
+
+/// Runs the study with a journal, looking at the file after every callback.
+Tuned run(const Study& study, int workers, const std::string& journal_path, std::atomic<bool>* stop = nullptr,
+          long stop_after = 0) {
+  std::atomic<bool> never{false};
+  std::atomic<bool>& flag = stop != nullptr ? *stop : never;
+  Workers pool(study.scenarios, study.stepper, workers);
+  std::unique_ptr<Journal> journal;
+  Tuned tuned;
+  TuneCallbacks callbacks;
+  callbacks.begin = [&](const Objective& objective) {
+    journal = std::make_unique<Journal>(journal_path, study, objective);
+  };
+  callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
+    journal->append(phase, e, 0.001 * workers);
+    tuned.evaluations.push_back(e);
+    const std::string text = test::read_text(journal_path);
+    const auto rows = std::count(text.begin(), text.end(), '\n') - 1;
+    EXPECT_EQ(static_cast<std::size_t>(rows), tuned.evaluations.size()) << "the row is on disk at once";
+    if (stop_after > 0 && static_cast<long>(tuned.evaluations.size()) == stop_after) flag = true;
+  };
+  tuned.result = tune(study, pool, flag, callbacks);
+  tuned.journal = test::read_text(journal_path);
+  return tuned;
+}
+
+/// The text without the last column of each line: the times.
+std::string without_times(const std::string& text) {
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) out += line.substr(0, line.rfind(',')) + "\n";
+  return out;
+}
+
+TEST(Tune, GivesTheSameJournalForAnyNumberOfWorkers) {
+  const ShortStudy files;
+  const Study study = load_study(files.path());
+  const Tuned one = run(study, 1, files / "one.csv");
+  const Tuned two = run(study, 2, files / "two.csv");
+  EXPECT_NE(one.journal, two.journal) << "the times differ";
+  EXPECT_EQ(without_times(one.journal), without_times(two.journal));
+  EXPECT_EQ(one.result.best.x, two.result.best.x);
+  EXPECT_EQ(one.result.best.objective, two.result.best.objective);
+}
+
+TEST(Tune, JournalsEveryEvaluationAndKeepsTheBestOfThem) {
+  const ShortStudy files;
+  const Study study = load_study(files.path());
+  const Tuned tuned = run(study, 2, files / "evaluations.csv");
+  ASSERT_FALSE(tuned.evaluations.empty());
+  EXPECT_EQ(tuned.result.evaluations, static_cast<long>(tuned.evaluations.size()));
+  EXPECT_LE(tuned.result.evaluations, study.max_evaluations);
+  EXPECT_FALSE(tuned.result.interrupted);
+  EXPECT_EQ(tuned.result.start.objective, 1.0);
+  EXPECT_TRUE(tuned.result.start.feasible);
+  EXPECT_TRUE(tuned.result.best.feasible);
+  EXPECT_LE(tuned.result.best.objective, 1.0);
+  for (const Evaluation& e : tuned.evaluations) EXPECT_FALSE(better(e, tuned.result.best));
+  for (std::size_t i = 0; i < tuned.evaluations.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_NE(tuned.evaluations[i].x, tuned.evaluations[j].x) << "no point is simulated twice";
+    }
+  }
+  EXPECT_THAT(tuned.journal, testing::StartsWith("evaluation,phase,objective,feasible,violation,status,"
+                                                 "task_space_gains_p/rx,slerpDurationErrorGain,"));
+}
+
+TEST(Tune, TheBestIsFeasibleIfAnyPointWas) {
+  // A limit just below what the start needs: the start itself misses it.
+  const ShortStudy probe;
+  Study study = load_study(probe.path());
+  std::atomic<bool> never{false};
+  Workers workers(study.scenarios, study.stepper, 2);
+  study.max_evaluations = 1;
+  const TuneResult start = tune(study, workers, never, {});
+  study.constraints = {{Metric::kOrientationMax, true, {}, {0, 1}}};
+  study.constraints[0].limit = 0.0;
+  for (const RolloutResult& r : start.start.results) {
+    study.constraints[0].limit = std::max(*study.constraints[0].limit, r.metrics[Metric::kOrientationMax]);
+  }
+  *study.constraints[0].limit *= 0.95;
+  study.max_evaluations = 12;
+  const Tuned tuned = run(study, 2, probe / "evaluations.csv");
+  EXPECT_FALSE(tuned.result.start.feasible);
+  const bool any = std::any_of(tuned.evaluations.begin(), tuned.evaluations.end(),
+                               [](const Evaluation& e) { return e.feasible; });
+  EXPECT_TRUE(any) << "a stiffer wrist meets the limit";
+  EXPECT_EQ(tuned.result.best.feasible, any);
+}
+
+TEST(Tune, InterruptedItGivesTheBestSoFar) {
+  const ShortStudy files;
+  const Study study = load_study(files.path());
+  std::atomic<bool> stop{false};
+  const Tuned tuned = run(study, 2, files / "evaluations.csv", &stop, 4);
+  EXPECT_TRUE(tuned.result.interrupted);
+  EXPECT_EQ(tuned.result.reason, "interrupted");
+  ASSERT_EQ(tuned.evaluations.size(), 4U);
+  EXPECT_EQ(tuned.result.evaluations, 4);
+  for (const Evaluation& e : tuned.evaluations) EXPECT_FALSE(better(e, tuned.result.best));
+}
+
+TEST(Tune, StoppedBeforeItBeganItHasNothing) {
+  const ShortStudy files;
+  const Study study = load_study(files.path());
+  std::atomic<bool> stop{true};
+  Workers workers(study.scenarios, study.stepper, 1);
+  const TuneResult result = tune(study, workers, stop, {});
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_EQ(result.evaluations, 0);
+}
+
+TEST(Tune, SweepsBeforeItSearchesFromTheBestOfTheSweep) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "sweep:\n"
+                         "  - {parameters: [task_space_gains_p/rx], factors: [0.8, 1, 2]}\n"
+                         "  - {parameters: [slerpDurationErrorGain], factors: [1, 0.8]}\n"
+                         "search: {max_evaluations: 9}\n");
+  const Study study = load_study(files.path());
+  std::atomic<bool> never{false};
+  Workers workers(study.scenarios, study.stepper, 2);
+  std::vector<std::string> phases;
+  std::vector<Evaluation> swept;
+  TuneCallbacks callbacks;
+  callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
+    phases.emplace_back(phase);
+    if (phases.back() == "sweep") swept.push_back(e);
+  };
+  const TuneResult result = tune(study, workers, never, callbacks);
+  EXPECT_EQ(phases.front(), "start");
+  EXPECT_EQ(std::count(phases.begin(), phases.end(), "start"), 1);
+  EXPECT_TRUE(std::is_sorted(phases.begin() + 1, phases.end(), std::greater<>())) << "sweep, then search";
+  ASSERT_TRUE(result.best_of_sweep.has_value());
+  for (const Evaluation& e : swept) EXPECT_FALSE(better(e, *result.best_of_sweep));
+  EXPECT_FALSE(better(*result.best_of_sweep, result.best));
+  EXPECT_LE(result.evaluations, 9);
+}
+
+TEST(Tune, ASweepOfWorsePointsLeavesTheStartTheBest) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.5, 0.6]}\n"
+                         "search: {max_evaluations: 3}\n");
+  const Tuned tuned = run(load_study(files.path()), 2, files / "evaluations.csv");
+  ASSERT_EQ(tuned.evaluations.size(), 3U);
+  ASSERT_TRUE(tuned.result.best_of_sweep.has_value());
+  EXPECT_TRUE(better(tuned.result.start, *tuned.result.best_of_sweep)) << "softer wrists look worse";
+  EXPECT_EQ(tuned.result.best.x, tuned.result.start.x);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,71 @@
+#include "tuner/gains/workers.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/support/rollouts.hpp"
+#include "tuner/run/parallel.hpp"
+
+namespace armtune {
+namespace {
+
+TEST(Workers, GiveEachCandidateItsRolloutsWhateverTheirNumber) {
+  const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 3.0),
+                                           test::scenario_of("realistic_moving_target", 4.0),
+                                           test::scenario_of("realistic_target_switch", 2.5)};
+  std::vector<Gains> candidates(2, test::quick_gains(scenarios[0]));
+  candidates[1].task_space_gains_p *= 1.2;
+  const std::atomic<bool> never{false};
+  for (const int count : {1, 2, 5}) {
+    Workers workers(scenarios, Stepper::kMidpoint, count);
+    const auto results = workers.run(candidates, never);
+    ASSERT_TRUE(results.has_value());
+    ASSERT_EQ(results->size(), candidates.size());
+    EXPECT_EQ(workers.rollouts_done(), 6);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      ASSERT_EQ((*results)[c].size(), scenarios.size());
+      for (std::size_t s = 0; s < scenarios.size(); ++s) {
+        const RolloutResult expected = Rollout(scenarios[s], Stepper::kMidpoint).run(candidates[c]);
+        EXPECT_EQ(test::bits((*results)[c][s].metrics), test::bits(expected.metrics))
+            << "candidate " << c << ", " << scenarios[s].name << ", " << count << " workers";
+        EXPECT_EQ((*results)[c][s].reason, expected.reason);
+      }
+    }
+  }
+}
+
+TEST(Workers, StoppedTheyGiveNothing) {
+  const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 3.0)};
+  const std::atomic<bool> stop{true};
+  Workers workers(scenarios, Stepper::kMidpoint, 2);
+  EXPECT_FALSE(workers.run(std::vector<Gains>{test::quick_gains(scenarios[0])}, stop).has_value());
+}
+
+TEST(ParallelFor, DoesEveryJobOnce) {
+  const std::atomic<bool> never{false};
+  for (const int workers : {1, 2, 4}) {
+    std::vector<std::atomic<int>> done(100);
+    parallel_for(done.size(), workers, never, [&](std::size_t worker, std::size_t i) {
+      EXPECT_LT(worker, static_cast<std::size_t>(workers));
+      ++done[i];
+    });
+    for (const auto& count : done) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(ParallelFor, PassesOnTheExceptionAndStartsNoFurtherJob) {
+  const std::atomic<bool> never{false};
+  std::atomic<int> started{0};
+  try {
+    parallel_for(1000, 2, never, [&](std::size_t, std::size_t i) {
+      ++started;
+      if (i == 3) throw std::runtime_error("job 3");
+    });
+    FAIL() << "nothing was thrown";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "job 3");
+  }
+  EXPECT_LE(started, 1000);
+}
+
+}  // namespace
+}  // namespace armtune
