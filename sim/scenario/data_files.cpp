@@ -30,6 +30,17 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+std::string shown_path(const std::string& path) {
+  const std::string data = data_folder() + "/";
+  return path.starts_with(data) ? "bundled " + path.substr(data.size()) : path;
+}
+
+std::string portable_reference(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  const bool bundled = path.ends_with(kExtension) && folder.parent_path() == fs::path(data_folder());
+  return bundled ? stem(path) : fs::absolute(path).lexically_normal().string();
+}
+
 std::string data_folder() {
   std::vector<fs::path> candidates;
   if (const char* set = std::getenv("ARMTUNE_DATA")) {

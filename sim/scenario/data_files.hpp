@@ -19,6 +19,12 @@ std::vector<std::string> bundled_names(const std::string& folder);
 /// where it was installed. Throws InputError if none is there.
 std::string data_folder();
 
+/// How another machine finds the same file: the bundled name where it is bundled, else the absolute path.
+std::string portable_reference(const std::string& path);
+
+/// The path for a person to read: bundled files without the folder they happen to be installed in.
+std::string shown_path(const std::string& path);
+
 /// File name without folder and extension.
 std::string stem(const std::string& path);
 /// Folder part of a path, "." if it has none.

@@ -25,9 +25,14 @@ void read_tool(const yaml::Node& node, UrdfOptions& options) {
 
 }  // namespace
 
+bool is_urdf(const std::string& name_or_path) {
+  return name_or_path.ends_with(".urdf") || name_or_path.ends_with(".xml") ||
+         name_or_path.ends_with(".xacro");
+}
+
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to) {
-  if (name_or_path.ends_with(".urdf") || name_or_path.ends_with(".xml") || name_or_path.ends_with(".xacro")) {
+  if (is_urdf(name_or_path)) {
     auto model = std::make_shared<RobotModel>(read_urdf(name_or_path));
     validate(*model);
     return model;

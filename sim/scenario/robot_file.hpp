@@ -15,4 +15,7 @@ namespace armtune {
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 
+/// Whether a robot is given as a URDF itself (by its ending) rather than as a robot YAML or a bundled name.
+bool is_urdf(const std::string& name_or_path);
+
 }  // namespace armtune

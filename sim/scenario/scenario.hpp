@@ -36,7 +36,8 @@ struct PlantConditions {
 struct Scenario {
   std::string name;
   std::string description;
-  std::string source;  ///< file
+  std::string source;               ///< file
+  std::vector<std::string> inputs;  ///< every file it was read from: bases, robot, URDF
   std::shared_ptr<const RobotModel> robot;
   double duration = 0.0;        ///< [s]
   double control_period = 0.0;  ///< [s]

@@ -16,7 +16,7 @@ namespace armtune {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMaxBaseFiles = 16;
+constexpr std::size_t kMaxBaseFiles = 16;
 constexpr double kMaxPeriods = 1e8;
 
 Vec3 read_vec3(const yaml::Node& node) {
@@ -100,8 +100,9 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
 }
 
 /// The file's keys over those of the files its `base` names, and of theirs.
-yaml::Node parse_with_base(const std::string& path, int& files_left) {
+yaml::Node parse_with_base(const std::string& path, std::vector<std::string>& files) {
   yaml::Node own = yaml::parse_file(path);
+  files.push_back(path);
   const yaml::Node* base = own.find("base");
   if (base == nullptr) return own;
   std::vector<std::string> names;
@@ -112,8 +113,9 @@ yaml::Node parse_with_base(const std::string& path, int& files_left) {
   }
   std::vector<yaml::Node> layers;
   for (const std::string& name : names) {
-    if (--files_left < 0) base->fail("more than 16 base files; does a file name itself as its base?");
-    layers.push_back(parse_with_base(find_data_file("scenarios", name, folder_of(path)), files_left));
+    if (files.size() > kMaxBaseFiles)
+      base->fail("more than 16 base files; does a file name itself as its base?");
+    layers.push_back(parse_with_base(find_data_file("scenarios", name, folder_of(path)), files));
   }
   layers.push_back(own);
   return yaml::overlay(layers);
@@ -134,15 +136,17 @@ void check_start(const Scenario& scenario, const yaml::Node& node) {
 
 Scenario load_scenario(const std::string& name_or_path) {
   const std::string path = find_data_file("scenarios", name_or_path);
-  int files_left = kMaxBaseFiles;
-  const yaml::Node root = parse_with_base(path, files_left);
+  Scenario scenario;
+  const yaml::Node root = parse_with_base(path, scenario.inputs);
   yaml::MapReader map(root);
   map.ignore("base");
-  Scenario scenario;
   scenario.name = stem(path);
   scenario.source = path;
   scenario.description = map.string("description", "");
-  scenario.robot = load_robot(map.required("robot").as_string(), folder_of(path));
+  const std::string robot = map.required("robot").as_string();
+  scenario.robot = load_robot(robot, folder_of(path));
+  if (!is_urdf(robot)) scenario.inputs.push_back(find_data_file("robots", robot, folder_of(path)));
+  scenario.inputs.push_back(scenario.robot->source);
   const auto joints = joint_names(*scenario.robot);
 
   const yaml::Node& period = map.required("control_period");

@@ -98,9 +98,9 @@ int run(const Arguments& args) {
     }
     Provenance p;
     p.command = command_line();
-    p.gains_source = gains_of(args.sets.front());
+    for (const std::string& set : args.sets) p.inputs.push_back(find_data_file("gains", gains_of(set)));
+    add_inputs(scenarios, p.inputs);
     p.workers = args.workers;
-    for (const Scenario& s : scenarios) p.scenarios.push_back(&s);
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
     fmt::print("wrote {}: comparison.csv, errors_<set>.csv, run.yaml\n", args.folder);
   }

@@ -36,14 +36,15 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
   const std::string gains_path = find_data_file("gains", args.gains);
   write_text_file(folder + "/errors.csv", errors_csv(results));
   write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(scenarios.front())));
-  write_text_file(folder + "/gains.yaml", gains_yaml(load_gains(args.gains, joints), {"from " + gains_path}));
+  write_text_file(folder + "/gains.yaml",
+                  gains_yaml(load_gains(args.gains, joints), {"from " + shown_path(gains_path)}));
   Provenance p;
   p.command = command_line();
-  p.gains_source = gains_path;
+  p.inputs = {gains_path};
+  add_inputs(scenarios, p.inputs);
   p.workers = args.workers;
   p.wall_seconds = seconds;
   p.extra = {{"stepper", args.stepper}};
-  for (const Scenario& scenario : scenarios) p.scenarios.push_back(&scenario);
   p.seed = scenarios.front().seed;
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }

@@ -75,7 +75,8 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
 /// What the start was, before anything is simulated: an interrupted run can be judged by it too.
 void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
-  write_text_file(folder + "/start/gains.yaml", gains_yaml(study.space.start, {"start of " + study.source}));
+  write_text_file(folder + "/start/gains.yaml",
+                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
   write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
 }
 
@@ -97,18 +98,18 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(study.scenarios.front())));
   Provenance p;
   p.command = command_line();
-  p.gains_source = study.source;
+  p.inputs = {study.source, study.gains};
+  add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = args.workers;
   p.wall_seconds = seconds;
-  p.extra = {{"study", study.source},
+  p.extra = {{"study", shown_path(study.source)},
              {"evaluations", fmt::format("{}", result.evaluations)},
              {"algorithm", study.solver.algorithm},
              {"stepper", name(study.stepper)},
              {"ended", result.reason},
              {"feasible", result.best.feasible ? "true" : "false"},
              {"objective", fmt::format("{}", result.best.objective)}};
-  for (const Scenario& scenario : study.scenarios) p.scenarios.push_back(&scenario);
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 

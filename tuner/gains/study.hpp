@@ -21,7 +21,7 @@ struct Study {
   std::string name;
   std::string source;
   std::string description;
-  std::string gains;  ///< where the start gains came from
+  std::string gains;  ///< file of the start gains
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::vector<ObjectiveTerm> terms;

@@ -252,8 +252,8 @@ Study load_study(const std::string& name_or_path) {
   study.description = map.string("description", "");
   study.scenarios = read_scenarios(map.required("scenarios"), folder_of(path));
   const auto joints = joint_names(*study.scenarios.front().robot);
-  study.gains = map.required("gains").as_string();
-  const Gains start = load_gains(study.gains, joints, folder_of(path));
+  study.gains = find_data_file("gains", map.required("gains").as_string(), folder_of(path));
+  const Gains start = load_gains(study.gains, joints);
   study.space = read_space(map.optional("parameters"), start, joints);
   validate(study.space, path);
   study.terms = read_objective(map.required("objective"), study.scenarios);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/scenario/data_files.hpp"
 #include "tuner/gains/study.hpp"
 
 namespace armtune {
@@ -44,7 +45,8 @@ const char* constraint_handling_name(ConstraintHandling handling) {
 std::string study_yaml(const Study& study, const std::string& gains_file) {
   std::string text =
       fmt::format("description: {}\ngains: {}\nscenarios:\n", quoted(study.description), gains_file);
-  for (const Scenario& scenario : study.scenarios) text += fmt::format("  - {}\n", quoted(scenario.source));
+  for (const Scenario& scenario : study.scenarios)
+    text += fmt::format("  - {}\n", quoted(portable_reference(scenario.source)));
   text += "parameters:\n";
   for (const Parameter& p : study.space.free) {
     text += fmt::format("  - {{name: {}, start: {}, lower: {}, upper: {}, scale: {}}}\n", p.entry.name,

@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <Eigen/Core>
 #include <chrono>
@@ -15,6 +14,7 @@
 
 #include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
 
 namespace armtune {
 namespace {
@@ -82,9 +82,13 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
 }
 
+void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs) {
+  for (const Scenario& scenario : scenarios) {
+    inputs.insert(inputs.end(), scenario.inputs.begin(), scenario.inputs.end());
+  }
+}
+
 std::string run_yaml(const Provenance& p) {
-  char host[256] = "";
-  ::gethostname(host, sizeof host - 1);
   std::string text =
       fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n", quoted(p.command),
                   quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")), p.wall_seconds, p.seed, p.workers);
@@ -92,16 +96,12 @@ std::string run_yaml(const Provenance& p) {
   text += "versions:\n";
   for (const auto& [library, version] : versions())
     text += fmt::format("  {}: {}\n", library, quoted(version));
-  text += fmt::format("machine:\n  host: {}\n  processor: {}\n  hardware_threads: {}\n", quoted(host),
-                      quoted(processor()), std::thread::hardware_concurrency());
+  text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", quoted(processor()),
+                      std::thread::hardware_concurrency());
   text += "inputs:\n";
-  std::set<std::string> files;
-  if (fs::exists(p.gains_source)) files.insert(p.gains_source);
-  for (const Scenario* scenario : p.scenarios) {
-    files.insert(scenario->source);
-    files.insert(scenario->robot->source);
-  }
-  for (const std::string& file : files) text += fmt::format("  {}: {}\n", quoted(file), hash_of_file(file));
+  const std::set<std::string> files(p.inputs.begin(), p.inputs.end());
+  for (const std::string& file : files)
+    text += fmt::format("  {}: {}\n", quoted(shown_path(file)), hash_of_file(file));
   return text;
 }
 

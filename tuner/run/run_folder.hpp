@@ -18,14 +18,16 @@ std::string default_run_folder(const std::string& name);
 
 /// What run.yaml says.
 struct Provenance {
-  std::string command;  ///< as typed
-  std::vector<const Scenario*> scenarios;
-  std::string gains_source;
+  std::string command;              ///< as typed
+  std::vector<std::string> inputs;  ///< files, in any order, twice or not
   unsigned long long seed = 0;
   int workers = 1;
   double wall_seconds = 0.0;
   std::vector<std::pair<std::string, std::string>> extra;  ///< further keys: values
 };
+
+/// Adds the files of every scenario to `inputs`.
+void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs);
 
 /// Text of run.yaml: versions, machine, date, seed, hashes of every input file.
 std::string run_yaml(const Provenance& p);

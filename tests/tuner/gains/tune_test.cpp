@@ -132,7 +132,7 @@ TEST(Tune, StoppedBeforeItBeganItHasNothing) {
   EXPECT_EQ(result.evaluations, 0);
 }
 
-TEST(Tune, SweepsBeforeItSearchesFromTheBestOfTheSweep) {
+TEST(Tune, SweepsBeforeItSearchesAndRemembersTheBestOfTheSweep) {
   const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
                          "sweep:\n"
                          "  - {parameters: [task_space_gains_p/rx], factors: [0.8, 1, 2]}\n"
