@@ -41,7 +41,8 @@ std::string errors_csv(const std::vector<ScenarioResult>& results) {
   return text;
 }
 
-std::string columns_csv(const std::vector<Column>& rollout_columns) {
+std::string columns_csv(const std::vector<Column>& rollout_columns,
+                        const std::vector<Column>& journal_columns) {
   std::string text = "file,name,unit,meaning\n";
   const auto add = [&text](const char* file, const std::string& name, const std::string& unit,
                            const std::string& meaning) {
@@ -57,6 +58,9 @@ std::string columns_csv(const std::vector<Column>& rollout_columns) {
   }
   for (const Column& column : rollout_columns) {
     add("rollout_*.csv", column.name, column.unit, column.meaning);
+  }
+  for (const Column& column : journal_columns) {
+    add("evaluations.csv", column.name, column.unit, column.meaning);
   }
   return text;
 }

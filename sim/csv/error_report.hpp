@@ -17,7 +17,8 @@ struct ScenarioResult {
 /// Text of errors.csv. Numbers read back to the same bits; metrics without a value are empty cells.
 std::string errors_csv(const std::vector<ScenarioResult>& results);
 
-/// Text of columns.csv for errors.csv and, where given, the rollout files' columns.
-std::string columns_csv(const std::vector<Column>& rollout_columns);
+/// Text of columns.csv for errors.csv, the rollout files' columns and, where given, evaluations.csv's.
+std::string columns_csv(const std::vector<Column>& rollout_columns,
+                        const std::vector<Column>& journal_columns = {});
 
 }  // namespace armtune

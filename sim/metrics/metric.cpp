@@ -37,11 +37,18 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"joint_position/min_margin", "rad",
        "smallest distance of any joint to a position limit; negative: passed"},
       {"joint_effort/max_ratio", "1", "largest commanded |torque| over its limit, before saturation"},
-      {"effort_rate/rms", "N m/s", "RMS over time of the norm of the commanded torque's change per second"},
+      {"effort_rate/rms", "N m/s",
+       "RMS over time of the norm of the change per second of the torque sent, after saturation"},
       {"obstacle/min_clearance", "m", "smallest distance of any joint origin to an obstacle's centre"},
       {"compensation_error/rms", "N m", "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
   }};
   return fields;
+}
+
+std::vector<Metric> all_metrics() {
+  std::vector<Metric> metrics;
+  for (std::size_t m = 0; m < kMetricCount; ++m) metrics.push_back(static_cast<Metric>(m));
+  return metrics;
 }
 
 std::optional<Metric> metric_from_name(std::string_view name) {

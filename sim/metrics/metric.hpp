@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace armtune {
 
@@ -52,6 +53,14 @@ struct MetricField {
 
 /// In the order of the enumeration, which is the order of errors.csv.
 const std::array<MetricField, kMetricCount>& metric_fields();
+inline const MetricField& field(Metric m) {
+  return metric_fields()[static_cast<std::size_t>(m)];
+}
+inline const char* name(Metric m) {
+  return field(m).name;
+}
+/// Every metric, in order.
+std::vector<Metric> all_metrics();
 std::optional<Metric> metric_from_name(std::string_view name);
 
 /// Values of one rollout. A metric that had nothing to judge is NaN in memory and an empty cell in files.

@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <stdexcept>
+
 #include "core/common/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "sim/plant/plant.hpp"
@@ -190,6 +192,9 @@ class DriveForce final : public SimTK::Force::Custom::Implementation {
   JointVector torque;
 };
 
+/// A control period that chatters would keep the error control busy for ever.
+constexpr int kMostReferenceSteps = 20000;
+
 /// The reference: Simbody's error-controlled Runge-Kutta-Merson, restarted at every control period because
 /// the torque jumps there.
 class SimbodyReferencePlant final : public Plant {
@@ -204,6 +209,7 @@ class SimbodyReferencePlant final : public Plant {
     tree_.system().realizeModel(state_);
     integrator_.setAccuracy(1e-10);
     integrator_.setAllowInterpolation(false);
+    integrator_.setReturnEveryInternalStep(true);  // so that they can be counted
     set_state(JointVector::Zero(model.n()), JointVector::Zero(model.n()));
   }
 
@@ -224,7 +230,10 @@ class SimbodyReferencePlant final : public Plant {
     integrator_.setFinalTime(dt);
     integrator_.initialize(state_);
     // The first stepTo after initialize() returns without having moved.
-    while (integrator_.getTime() < dt) integrator_.stepTo(dt);
+    for (int steps = 0; integrator_.getTime() < dt; ++steps) {
+      if (steps > kMostReferenceSteps) throw std::runtime_error("the reference integrator makes no headway");
+      integrator_.stepTo(dt);
+    }
     const SimTK::State& end = integrator_.getState();
     for (int i = 0; i < q_.size(); ++i) {
       q_[i] = end.getQ()[i];

@@ -1,5 +1,6 @@
 #include "sim/rollout/columns.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace armtune {
@@ -86,6 +87,17 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   columns.push_back({"compensation_error", "N m", "|Y (theta_hat - theta)|",
                      [](const Observation& o) { return o.compensation_error; }});
   return columns;
+}
+
+std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios) {
+  std::vector<Column> all;
+  for (const Scenario& scenario : scenarios) {
+    for (Column& column : rollout_columns(scenario)) {
+      const auto same = [&column](const Column& c) { return c.name == column.name; };
+      if (std::none_of(all.begin(), all.end(), same)) all.push_back(std::move(column));
+    }
+  }
+  return all;
 }
 
 }  // namespace armtune

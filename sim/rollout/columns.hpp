@@ -20,4 +20,7 @@ struct Column {
 /// Columns for a scenario's robot, `time` first. The scenario's robot must outlive them.
 std::vector<Column> rollout_columns(const Scenario& scenario);
 
+/// Columns of any of the scenarios, each name once.
+std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios);
+
 }  // namespace armtune

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 constexpr const char* kExtension = ".yaml";
 
 bool looks_like_path(const std::string& text) {
-  return text.find('/') != std::string::npos || text.ends_with(kExtension) || text.ends_with(".yml");
+  return text.find('/') != std::string::npos || text.ends_with(kExtension) || text.ends_with(".yml") ||
+         text.ends_with(".urdf") || text.ends_with(".xml") || text.ends_with(".xacro");
 }
 
 }  // namespace

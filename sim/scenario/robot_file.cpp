@@ -33,7 +33,7 @@ bool is_urdf(const std::string& name_or_path) {
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to) {
   if (is_urdf(name_or_path)) {
-    auto model = std::make_shared<RobotModel>(read_urdf(name_or_path));
+    auto model = std::make_shared<RobotModel>(read_urdf(find_data_file("robots", name_or_path, relative_to)));
     validate(*model);
     return model;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -184,6 +185,15 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (seed < 0) map.required("seed").fail("must not be negative");
   scenario.seed = static_cast<std::uint64_t>(seed);
   map.finish();
+  if (!scenario.theta.file.empty()) {
+    scenario.inputs.push_back(scenario.theta.file);
+    start_theta(scenario);  // a mistake in it shows now rather than in the first rollout
+  }
+  if (scenario.name.find_first_of(",\"\n") != std::string::npos) {
+    throw InputError(path +
+                     ": the file's name holds a comma, a quote or a line break, and would break the CSV "
+                     "files; rename it");
+  }
   return scenario;
 }
 

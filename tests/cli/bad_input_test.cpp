@@ -129,5 +129,9 @@ TEST_F(BadInput, StartGainsThatDoNotCompleteAreNoReference) {
   EXPECT_THAT(message, testing::AllOf(HasSubstr("bad_study.yaml"), HasSubstr("short")));
 }
 
+TEST_F(BadInput, TwoScenariosOfOneNameAreRefused) {
+  EXPECT_THAT(refused({"simulate", "moving_target", "moving_target"}), HasSubstr("moving_target"));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -68,5 +68,19 @@ TEST(Robot, ShowsJointsLimitsMassesAndReach) {
                                HasSubstr("2.16"), HasSubstr("12.93")));
 }
 
+TEST(Help, SaysWhatIsWrongWhereTheBundledDataIsMissing) {
+  ASSERT_EQ(::setenv("ARMTUNE_DATA", "/nonexistent", 1), 0);
+  const Finished help = run_program({"tune", "--help"});
+  ::unsetenv("ARMTUNE_DATA");
+  EXPECT_EQ(help.exit_code, 2);
+  EXPECT_THAT(help.err, testing::HasSubstr("/nonexistent"));
+}
+
+TEST(Help, IsWhatTheBareProgramShows) {
+  const Finished bare = run_program({});
+  EXPECT_EQ(bare.exit_code, 2);
+  EXPECT_THAT(bare.err, testing::HasSubstr("armtune tune"));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -87,7 +87,7 @@ TEST(Compare, GivesTheNumbersOfTheRunItself) {
                 .exit_code,
             0);
   const Finished done =
-      run_program({"compare", "published", files / "run", "--scenarios", files / "short.yaml",
+      run_program({"compare", files / "gains.yaml", files / "run", "--scenarios", files / "short.yaml",
                    files / "short_realistic.yaml", "--out", files / "comparison", "--workers", "2"});
   ASSERT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(test::read_text(files / "comparison/errors_run.csv"), test::read_text(files / "run/errors.csv"));

@@ -82,14 +82,14 @@ int run(const Arguments& args) {
          simulate(
              scenarios, [&](const Scenario& s) { return load_gains(gains_of(set), joint_names(*s.robot)); },
              options, stop_requested())});
-    if (stop_requested()) return kInterrupted;
+    if (stop_requested()) {
+      line.clear();
+      fmt::print(stderr, "interrupted: a comparison is whole or nothing, so nothing was written\n");
+      return kInterrupted;
+    }
   }
   line.clear();
-  std::vector<Metric> metrics = headline_metrics();
-  if (args.all_metrics) {
-    metrics.clear();
-    for (std::size_t m = 0; m < kMetricCount; ++m) metrics.push_back(static_cast<Metric>(m));
-  }
+  const auto metrics = args.all_metrics ? all_metrics() : headline_metrics();
   fmt::print("{}", comparison_table(sets, metrics));
   if (!args.folder.empty()) {
     write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
@@ -103,6 +103,11 @@ int run(const Arguments& args) {
     p.workers = args.workers;
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
     fmt::print("wrote {}: comparison.csv, errors_<set>.csv, run.yaml\n", args.folder);
+  }
+  for (const ComparedSet& set : sets) {
+    for (const ScenarioResult& r : set.results) {
+      if (r.result.status != RolloutStatus::kCompleted) return kFailed;
+    }
   }
   return kDone;
 }

@@ -33,6 +33,10 @@ std::string& command_line() {
   return text;
 }
 
+std::string program_name() {
+  return command_line().substr(0, command_line().find(' '));
+}
+
 int default_workers() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

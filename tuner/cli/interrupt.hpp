@@ -12,6 +12,8 @@ void catch_interrupts();
 
 /// The command line as typed, for provenance.
 std::string& command_line();
+/// Its first word, to name the program in advice.
+std::string program_name();
 
 /// Threads to use when the user says nothing: one per processor.
 int default_workers();

@@ -18,9 +18,7 @@ std::string version_text() {
   return text;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   using namespace armtune;
   for (int i = 0; i < argc; ++i) cli::command_line() += (i > 0 ? " " : "") + std::string(argv[i]);
   cli::catch_interrupts();
@@ -40,10 +38,24 @@ int main(int argc, char** argv) {
   cli::add_simulate_command(app, exit_code);
   cli::add_tune_command(app, exit_code);
   cli::add_compare_command(app, exit_code);
+  if (argc == 1) {
+    fmt::print(stderr, "{}", app.help());
+    return cli::kBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? cli::kDone : cli::kBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace armtune;
+  try {
+    return run(argc, argv);
   } catch (const InputError& e) {
     fmt::print(stderr, "armtune: {}\n", e.what());
     return cli::kBadInput;
@@ -51,5 +63,4 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "armtune: failed: {}\n", e.what());
     return cli::kFailed;
   }
-  return exit_code;
 }

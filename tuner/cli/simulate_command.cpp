@@ -35,7 +35,7 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
   const auto joints = joint_names(*scenarios.front().robot);
   const std::string gains_path = find_data_file("gains", args.gains);
   write_text_file(folder + "/errors.csv", errors_csv(results));
-  write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(scenarios.front())));
+  write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(scenarios)));
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(load_gains(args.gains, joints), {"from " + shown_path(gains_path)}));
   Provenance p;
@@ -71,9 +71,7 @@ int run(const Arguments& args) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
   line.clear();
 
-  std::vector<Metric> all;
-  for (std::size_t m = 0; m < kMetricCount; ++m) all.push_back(static_cast<Metric>(m));
-  fmt::print("{}", comparison_table({{args.gains, results}}, all));
+  fmt::print("{}", comparison_table({{args.gains, results}}, all_metrics()));
   double simulated = 0.0;
   bool completed = true;
   for (const ScenarioResult& r : results) {

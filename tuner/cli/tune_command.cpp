@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "sim/csv/text_file.hpp"
-#include "sim/rollout/recorder.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
@@ -95,7 +94,8 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   const std::string& folder = args.folder;
   write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
-  write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(study.scenarios.front())));
+  write_text_file(folder + "/columns.csv",
+                  columns_csv(rollout_columns(study.scenarios), journal_columns(study)));
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
@@ -147,25 +147,38 @@ int run(Arguments args) {
   const auto began = Clock::now();
   const Study study = load(args);
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
-  make_run_folder(args.folder);
-  write_start(study, args.folder);
+  refuse_used_folder(args.folder);
 
   Workers workers(study.scenarios, study.stepper, args.workers);
   std::unique_ptr<Journal> journal;
   std::optional<Objective> objective;
   ProgressLine line;
   TuneCallbacks callbacks;
+  TuneResult so_far;  // kept here, so that nothing finished is lost if the disk or a rollout fails
   callbacks.begin = [&](const Objective& o) {
     objective = o;
-    journal = std::make_unique<Journal>(args.folder + "/evaluations.csv", study, *objective);
+    fmt::print("study {}: {} gains over {} scenarios, {} and {} evaluations at most; results go to {}\n",
+               study.name, study.space.free.size(), study.scenarios.size(), study.solver.algorithm,
+               study.max_evaluations, args.folder);
+    std::fflush(stdout);
+    make_run_folder(args.folder);
+    write_start(study, args.folder);
+    journal = std::make_unique<Journal>(args.folder + "/evaluations.csv", study);
   };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
+    if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;
     journal->append(phase, e, seconds_since(began));
   };
   callbacks.progress = [&](const TuneProgress& p) {
     line.show(progress_text(p, workers, seconds_since(began)));
   };
-  const TuneResult result = tune(study, workers, stop_requested(), callbacks);
+  TuneResult result;
+  try {
+    result = tune(study, workers, stop_requested(), callbacks);
+  } catch (...) {
+    if (so_far.evaluations > 0) write_gains(study, so_far, args.folder);
+    throw;
+  }
   line.clear();
   if (result.evaluations == 0) {
     fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
@@ -183,8 +196,8 @@ int run(Arguments args) {
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
       "study.yaml, run.yaml; the start's in start/\n"
-      "next: armtune compare {}/start {}\n",
-      args.folder, seconds_since(began), args.folder, args.folder);
+      "next: {} compare {}/start {}\n",
+      args.folder, seconds_since(began), program_name(), args.folder, args.folder);
   if (result.interrupted) return kInterrupted;
   return result.best.feasible ? kDone : kNoFeasiblePoint;
 }

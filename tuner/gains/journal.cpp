@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 #include "core/common/error.hpp"
 
@@ -25,25 +26,40 @@ std::string cell(double value) {
 
 }  // namespace
 
-Journal::Journal(const std::string& path, const Study& study, const Objective& objective)
-    : path_(path), study_(study), objective_(objective) {
+std::vector<Column> journal_columns(const Study& study) {
+  std::vector<Column> columns;
+  const auto add = [&columns](const std::string& name, const char* unit, const std::string& meaning) {
+    columns.push_back({name, unit, meaning, {}});
+  };
+  add("evaluation", "1", "number of the evaluation, from 0");
+  add("phase", "", "start, sweep or search");
+  add("objective", "1", "weighted metrics relative to the start gains, which score 1");
+  add("feasible", "1", "1 if every constraint holds in every scenario");
+  add("violation", "1", "sum of the violations relative to their limits");
+  add("status", "", "completed, or what went wrong first");
+  for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
+  for (const ObjectiveTerm& term : study.terms) {
+    for (const std::size_t s : term.scenarios) {
+      const MetricField& f = field(term.metric);
+      add(fmt::format("{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
+    }
+  }
+  for (const Constraint& c : study.constraints) {
+    for (const std::size_t s : c.scenarios) {
+      const MetricField& f = field(c.metric);
+      add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
+    }
+  }
+  add("time/wall", "s", "wall time since the run began");
+  return columns;
+}
+
+Journal::Journal(const std::string& path, const Study& study) : path_(path), study_(study) {
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
   if (file_ < 0) throw InputError(fmt::format("{}: cannot make it: {}", path, std::strerror(errno)));
-  std::string header = "evaluation,phase,objective,feasible,violation,status";
-  for (const Parameter& p : study.space.free) header += "," + p.entry.name;
-  for (const ObjectiveTerm& term : objective.terms()) {
-    for (const std::size_t s : term.scenarios) {
-      header += fmt::format(",{}/{}", study.scenarios[s].name,
-                            metric_fields()[static_cast<std::size_t>(term.metric)].name);
-    }
-  }
-  for (const Constraint& c : objective.constraints()) {
-    for (const std::size_t s : c.scenarios) {
-      header += fmt::format(",constraint/{}/{}", study.scenarios[s].name,
-                            metric_fields()[static_cast<std::size_t>(c.metric)].name);
-    }
-  }
-  write(header + ",time/wall\n");
+  std::string header;
+  for (const Column& column : journal_columns(study)) header += (header.empty() ? "" : ",") + column.name;
+  write(header + "\n");
 }
 
 Journal::~Journal() {
@@ -54,10 +70,10 @@ void Journal::append(const std::string& phase, const Evaluation& e, double secon
   std::string row = fmt::format("{},{},{},{},{},{}", count_++, phase, e.objective, e.feasible ? 1 : 0,
                                 e.violation, quoted(e.status));
   for (const Parameter& p : study_.space.free) row += fmt::format(",{}", value(e.gains, p.entry));
-  for (const ObjectiveTerm& term : objective_.terms()) {
+  for (const ObjectiveTerm& term : study_.terms) {
     for (const std::size_t s : term.scenarios) row += "," + cell(e.results[s].metrics[term.metric]);
   }
-  for (const Constraint& c : objective_.constraints()) {
+  for (const Constraint& c : study_.constraints) {
     for (const std::size_t s : c.scenarios) row += "," + cell(e.results[s].metrics[c.metric]);
   }
   write(row + fmt::format(",{:.3f}\n", seconds));
@@ -70,8 +86,8 @@ void Journal::write(const std::string& text) {
     const ssize_t written = ::write(file_, data, left);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      throw InputError(fmt::format("{}: cannot append to it: {}; what was finished before is in it", path_,
-                                   std::strerror(errno)));
+      throw std::runtime_error(fmt::format("{}: cannot append to it: {}; what was finished before is in it",
+                                           path_, std::strerror(errno)));
     }
     data += written;
     left -= static_cast<std::size_t>(written);

@@ -10,14 +10,11 @@
 namespace armtune {
 namespace {
 
-/// Ratio that a term scores, at least, in a scenario that did not complete: far above any completed one.
-constexpr double kIncompletePenalty = 10.0;
-/// A metric relative to its reference counts at most this much, so that one wild value stays comparable.
+/// A metric relative to its reference, and a violation relative to its limit, count at most this much: one
+/// wild value must not drown the rest.
 constexpr double kLargestRatio = 10.0;
-
-const char* metric_name(Metric m) {
-  return metric_fields()[static_cast<std::size_t>(m)].name;
-}
+/// Ratio that a term scores, at least, in a scenario that did not complete: above any completed one.
+constexpr double kIncompletePenalty = 2.0 * kLargestRatio;
 
 }  // namespace
 
@@ -42,7 +39,7 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
         throw InputError(
             fmt::format("{}: {} of the start gains in {} is {}, which gives no reference; leave that "
                         "scenario out of the term or give it a 'floor'",
-                        where, metric_name(term.metric), scenarios[s].name, start_[s][term.metric]));
+                        where, name(term.metric), scenarios[s].name, start_[s][term.metric]));
       }
     }
   }
@@ -60,7 +57,7 @@ double Objective::limit(std::size_t c, std::size_t s) const {
 
 std::string Objective::constraint_name(std::size_t c) const {
   const Constraint& constraint = constraints_[c];
-  return fmt::format("{} {} {}", metric_name(constraint.metric), constraint.upper ? "<=" : ">=",
+  return fmt::format("{} {} {}", name(constraint.metric), constraint.upper ? "<=" : ">=",
                      constraint.limit ? fmt::format("{}", *constraint.limit) : "start");
 }
 
@@ -90,13 +87,14 @@ void Objective::judge(Evaluation& e) const {
     double relative = -HUGE_VAL;
     for (const std::size_t s : constraint.scenarios) {
       const double bound = limit(c, s);
-      if (std::isnan(bound)) continue;  // the metric has nothing to judge here, as without obstacles
+      // Nothing to judge here, as clearance without obstacles.
+      if (std::isnan(bound) || std::isnan(start_[s][constraint.metric])) continue;
       const double scale = bound != 0.0 ? std::abs(bound) : 1.0;
       const double v = e.results[s].metrics[constraint.metric];
       double g = constraint.upper ? v - bound : bound - v;
       if (!std::isfinite(g)) g = scale * std::max(1.0, incompleteness(e.results[s], s));
       worst = std::max(worst, g);
-      relative = std::max(relative, g / scale);
+      relative = std::max(relative, std::min(g / scale, kLargestRatio));
     }
     if (!std::isfinite(worst)) continue;
     e.constraints[c] = worst;

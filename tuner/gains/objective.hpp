@@ -47,7 +47,7 @@ class Objective {
   std::size_t constraint_count() const { return constraints_.size() + 1; }
 
  private:
-  /// 0 if completed, else in (1, 2]: larger the earlier it ended.
+  /// 0 if completed, else 1 .. 2: larger the earlier it ended.
   double incompleteness(const RolloutResult& result, std::size_t s) const;
 
   std::vector<ObjectiveTerm> terms_;

@@ -146,6 +146,11 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
   map.finish();
   if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
   for (const GainEntry& entry : entries) {
+    // A link knows its parameter by its place: once there is one, nothing may change places.
+    const bool linked = find_by_name(space.links, entry.name) != space.links.end();
+    if (linked || (!space.links.empty() && find_by_name(space.free, entry.name) != space.free.end())) {
+      node.fail(entry.name + " stands here again after a link was made; name every gain before the links");
+    }
     if (const auto old = find_by_name(space.free, entry.name); old != space.free.end()) space.free.erase(old);
     if (fixed != nullptr) {
       value(space.start, entry) = fixed->as_number();
@@ -177,15 +182,7 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start,
     }
     return space;
   }
-  // Links refer to free parameters by index: whatever takes parameters away must stand before them.
-  for (const yaml::Node& item : node->items()) {
-    const std::size_t links = space.links.size();
-    const std::size_t free = space.free.size();
-    read_parameter(item, all, space);
-    if (space.free.size() < free && links > 0) {
-      item.fail("takes a parameter away after a link was made; list fixed and linked gains in order of need");
-    }
-  }
+  for (const yaml::Node& item : node->items()) read_parameter(item, all, space);
   return space;
 }
 
@@ -256,6 +253,12 @@ Study load_study(const std::string& name_or_path) {
   const Gains start = load_gains(study.gains, joints);
   study.space = read_space(map.optional("parameters"), start, joints);
   validate(study.space, path);
+  const std::size_t n = study.space.free.size();
+  for (const auto& corner :
+       {study.space.start_point(), std::vector<double>(n, 0.0), std::vector<double>(n, 1.0)}) {
+    validate(study.space.gains_at(corner), joints, path + ": gains within the bounds of 'parameters'");
+  }
+  study.space.start = study.space.gains_at(study.space.start_point());  // links included: it is what scores 1
   study.terms = read_objective(map.required("objective"), study.scenarios);
   if (const yaml::Node* node = map.optional("constraints")) {
     study.constraints = read_constraints(*node, study.scenarios);

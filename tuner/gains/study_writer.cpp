@@ -4,28 +4,16 @@
 #include <fmt/ranges.h>
 
 #include "sim/scenario/data_files.hpp"
+#include "sim/yaml/quoted.hpp"
 #include "tuner/gains/study.hpp"
 
 namespace armtune {
 namespace {
 
-const char* metric_name(Metric m) {
-  return metric_fields()[static_cast<std::size_t>(m)].name;
-}
-
 std::string subset_text(const std::vector<std::size_t>& subset, const std::vector<Scenario>& scenarios) {
   std::vector<std::string> names;
   for (const std::size_t s : subset) names.push_back(scenarios[s].name);
   return fmt::format("[{}]", fmt::join(names, ", "));
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
 }
 
 const char* constraint_handling_name(ConstraintHandling handling) {
@@ -44,9 +32,9 @@ const char* constraint_handling_name(ConstraintHandling handling) {
 
 std::string study_yaml(const Study& study, const std::string& gains_file) {
   std::string text =
-      fmt::format("description: {}\ngains: {}\nscenarios:\n", quoted(study.description), gains_file);
+      fmt::format("description: {}\ngains: {}\nscenarios:\n", yaml::quoted(study.description), gains_file);
   for (const Scenario& scenario : study.scenarios)
-    text += fmt::format("  - {}\n", quoted(portable_reference(scenario.source)));
+    text += fmt::format("  - {}\n", yaml::quoted(portable_reference(scenario.source)));
   text += "parameters:\n";
   for (const Parameter& p : study.space.free) {
     text += fmt::format("  - {{name: {}, start: {}, lower: {}, upper: {}, scale: {}}}\n", p.entry.name,
@@ -58,13 +46,12 @@ std::string study_yaml(const Study& study, const std::string& gains_file) {
   }
   text += "objective:\n";
   for (const ObjectiveTerm& term : study.terms) {
-    text +=
-        fmt::format("  - {{metric: {}, weight: {}, floor: {}, scenarios: {}}}\n", metric_name(term.metric),
-                    term.weight, term.floor, subset_text(term.scenarios, study.scenarios));
+    text += fmt::format("  - {{metric: {}, weight: {}, floor: {}, scenarios: {}}}\n", name(term.metric),
+                        term.weight, term.floor, subset_text(term.scenarios, study.scenarios));
   }
   if (!study.constraints.empty()) text += "constraints:\n";
   for (const Constraint& c : study.constraints) {
-    text += fmt::format("  - {{metric: {}, {}: {}, scenarios: {}}}\n", metric_name(c.metric),
+    text += fmt::format("  - {{metric: {}, {}: {}, scenarios: {}}}\n", name(c.metric),
                         c.upper ? "at_most" : "at_least", c.limit ? fmt::format("{}", *c.limit) : "start",
                         subset_text(c.scenarios, study.scenarios));
   }

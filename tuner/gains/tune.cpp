@@ -10,6 +10,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// A search that asks this often in a row for points it knows is going round in a circle.
+constexpr long kMostRepeats = 10000;
+
 /// One run of the loop: what was seen so far and how to see more.
 class Run {
  public:
@@ -32,7 +35,7 @@ class Run {
   const TuneCallbacks& callbacks_;
   Clock::time_point began_;
   std::optional<Objective> objective_;
-  std::map<std::vector<double>, SolverValue> seen_;  ///< a point is never simulated twice
+  std::map<std::vector<double>, SolverValue> seen_;  ///< the search simulates no point again
   TuneResult out_;
 };
 
@@ -98,7 +101,8 @@ bool Run::sweep() {
   out_.best.violation = HUGE_VAL;
   bool whole = true;
   for (std::size_t i = 0; i < points.size() && whole && budget_left(); i += portion) {
-    const auto end = std::min(points.size(), i + portion);
+    const auto left = static_cast<std::size_t>(study_.max_evaluations - out_.evaluations);
+    const auto end = std::min({points.size(), i + portion, i + left});
     whole = evaluate("sweep", {points.begin() + static_cast<std::ptrdiff_t>(i),
                                points.begin() + static_cast<std::ptrdiff_t>(end)});
   }
@@ -112,11 +116,17 @@ void Run::search() {
   problem.start = out_.start.x;
   problem.constraint_count = objective_->constraint_count();
   bool interrupted = false;
+  long repeats = 0;
   problem.evaluate = [&](const std::vector<double>& x, SolverValue& value) {
+    if (stop_) {
+      interrupted = true;
+      return false;
+    }
     if (const auto known = seen_.find(x); known != seen_.end()) {
       value = known->second;
-      return true;
+      return ++repeats < kMostRepeats;
     }
+    repeats = 0;
     if (!budget_left()) return false;
     if (!evaluate("search", {x})) {
       interrupted = true;

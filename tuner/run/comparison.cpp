@@ -8,10 +8,6 @@
 namespace armtune {
 namespace {
 
-const MetricField& field(Metric m) {
-  return metric_fields()[static_cast<std::size_t>(m)];
-}
-
 std::string number(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
 }

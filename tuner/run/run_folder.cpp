@@ -15,6 +15,7 @@
 #include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/yaml/quoted.hpp"
 
 namespace armtune {
 namespace {
@@ -44,18 +45,9 @@ std::string processor() {
   return "unknown";
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + "\"";
-}
-
 }  // namespace
 
-void make_run_folder(const std::string& folder) {
+void refuse_used_folder(const std::string& folder) {
   std::error_code ignored;
   if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored)) {
     throw InputError(
@@ -63,6 +55,10 @@ void make_run_folder(const std::string& folder) {
                     "this one away",
                     folder));
   }
+}
+
+void make_run_folder(const std::string& folder) {
+  refuse_used_folder(folder);
   make_folder(folder);
 }
 
@@ -89,19 +85,19 @@ void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>
 }
 
 std::string run_yaml(const Provenance& p) {
-  std::string text =
-      fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n", quoted(p.command),
-                  quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")), p.wall_seconds, p.seed, p.workers);
-  for (const auto& [key, value] : p.extra) text += fmt::format("{}: {}\n", key, quoted(value));
+  std::string text = fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n",
+                                 yaml::quoted(p.command), yaml::quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")),
+                                 p.wall_seconds, p.seed, p.workers);
+  for (const auto& [key, value] : p.extra) text += fmt::format("{}: {}\n", key, yaml::quoted(value));
   text += "versions:\n";
   for (const auto& [library, version] : versions())
-    text += fmt::format("  {}: {}\n", library, quoted(version));
-  text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", quoted(processor()),
+    text += fmt::format("  {}: {}\n", library, yaml::quoted(version));
+  text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", yaml::quoted(processor()),
                       std::thread::hardware_concurrency());
   text += "inputs:\n";
   const std::set<std::string> files(p.inputs.begin(), p.inputs.end());
   for (const std::string& file : files)
-    text += fmt::format("  {}: {}\n", quoted(shown_path(file)), hash_of_file(file));
+    text += fmt::format("  {}: {}\n", yaml::quoted(shown_path(file)), hash_of_file(file));
   return text;
 }
 

@@ -9,8 +9,10 @@
 
 namespace armtune {
 
-/// Makes the run's folder. Throws InputError if it exists and holds anything: finished results are never
-/// overwritten.
+/// Throws InputError if the folder exists and holds anything: finished results are never overwritten.
+void refuse_used_folder(const std::string& folder);
+
+/// Makes the run's folder. Throws InputError if it holds anything or cannot be made.
 void make_run_folder(const std::string& folder);
 
 /// "runs/<name>_20261121-103000" (UTC) below the current folder.

@@ -1,7 +1,11 @@
 #include "tuner/run/simulate.hpp"
 
+#include <fmt/format.h>
+
+#include <mutex>
 #include <optional>
 
+#include "core/common/error.hpp"
 #include "sim/rollout/recorder.hpp"
 #include "tuner/run/parallel.hpp"
 
@@ -16,7 +20,17 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     results[i].result.status = RolloutStatus::kInterrupted;
     results[i].result.reason = "interrupted before it began";
   }
-  std::atomic<std::size_t> done{0};
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scenarios[i].name == scenarios[k].name) {
+        throw InputError(
+            fmt::format("{} and {} are both named {}; their results would share a file: rename one",
+                        scenarios[k].source, scenarios[i].source, scenarios[i].name));
+      }
+    }
+  }
+  std::size_t done = 0;
+  std::mutex progress_mutex;
   parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t i) {
     Rollout rollout(scenarios[i], options.stepper);
     std::optional<Recorder> recorder;
@@ -26,6 +40,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
       return !stop;
     });
     if (recorder) recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv");
+    const std::lock_guard lock(progress_mutex);
     ++done;
     if (options.progress) options.progress(done);
   });

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "sim/csv/error_report.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
@@ -35,7 +36,7 @@ class Journalled : public testing::Test {
 TEST_F(Journalled, EveryRowIsOnDiskAtOnceAndHasACellPerColumn) {
   const Objective objective = this->objective();
   const std::string path = files_ / "evaluations.csv";
-  Journal journal(path, study_, objective);
+  Journal journal(path, study_);
   EXPECT_EQ(test::read_csv(path).rows.size(), 0U);
   for (std::size_t i = 0; i < 3; ++i) {
     objective.judge(e_);
@@ -54,7 +55,7 @@ TEST_F(Journalled, EveryRowIsOnDiskAtOnceAndHasACellPerColumn) {
 
 TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
   const Objective objective = this->objective();
-  Journal journal(files_ / "evaluations.csv", study_, objective);
+  Journal journal(files_ / "evaluations.csv", study_);
   e_.results[0].status = RolloutStatus::kDiverged;
   e_.results[0].reason = "diverged at 1 s in leaveSingularity: \"elbow\" is not finite";
   e_.results[0].metrics = {};
@@ -71,9 +72,21 @@ TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
 TEST_F(Journalled, NeverWritesOverAnotherJournal) {
   files_.write("evaluations.csv", "of another run\n");
   const Objective objective = this->objective();
-  EXPECT_THAT(test::refusal([&] { Journal(files_ / "evaluations.csv", study_, objective); }),
+  EXPECT_THAT(test::refusal([&] { Journal(files_ / "evaluations.csv", study_); }),
               testing::HasSubstr(files_ / "evaluations.csv"));
   EXPECT_EQ(test::read_text(files_ / "evaluations.csv"), "of another run\n");
+}
+
+TEST(Columns, OfTheBundledStudyAreAllExplained) {
+  const Study study = load_study("ur10_gaze");
+  const std::string columns = columns_csv(rollout_columns(study.scenarios), journal_columns(study));
+  for (const Scenario& scenario : study.scenarios) {
+    for (const Column& c : rollout_columns(scenario)) {
+      EXPECT_THAT(columns, testing::HasSubstr("rollout_*.csv," + c.name + ",")) << scenario.name;
+    }
+  }
+  EXPECT_THAT(columns, testing::HasSubstr("rollout_*.csv,obstacle/distance,"));
+  EXPECT_THAT(columns, testing::HasSubstr("evaluations.csv,task_space_gains_p/rx,"));
 }
 
 }  // namespace

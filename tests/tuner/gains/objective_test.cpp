@@ -149,5 +149,24 @@ TEST_F(ObjectiveOfTwoScenarios, AStartThatGivesNoReferenceIsRefused) {
   EXPECT_THAT(message(), testing::AllOf(HasSubstr("plain"), HasSubstr("diverged early")));
 }
 
+TEST_F(ObjectiveOfTwoScenarios, ABoundOnWhatAScenarioDoesNotHaveHoldsThere) {
+  constraints_[1].limit = 0.1;  // clearance; the first scenario has no obstacles
+  const Evaluation e = judged(start_);
+  EXPECT_TRUE(e.feasible) << e.violation;
+}
+
+TEST_F(ObjectiveOfTwoScenarios, AWildViolationCountsNoMoreThanTenfold) {
+  const Evaluation e = judged({completed(0.002, 0.02, 1e9, NAN), completed(0.004, 0.04, 0.8, 0.2)});
+  EXPECT_FALSE(e.feasible);
+  EXPECT_DOUBLE_EQ(e.violation, 10.0);
+  EXPECT_DOUBLE_EQ(e.constraints[0], 1e9 - 0.9) << "the value itself is reported as it is";
+}
+
+TEST_F(ObjectiveOfTwoScenarios, DivergingScoresWorseThanAnyCompletedRollout) {
+  const Evaluation wild = judged({completed(1e9, 1e9, 0.4, NAN), completed(1e9, 1e9, 0.8, 0.2)});
+  const Evaluation late = judged({diverged(9.999), diverged(9.999)});
+  EXPECT_GT(late.objective, wild.objective);
+}
+
 }  // namespace
 }  // namespace armtune

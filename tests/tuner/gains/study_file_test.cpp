@@ -162,5 +162,33 @@ TEST(StudyFile, ConstraintsAndTermsThatSayNothingAreRefused) {
               HasSubstr("at_most"));
 }
 
+TEST(StudyFile, RefusesToMoveParametersOnceALinkStands) {
+  const std::string linked =
+      "parameters:\n"
+      "  - {name: task_space_gains_p/rx}\n"
+      "  - {name: task_space_gains_p/rz}\n"
+      "  - {name: task_space_gains_p/ry, link: task_space_gains_p/rx}\n";
+  EXPECT_THAT(refusal(linked + "  - {name: task_space_gains_p/rx, lower: 1}\n"),
+              HasSubstr("task_space_gains_p/rx"));
+  EXPECT_THAT(refusal(linked + "  - {name: task_space_gains_p/ry, fixed: 3}\n"),
+              HasSubstr("task_space_gains_p/ry"));
+}
+
+TEST(StudyFile, TheStartIncludesLinkedGains) {
+  const Study study = parameters_study(
+      "parameters:\n"
+      "  - {name: task_space_gains_p/rx}\n"
+      "  - {name: task_space_gains_p/ry, link: task_space_gains_p/rx, factor: 0.1}\n");
+  EXPECT_DOUBLE_EQ(study.space.start.task_space_gains_p[4], 0.1 * study.space.start.task_space_gains_p[3]);
+}
+
+TEST(StudyFile, RefusesGainsThatNoControllerTakes) {
+  EXPECT_THAT(refusal("parameters:\n  - {name: slerpDurationErrorGain}\n"
+                      "  - {name: task_space_gains_p/x, fixed: -80}\n"),
+              AllOf(HasSubstr("task_space_gains_p/x"), HasSubstr("-80")));
+  EXPECT_THAT(refusal("parameters:\n  - {name: release_radius, start: 0.4, lower: 0.1, upper: 0.5}\n"),
+              HasSubstr("release_radius"));
+}
+
 }  // namespace
 }  // namespace armtune

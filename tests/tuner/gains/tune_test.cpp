@@ -30,9 +30,7 @@ Tuned run(const Study& study, int workers, const std::string& journal_path, std:
   std::unique_ptr<Journal> journal;
   Tuned tuned;
   TuneCallbacks callbacks;
-  callbacks.begin = [&](const Objective& objective) {
-    journal = std::make_unique<Journal>(journal_path, study, objective);
-  };
+  callbacks.begin = [&](const Objective&) { journal = std::make_unique<Journal>(journal_path, study); };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
     journal->append(phase, e, 0.001 * workers);
     tuned.evaluations.push_back(e);
@@ -167,6 +165,18 @@ TEST(Tune, ASweepOfWorsePointsLeavesTheStartTheBest) {
   ASSERT_TRUE(tuned.result.best_of_sweep.has_value());
   EXPECT_TRUE(better(tuned.result.start, *tuned.result.best_of_sweep)) << "softer wrists look worse";
   EXPECT_EQ(tuned.result.best.x, tuned.result.start.x);
+}
+
+TEST(Tune, ABudgetThatEndsInsideTheSweepIsKeptToByAnyNumberOfWorkers) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.8, 0.9, 1.1, 1.2]}\n"
+                         "search: {max_evaluations: 4}\n");
+  const Study study = load_study(files.path());
+  const Tuned one = run(study, 1, files / "one.csv");
+  const Tuned two = run(study, 2, files / "two.csv");
+  EXPECT_EQ(one.result.evaluations, 4);
+  EXPECT_EQ(two.result.evaluations, 4);
+  EXPECT_EQ(without_times(one.journal), without_times(two.journal));
 }
 
 }  // namespace
