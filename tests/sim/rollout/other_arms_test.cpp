@@ -1,0 +1,59 @@
+// The controller is not the UR10's: a redundant arm follows a circle and its target too.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/rollout/rollout.hpp"
+#include "tests/core/support/arms.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+
+/// The seven-joint arm bent, its tool on a circle around where the joint space law leaves it, looking at a
+/// point ahead of the tool.
+struct SevenJoints {
+  Scenario scenario;
+  Gains gains;
+
+  SevenJoints() {
+    const auto model = std::make_shared<const RobotModel>(test::seven_joint_arm());
+    const int n = model->n();
+    JointVector goal(n);
+    goal << 0.0, 40.0, 0.0, -80.0, 0.0, 50.0, 0.0;
+    gains.joint_space_goal = goal;
+    gains.joint_space_gains_p = JointVector::Constant(n, 5.0);
+    gains.joint_space_gains_d = JointVector::Constant(n, 20.0);
+    gains.task_space_gains_p << 40, 40, 40, 20, 20, 20;
+    gains.task_space_gains_i << 0.1, 0.1, 0.1, 1, 1, 1;
+    gains.task_space_gains_d = JointVector::Constant(n, 20.0);
+    gains.force_control_gains = JointVector::Constant(n, 100.0);
+    gains.joint_trajectory_duration = 2.0;
+    gains.manipulability_threshold = 0.02;
+
+    Poses poses;
+    forward_kinematics(model->chain, JointVector(goal * kDegree), poses);
+    scenario.name = "seven_joints";
+    scenario.robot = model;
+    scenario.duration = 8.0;
+    scenario.control_period = 0.002;
+    scenario.start_position = 0.8 * goal * kDegree;
+    scenario.path = {poses.p_0T, 2.0 * M_PI / 6.0, 0.0, {{1, Vec3(0, 0, 0.05), Vec3(0, 0.05, 0)}}};
+    scenario.targets = {{"ahead", {poses.p_0T + 0.5 * poses.R_0T.col(2), 0.0, 0.0, {}}}};
+    scenario.theta.model_scale = 1.0;
+  }
+};
+
+TEST(OtherArms, ASevenJointArmFollowsItsCircleAndLooksAtItsTarget) {
+  const SevenJoints arm;
+  const RolloutResult result = Rollout(arm.scenario, Stepper::kMidpoint).run(arm.gains);
+  ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_LT(result.metrics[Metric::kPositionMax], 2e-3);
+  EXPECT_LT(result.metrics[Metric::kOrientationMax], 2e-2);
+  EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 1.0);
+}
+
+}  // namespace
+}  // namespace armtune
