@@ -115,7 +115,8 @@ void Checker::link(int i) const {
 void Checker::joint(int i) const {
   const auto k = static_cast<std::size_t>(i);
   const Chain& chain = model_.chain;
-  const auto& [joint, link, limits] = model_.joints[k];
+  const std::string& joint = model_.joints[k].name;
+  const JointLimits& limits = model_.joints[k].limits;
   const bool revolute = chain.motion[k] == JointMotion::kRevolute;
   const char* unit = revolute ? "rad" : "m";
   name("joint", joint);

@@ -65,7 +65,7 @@ UrdfTree parse(const std::string& path) {
     log.add(error.what());
   }
   // Links own their children: cut them apart, or a cycle is never freed and a long chain by deep recursion.
-  const UrdfTree tree(parsed.get(), [parsed](const urdf::ModelInterface*) {
+  UrdfTree tree(parsed.get(), [parsed](const urdf::ModelInterface*) {
     if (!parsed) return;
     for (const auto& [name, link] : parsed->links_) link->clear();
   });
@@ -194,7 +194,8 @@ class ArmBuilder {
       refuse("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",
              joint.name);
     // Bodies are numbered along the chain: body b carries joint b + 1.
-    const auto next = static_cast<std::size_t>(parent.body + 1);
+    const int next_body = parent.body + 1;
+    const auto next = static_cast<std::size_t>(next_body);
     if (next < model_.joints.size())
       refuse("armtune needs a serial arm: joints '{}' and '{}' both move on '{}'; make one of them fixed",
              model_.joints[next].name, joint.name,

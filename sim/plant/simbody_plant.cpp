@@ -67,7 +67,7 @@ class Tree {
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_;
   SimTK::GeneralForceSubsystem forces_;
-  SimTK::Force::UniformGravity gravity_;
+  SimTK::Force::Gravity gravity_;
 };
 
 /// Adds rotor inertia exactly: Simbody gives q0'' = M^-1 (tau - h); q'' = (M + D)^-1 M q0''.

@@ -114,11 +114,11 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
 }
 
 void print_gains(const Study& study, const Gains& gains) {
-  fmt::print("{:<44}{:>12}{:>12}{:>8}\n", "gain", "start", "tuned", "ratio");
+  fmt::print("{:<44}{:>12}{:>12}{:>11}\n", "gain", "start", "tuned", "ratio");
   for (const Parameter& p : study.space.free) {
     const double tuned = value(gains, p.entry);
     const bool at_bound = tuned <= p.lower * (1.0 + 1e-9) || tuned >= p.upper * (1.0 - 1e-9);
-    fmt::print("{:<44}{:>12.5g}{:>12.5g}{:>8}{}\n", p.entry.name, p.start, tuned,
+    fmt::print("{:<44}{:>12.5g}{:>12.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
                p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
                at_bound ? "  at its bound" : "");
   }
