@@ -7,7 +7,8 @@
 namespace armtune::cli {
 namespace {
 
-std::atomic<bool> stop{false};
+// A signal handler reaches nothing but globals.
+std::atomic<bool> stop{false};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void on_signal(int signal) {
