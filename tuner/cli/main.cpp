@@ -9,17 +9,17 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/run/run_folder.hpp"
 
+namespace armtune {
 namespace {
 
 std::string version_text() {
   std::string text;
-  for (const auto& [name, version] : armtune::versions()) text += fmt::format("{} {}\n", name, version);
+  for (const auto& [name, version] : versions()) text += fmt::format("{} {}\n", name, version);
   text.pop_back();
   return text;
 }
 
 int run(int argc, char** argv) {
-  using namespace armtune;
   for (int i = 0; i < argc; ++i) cli::command_line() += (i > 0 ? " " : "") + std::string(argv[i]);
   cli::catch_interrupts();
 
@@ -51,16 +51,16 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace armtune
 
 int main(int argc, char** argv) {
-  using namespace armtune;
   try {
-    return run(argc, argv);
-  } catch (const InputError& e) {
+    return armtune::run(argc, argv);
+  } catch (const armtune::InputError& e) {
     fmt::print(stderr, "armtune: {}\n", e.what());
-    return cli::kBadInput;
+    return armtune::cli::kBadInput;
   } catch (const std::exception& e) {
     fmt::print(stderr, "armtune: failed: {}\n", e.what());
-    return cli::kFailed;
+    return armtune::cli::kFailed;
   }
 }

@@ -12,6 +12,7 @@ namespace {
 
 std::string subset_text(const std::vector<std::size_t>& subset, const std::vector<Scenario>& scenarios) {
   std::vector<std::string> names;
+  names.reserve(subset.size());
   for (const std::size_t s : subset) names.push_back(scenarios[s].name);
   return fmt::format("[{}]", fmt::join(names, ", "));
 }

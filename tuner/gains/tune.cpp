@@ -47,6 +47,7 @@ bool Run::budget_left() const {
 
 bool Run::evaluate(const char* phase, const std::vector<std::vector<double>>& points) {
   std::vector<Gains> gains;
+  gains.reserve(points.size());
   for (const auto& x : points) gains.push_back(study_.space.gains_at(x));
   auto results = workers_.run(gains, stop_);
   if (!results) return false;
