@@ -107,7 +107,7 @@ void controller_update(benchmark::State& state) {
   const Gains gains = load_gains("published", joint_names(*f.scenario.robot));
   Controller controller(f.scenario.robot, gains, f.theta, f.scenario.control_period);
   const JointState measured{gains.joint_space_goal * (M_PI / 180.0), JointVector::Zero(f.chain.n)};
-  const Scene scene{&f.scenario.path, f.scenario.targets[0].path.at(0.0).position, {}};
+  const Scene scene{&f.scenario.path, f.scenario.targets[0].path.at(0.0), {}};
   double time = 0.0;
   for (auto _ : state) {
     time += f.scenario.control_period;

@@ -10,6 +10,7 @@
 #include "core/control/gains.hpp"
 #include "core/control/gaze_control.hpp"
 #include "core/control/state_machine.hpp"
+#include "core/control/task_goal.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/harmonic_path.hpp"
 #include "core/trajectory/return_trajectory.hpp"
@@ -25,8 +26,8 @@ struct JointState {
 /// What the controller knows of its surroundings in one period, base frame.
 struct Scene {
   const HarmonicPath* path = nullptr;  ///< the tool's path, on the simulation's own time
-  Vec3 p_0G = Vec3::Zero();            ///< the active gaze target [m]
-  std::span<const Vec3> obstacles;     ///< obstacle centres [m]
+  MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< the active gaze target [m]
+  std::span<const Vec3> obstacles;                                     ///< obstacle centres [m]
 };
 
 /// Everything a recorder wants to see of one period.
@@ -44,6 +45,7 @@ struct ControlOutput {
   double manipulability = 0.0;
   bool damped = false;
   double obstacle_distance = 0.0;  ///< [m], infinite without obstacles
+  double pace = 1.0;               ///< sigma of the velocity governor: rate at which interpolations go on
 };
 
 class Controller {
@@ -63,13 +65,20 @@ class Controller {
 
  private:
   void enter_state(const Scene& scene, double time);
-  void follow_joint_trajectory(const JointState& measured, double time);
+  void follow_joint_trajectory(const JointState& measured, const Scene& scene, double time);
   void follow_task(const JointState& measured, const Scene& scene, double time);
+  MotionPoint<Vec3> desired_motion(const Scene& scene, double time) const;
+  std::optional<GazeControl::SpeedBound> speed_bound() const;
+  void keep_pace(const Scene& scene, double time);
+  void torque(const JointState& measured, const Scene& scene);
+  void adapt();
 
   std::shared_ptr<const RobotModel> model_;
   Gains gains_;
   JointVector goal_;  ///< joint_space_goal [rad, m]
   JointVector effort_limits_;
+  JointVector velocity_limits_;
+  JointVector velocity_bound_;  ///< of the governor
   double period_;
 
   bool started_ = false;
@@ -79,6 +88,8 @@ class Controller {
   Quintic<Vec3> return_{
       {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 1.0};
   double return_start_ = 0.0;
+  double lag_ = 0.0;  ///< interpolations run on time - lag_ [s]: zero unless the governor slows them
+  TaskGoal task_goal_;
   Vec6 integral_ = Vec6::Zero();
 
   Poses poses_;

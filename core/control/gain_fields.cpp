@@ -10,6 +10,13 @@
 namespace armtune {
 namespace {
 
+/// A number in 0 .. 1, 1 excluded, that a gains file may leave out.
+GainField share(const char* name, const char* meaning, double Gains::*member) {
+  GainField field{name, "1", meaning, member, false};
+  field.below = 1.0;
+  return field;
+}
+
 std::vector<GainField> make_fields() {
   constexpr auto kFactor = SearchRange::kFactor;
   return {
@@ -46,14 +53,34 @@ std::vector<GainField> make_fields() {
        &Gains::manipulability_threshold, false},
       {"manipulability_damping", "m^2", "psi of the damped inverse J^T (J J^T + psi I)^-1",
        &Gains::manipulability_damping, false, true},
-      {"slerp_start", "1", "interpolation parameter at the start of a slerp (the released code: 0.2)",
-       &Gains::slerp_start, false},
+      share("slerp_start", "interpolation parameter at the start of a slerp (the released code: 0.2)",
+            &Gains::slerp_start),
       {"release_radius", "m", "avoidance ends when every joint is this far away; 0: obstacleInfluenceRadius",
        &Gains::release_radius, false},
       {"slerp_reference", "", "a slerp runs from the orientation at its 'start' or from the 'current' one",
        &Gains::slerp_reference, false},
       {"adapt_while_avoiding", "", "whether theta adapts in avoidObstacles", &Gains::adapt_while_avoiding,
        false},
+      {"gaze_feedforward", "",
+       "whether the desired orientation turns with the line from tool to target (published: it stands still)",
+       &Gains::gaze_feedforward, false},
+      {"joint_goal_follows_task", "",
+       "whether leaveSingularity ends on the path and in the gaze, in their motion, instead of at "
+       "joint_space_goal",
+       &Gains::joint_goal_follows_task, false},
+      share("velocity_margin",
+            "the reference is slowed so that every |qr'| stays below this share of its limit; 0: it is not",
+            &Gains::velocity_margin),
+      share("velocity_barrier_start", "share of its velocity limit at which a joint's barrier begins to damp",
+            &Gains::velocity_barrier_start),
+      {"velocity_barrier_gain", "1", "damping of that barrier at the limit, as a multiple of Kd; 0: none",
+       &Gains::velocity_barrier_gain, false},
+      {"adaptation_leakage", "1/s", "rate at which theta falls back to where it started",
+       &Gains::adaptation_leakage, false},
+      {"adaptation_projection", "",
+       "whether theta is kept physically valid: masses and inertias of bodies that can be, no negative "
+       "friction",
+       &Gains::adaptation_projection, false},
   };
 }
 
@@ -110,11 +137,11 @@ void validate(const Gains& gains, const std::vector<std::string>& joints, const 
                                      names[i].empty() ? "" : "/", names[i], v,
                                      field.strictly_positive ? "above zero" : "not negative"));
       }
+      if (v >= field.below) {
+        throw InputError(fmt::format("{}: {}{}{} is {}; it must be below {}", source, field.name,
+                                     names[i].empty() ? "" : "/", names[i], v, field.below));
+      }
     }
-  }
-  if (gains.slerp_start >= 1.0) {
-    throw InputError(fmt::format("{}: slerp_start is {}; it must be below 1, the end of the slerp", source,
-                                 gains.slerp_start));
   }
   if (gains.release_radius != 0.0 && gains.release_radius < gains.obstacleInfluenceRadius) {
     throw InputError(

@@ -1,6 +1,7 @@
 #pragma once
 // The one declaration of every gain: name, unit, valid range, search range, meaning.
 
+#include <limits>
 #include <span>
 #include <string>
 #include <variant>
@@ -30,6 +31,8 @@ struct GainField {
   /// Of kFactor: bounds as factors on the start's value.
   double lower_factor = 0.2;
   double upper_factor = 5.0;
+  /// Numbers must be below this.
+  double below = std::numeric_limits<double>::infinity();
 
   bool is_number() const { return member.index() <= 2; }
 };

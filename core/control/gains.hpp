@@ -31,6 +31,14 @@ struct Gains {
   double release_radius = 0.0;
   SlerpReference slerp_reference = SlerpReference::kStart;
   bool adapt_while_avoiding = true;
+  // What the published law lacks; off unless a gains file says otherwise.
+  bool gaze_feedforward = false;
+  bool joint_goal_follows_task = false;
+  double velocity_margin = 0.0;
+  double velocity_barrier_start = 0.8;
+  double velocity_barrier_gain = 0.0;
+  double adaptation_leakage = 0.0;
+  bool adaptation_projection = false;
 };
 
 }  // namespace armtune

@@ -1,9 +1,14 @@
 #pragma once
 // Gaze orientation control (equation 7): below the angular threshold the goal orientation itself, above it a
-// slerp whose parameter is a quintic over k_s times the angle.
+// slerp whose parameter is a quintic over k_s times the angle. With gaze feed-forward the desired orientation
+// turns as the line from tool to target does; without, as published, it stands still outside slerps.
+
+#include <optional>
 
 #include "core/control/gains.hpp"
+#include "core/control/task_inverse.hpp"
 #include "core/robot/kinematics.hpp"
+#include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/quintic.hpp"
 #include "core/trajectory/slerp.hpp"
 
@@ -16,11 +21,23 @@ class GazeControl {
     bool slerping = false;
   };
 
-  /// Desired orientation at `time` [s] for the measured tool pose and the target's position p_0G [m].
-  Output update(const Gains& gains, const Poses& poses, const Eigen::Quaterniond& Q_0T, const Vec3& p_0G,
-                double time);
+  /// Largest share of the joints' speed that a slerp may take: its duration is stretched for it.
+  struct SpeedBound {
+    const TaskInverse& inverse;
+    const JointVector& bound;  ///< (n) [rad/s, m/s]
+  };
+
+  /// Desired orientation at `time` [s] for the measured tool orientation and the motions of tool and target
+  /// (base frame). Only feed-forward looks at their velocities and accelerations.
+  Output update(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
+                const MotionPoint<Vec3>& tool, const MotionPoint<Vec3>& target, double time,
+                const std::optional<SpeedBound>& speed = {});
 
  private:
+  OrientationPoint interpolated(const Gains& gains, const Mat3& R_from, const Eigen::Quaterniond& Q_from,
+                                const MotionPoint<Vec3>& tool, const MotionPoint<Vec3>& target,
+                                double time) const;
+
   bool slerping_ = false;
   double start_time_ = 0.0;
   Mat3 R_start_ = Mat3::Identity();

@@ -1,8 +1,7 @@
 #pragma once
 // Spherical interpolation Q(s) = exp(s phi) Q_start with its angular velocity and acceleration.
 
-#include "core/trajectory/motion_point.hpp"
-#include "core/trajectory/rotation.hpp"
+#include "core/trajectory/rotation_rate.hpp"
 
 namespace armtune {
 
@@ -17,6 +16,15 @@ struct OrientationPoint {
 inline OrientationPoint slerp(const Eigen::Quaterniond& start, const Vec3& phi,
                               const MotionPoint<double>& s) {
   return {rotation_exp(s.position * phi) * start, s.velocity * phi, s.acceleration * phi};
+}
+
+/// The same towards a goal that moves: phi with its derivatives. Q(t) = exp(s(t) phi(t)) Q_start.
+inline OrientationPoint slerp(const Eigen::Quaterniond& start, const MotionPoint<Vec3>& phi,
+                              const MotionPoint<double>& s) {
+  const TurnRate rate = rotation_rate(
+      {s.position * phi.position, s.velocity * phi.position + s.position * phi.velocity,
+       s.acceleration * phi.position + 2.0 * s.velocity * phi.velocity + s.position * phi.acceleration});
+  return {rotation_exp(s.position * phi.position) * start, rate.velocity, rate.acceleration};
 }
 
 }  // namespace armtune

@@ -50,7 +50,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
   TrueState truth(*scenario_.robot, theta_true_);
   JointState measured;
   std::vector<Vec3> centers(scenario_.obstacles.size());
-  Scene scene{&scenario_.path, Vec3::Zero(), centers};
+  Scene scene{&scenario_.path, {}, centers};
   Observation o;
   o.theta = &controller.theta();
   o.q = &plant_->q();
@@ -65,7 +65,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
     o.time = time;
     o.target = scenario_.active_target(time);
     o.target_motion = scenario_.targets[o.target].path.at(time);
-    scene.p_0G = o.target_motion.position;
+    scene.target = o.target_motion;
     for (std::size_t i = 0; i < centers.size(); ++i) {
       centers[i] = scenario_.obstacles[i].path.at(time).position;
     }

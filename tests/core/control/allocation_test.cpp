@@ -48,7 +48,7 @@ TEST_F(Allocation, NeverHappensInUpdateInAnyStateWithObstaclesAndSlerps) {
   for (int step = 0; step < 1000; ++step) {
     Scene scene = rig.scene();
     if (step >= 600 && step < 700) scene.obstacles = near;
-    if (step >= 800) scene.p_0G = elsewhere;
+    if (step >= 800) scene.target.position = elsewhere;
     JointState measured = rig.goal();
     if (step >= 900 && step < 950) measured.q[4] = 0.0;  // the wrist's singularity: the damped inverse
     const long before = test::allocations();

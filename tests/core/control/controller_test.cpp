@@ -45,7 +45,7 @@ void drive(const test::Rig& rig, const Check& check) {
     Period period{near_goal(generator, rig), rig.scene(), step * rig.period,
                   controller->theta(),       nullptr,     controller.get()};
     if (step >= 450 && step < 550) period.scene.obstacles = near;
-    if (step >= 500) period.scene.p_0G += Vec3(0.4, 0.3, 0.2);
+    if (step >= 500) period.scene.target.position += Vec3(0.4, 0.3, 0.2);
     period.out = &controller->update(period.measured, period.scene, period.time);
     slerped = slerped || period.out->slerping;
     check(period);

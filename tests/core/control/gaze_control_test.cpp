@@ -43,6 +43,12 @@ Sight sight(std::mt19937& generator, double angle) {
   return s;
 }
 
+/// With tool and target at rest.
+GazeControl::Output update(GazeControl& control, const Gains& gains, const Sight& s, double time) {
+  return control.update(gains, s.poses.R_0T, s.Q_0T, {s.poses.p_0T, Vec3::Zero(), Vec3::Zero()},
+                        {s.p_0G, Vec3::Zero(), Vec3::Zero()}, time);
+}
+
 /// s = 10 x^3 - 15 x^4 + 6 x^5 between `from` and 1, with its derivatives: the textbook's polynomial.
 MotionPoint<double> rest_to_one(double from, double duration, double t) {
   const double x = t / duration;
@@ -69,7 +75,7 @@ TEST(GazeControl, PointsAtTheTargetAtOnceBelowTheThreshold) {
   for (const double angle : {0.0, 0.01, 0.149}) {
     const Sight s = sight(generator, angle);
     GazeControl control;
-    const auto out = control.update(gains_for_gaze(), s.poses, s.Q_0T, s.p_0G, 3.0);
+    const auto out = update(control, gains_for_gaze(), s, 3.0);
     EXPECT_FALSE(out.slerping);
     worst.compare(Vec3(out.desired.orientation * Vec3::UnitZ()), Vec3((s.p_0G - s.poses.p_0T).normalized()),
                   "below");
@@ -89,7 +95,7 @@ TEST(GazeControl, SlerpsAboveTheThresholdFromTheFrozenStartForTheGainTimesTheAng
     GazeControl control;
     for (int step = 0; step < 100; ++step) {
       const double t = duration * step / 100.0;
-      const auto out = control.update(gains_for_gaze(), s.poses, s.Q_0T, s.p_0G, 3.0 + t);
+      const auto out = update(control, gains_for_gaze(), s, 3.0 + t);
       ASSERT_TRUE(out.slerping);
       compare(worst, out.desired, turned(Q_start, turn, rest_to_one(0.0, duration, t)), "turn");
       // The tool itself does something else; the slerp goes on from where it started.
@@ -104,13 +110,13 @@ TEST(GazeControl, EndsItsSlerpAtTheGoalAndTracksFromThere) {
   Sight s = sight(generator, 1.0);
   GazeControl control;
   const Gains gains = gains_for_gaze();
-  EXPECT_TRUE(control.update(gains, s.poses, s.Q_0T, s.p_0G, 0.0).slerping);
-  const auto last = control.update(gains, s.poses, s.Q_0T, s.p_0G, 2.5 - 1e-6);
+  EXPECT_TRUE(update(control, gains, s, 0.0).slerping);
+  const auto last = update(control, gains, s, 2.5 - 1e-6);
   EXPECT_TRUE(last.slerping);
   EXPECT_LT(gaze_angle(last.desired.orientation.toRotationMatrix(), s.poses.p_0T, s.p_0G), 1e-6);
   s.Q_0T = last.desired.orientation;
   s.poses.R_0T = s.Q_0T.toRotationMatrix();
-  EXPECT_FALSE(control.update(gains, s.poses, s.Q_0T, s.p_0G, 2.5 + 1e-6).slerping);
+  EXPECT_FALSE(update(control, gains, s, 2.5 + 1e-6).slerping);
 }
 
 TEST(GazeControl, StartsAnotherSlerpIfTheToolHasNotArrived) {
@@ -118,8 +124,8 @@ TEST(GazeControl, StartsAnotherSlerpIfTheToolHasNotArrived) {
   const Sight s = sight(generator, 1.0);
   GazeControl control;
   const Gains gains = gains_for_gaze();
-  control.update(gains, s.poses, s.Q_0T, s.p_0G, 0.0);
-  const auto out = control.update(gains, s.poses, s.Q_0T, s.p_0G, 2.6);
+  update(control, gains, s, 0.0);
+  const auto out = update(control, gains, s, 2.6);
   EXPECT_TRUE(out.slerping);
   EXPECT_LT(out.desired.orientation.angularDistance(s.Q_0T), 1e-7);
 }
@@ -133,7 +139,7 @@ TEST(GazeControl, FollowsTargetAndToolThatMoveDuringTheSlerp) {
   GazeControl control;
   const double duration = 2.5 * 1.2;
   for (const double t : {0.0, 0.5, 1.5, 2.5, duration * (1.0 - 1e-12)}) {
-    const auto out = control.update(gains_for_gaze(), s.poses, s.Q_0T, s.p_0G, t);
+    const auto out = update(control, gains_for_gaze(), s, t);
     ASSERT_TRUE(out.slerping);
     const Vec3 turn = gaze_turn(R_start, s.poses.p_0T, s.p_0G);
     compare(worst, out.desired, turned(Q_start, turn, rest_to_one(0.0, duration, t)), "moved");
@@ -152,7 +158,7 @@ TEST(GazeControl, InCurrentModeSlerpsFromTheMeasuredOrientationAheadOfIt) {
   GazeControl control;
   for (int step = 0; step < 50; ++step) {
     const double t = 2.5 * step / 50.0;
-    const auto out = control.update(gains, s.poses, s.Q_0T, s.p_0G, t);
+    const auto out = update(control, gains, s, t);
     ASSERT_TRUE(out.slerping);
     const Vec3 turn = gaze_turn(s.poses.R_0T, s.poses.p_0T, s.p_0G);
     compare(worst, out.desired, turned(s.Q_0T, turn, rest_to_one(0.2, 2.5, t)), "current");
@@ -167,8 +173,8 @@ TEST(GazeControl, NeverSlerpsForLessThanATwentiethOfASecond) {
   gains.slerpDurationErrorGain = 0.01;
   const Sight s = sight(generator, 1.0);
   GazeControl control;
-  control.update(gains, s.poses, s.Q_0T, s.p_0G, 0.0);
-  const auto out = control.update(gains, s.poses, s.Q_0T, s.p_0G, 0.025);
+  update(control, gains, s, 0.0);
+  const auto out = update(control, gains, s, 0.025);
   // Half way at half of 0.05 s; by 0.01 s the slerp would be over and the next one at its start.
   EXPECT_NEAR(out.desired.orientation.angularDistance(s.Q_0T), 0.5, 1e-7);
 }

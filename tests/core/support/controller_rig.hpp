@@ -25,7 +25,7 @@ struct Rig {
 
   /// The joint space goal, at rest.
   JointState goal() const;
-  Scene scene() const { return {&path, p_0G, obstacles}; }
+  Scene scene() const { return {&path, {p_0G, Vec3::Zero(), Vec3::Zero()}, obstacles}; }
   std::unique_ptr<Controller> controller(const ParameterVector& theta) const;
   std::unique_ptr<Controller> controller() const;  ///< theta at the model
 

@@ -79,12 +79,15 @@ TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
   for (int i = 0; i < 20; ++i) {
     Gains gains = load_gains("published", kJoints);
     for (const GainField& field : gain_fields()) {
-      for (double& x : numbers(gains, field)) x = std::pow(10.0, exponent(generator));
+      for (double& x : numbers(gains, field)) {
+        x = std::pow(10.0, exponent(generator));
+        if (x >= field.below) x = field.below / (1.0 + x);
+      }
     }
-    gains.slerp_start = 0.3;
     gains.release_radius = gains.obstacleInfluenceRadius * 1.1;
     gains.slerp_reference = i % 2 == 0 ? SlerpReference::kCurrent : SlerpReference::kStart;
     gains.adapt_while_avoiding = i % 3 == 0;
+    gains.gaze_feedforward = i % 4 == 0;
     const Gains back = load(gains_yaml(gains, {"a comment", "and another"}));
     for (const GainField& field : gain_fields()) {
       const auto written = numbers(gains, field);
@@ -93,6 +96,7 @@ TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
     }
     EXPECT_EQ(back.slerp_reference, gains.slerp_reference);
     EXPECT_EQ(back.adapt_while_avoiding, gains.adapt_while_avoiding);
+    EXPECT_EQ(back.gaze_feedforward, gains.gaze_feedforward);
   }
 }
 

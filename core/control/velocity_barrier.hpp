@@ -1,0 +1,31 @@
+#pragma once
+// Joint-level velocity barrier: damping that grows as |q'| nears its limit, against torques that bypass the
+// velocity reference. With x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, from 0 at the start
+// to 1 at the limit:
+//   tau_i <- tau_i - gain Kd_i h q'_i,   and a bypassing torque that pushes on is faded by 1 - h.
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+/// h in [0, 1] at a joint velocity; `start`: share of the limit where it begins, in [0, 1).
+inline double velocity_barrier(double qd, double limit, double start) {
+  const double x = std::clamp((std::abs(qd) / limit - start) / (1.0 - start), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+/// Adds `bypassing` (n), a torque that does not come from the reference, and the barrier's damping to the
+/// torque. qd (n): measured; limits (n) > 0; Kd (n) [N m s/rad]; gain: 0 adds `bypassing` as it is.
+inline void add_behind_barrier(const JointVector& qd, const JointVector& limits, double start, double gain,
+                               const JointVector& Kd, const JointVector& bypassing, JointVector& torque) {
+  for (Eigen::Index i = 0; i < torque.size(); ++i) {
+    const double h = gain > 0.0 ? velocity_barrier(qd[i], limits[i], start) : 0.0;
+    const bool pushes_on = bypassing[i] * qd[i] > 0.0;
+    torque[i] += (pushes_on ? 1.0 - h : 1.0) * bypassing[i] - gain * h * Kd[i] * qd[i];
+  }
+}
+
+}  // namespace armtune

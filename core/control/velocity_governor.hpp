@@ -1,0 +1,26 @@
+#pragma once
+// Velocity governor: slows the joint reference as a whole, so that it keeps its direction, until every |qr'|
+// is below its bound:
+//   qr'  <- sigma qr',   qr'' <- sigma^2 qr'' + sigma' qr',   sigma = f(r) / r,
+// where r is the p-norm of qr'_i / bound_i, so never less than the largest of them. f(r) = r up to the knee k
+// and k + (1 - k) tanh((r - k) / (1 - k)) < 1 beyond it: twice continuously differentiable, so nothing
+// chatters at the edge. sigma^2 is the acceleration of a motion whose time runs at the rate sigma.
+
+#include "core/control/joint_space_law.hpp"
+#include "core/control/task_inverse.hpp"
+
+namespace armtune {
+
+/// Share of the bound up to which the reference is left exactly as it is.
+inline constexpr double kGovernorKnee = 0.8;
+
+/// Slows the reference in place. bound (n): share of the velocity limits [rad/s, m/s], > 0. Returns sigma, in
+/// (0, 1]: the rate at which interpolations may go on.
+double govern(const JointVector& bound, JointReference& reference);
+
+/// Time [s] that a rest-to-rest quintic over a displacement (linear [m], rotation vector [rad]) needs so that
+/// no joint passes its bound (n) on the way, with the Jacobian as it is now: 15/8 of the way over the time is
+/// its peak speed.
+double shortest_duration(const TaskInverse& inverse, const Vec6& displacement, const JointVector& bound);
+
+}  // namespace armtune

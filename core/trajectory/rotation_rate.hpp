@@ -1,0 +1,50 @@
+#pragma once
+// Angular velocity and acceleration of exp(psi(t)): w = J_l(psi) psi' with the left Jacobian of SO(3),
+//   J_l = 1 + a [psi] + b [psi]^2,   a = (1 - cos)/angle^2,   b = (angle - sin)/angle^3.
+// Chirikjian, Stochastic Models, Information Theory, and Lie Groups, vol. 2, section 10.6.
+
+#include "core/trajectory/motion_point.hpp"
+#include "core/trajectory/rotation.hpp"
+
+namespace armtune {
+
+/// Base frame: w [rad/s] and w' [rad/s^2].
+struct TurnRate {
+  Vec3 velocity = Vec3::Zero();
+  Vec3 acceleration = Vec3::Zero();
+};
+
+/// psi: rotation vector [rad] with its first and second derivatives; |psi| <= pi keeps it well conditioned.
+inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
+  const double x = psi.position.squaredNorm();
+  const double angle = std::sqrt(x);
+  double a;
+  double b;
+  double a1;  // (da / d angle) / angle
+  double b1;
+  if (x < 1e-2) {
+    // The quotients lose digits; their series are exact to 1e-16 here.
+    a = 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40320.0 - x / 3628800.0)));
+    b = 1.0 / 6.0 - x * (1.0 / 120.0 - x * (1.0 / 5040.0 - x * (1.0 / 362880.0 - x / 39916800.0)));
+    a1 = -1.0 / 12.0 + x * (1.0 / 180.0 - x * (1.0 / 6720.0 - x * (1.0 / 453600.0 - x / 47900160.0)));
+    b1 = -1.0 / 60.0 + x * (1.0 / 1260.0 - x * (1.0 / 60480.0 - x * (1.0 / 4989600.0 - x / 622702080.0)));
+  } else {
+    const double sine = std::sin(angle);
+    const double versine = 1.0 - std::cos(angle);
+    a = versine / x;
+    b = (angle - sine) / (x * angle);
+    a1 = (angle * sine - 2.0 * versine) / (x * x);
+    b1 = (versine - 3.0 * (angle - sine) / angle) / (x * x);
+  }
+  const double half_x_dot = psi.position.dot(psi.velocity);  // angle * angle'
+  const Vec3 across = psi.position.cross(psi.velocity);
+  const Vec3 across2 = psi.position.cross(across);
+  const Vec3 ddot_across = psi.position.cross(psi.acceleration);
+  TurnRate rate;
+  rate.velocity = psi.velocity + a * across + b * across2;
+  rate.acceleration = psi.acceleration + a * ddot_across + b * psi.position.cross(ddot_across) +
+                      half_x_dot * (a1 * across + b1 * across2) + b * psi.velocity.cross(across);
+  return rate;
+}
+
+}  // namespace armtune
