@@ -8,6 +8,7 @@
 #include "sim/metrics/accumulator.hpp"
 #include "sim/plant/flush_denormals.hpp"
 #include "sim/plant/sensors.hpp"
+#include "sim/plant/target_camera.hpp"
 #include "sim/plant/torque_delay.hpp"
 #include "sim/rollout/true_state.hpp"
 
@@ -45,6 +46,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
   const int periods = scenario_.periods();
   Controller controller(scenario_.robot, gains, theta_start_, period);
   Sensors sensors(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed);
+  TargetCamera camera(scenario_);
   TorqueDelay delay(scenario_.robot->n(), scenario_.plant.torque_delay_periods);
   MetricAccumulator metrics(*scenario_.robot, gains.slerpAngularErrorThreshold, period);
   TrueState truth(*scenario_.robot, theta_true_);
@@ -65,7 +67,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
     o.time = time;
     o.target = scenario_.active_target(time);
     o.target_motion = scenario_.targets[o.target].path.at(time);
-    scene.target = o.target_motion;
+    scene.target = camera.see(o.target, o.target_motion, time);
     for (std::size_t i = 0; i < centers.size(); ++i) {
       centers[i] = scenario_.obstacles[i].path.at(time).position;
     }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct PlantConditions {
   JointVector coulomb_friction;
 };
 
+/// How the controller sees the targets when it does not know their motion.
+struct Camera {
+  double noise = 0.0;       ///< standard deviation of each coordinate, white, per period [m]
+  double bandwidth = 15.0;  ///< of the filter that estimates position, velocity, acceleration [rad/s]
+};
+
 struct Scenario {
   std::string name;
   std::string description;
@@ -44,7 +51,8 @@ struct Scenario {
   JointVector start_position;   ///< [rad, m]
   HarmonicPath path;            ///< of the tool, base frame
   std::vector<NamedPath> targets;
-  double switch_every = 0.0;  ///< targets take turns [s]; 0: always the first
+  double switch_every = 0.0;     ///< targets take turns [s]; 0: always the first
+  std::optional<Camera> camera;  ///< none: the controller knows the targets' motion
   std::vector<NamedPath> obstacles;
   ThetaStart theta;
   PlantConditions plant;

@@ -100,6 +100,15 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
   return plant;
 }
 
+Camera read_camera(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  Camera camera;
+  camera.noise = map.number_in("noise", camera.noise, 0.0, kInfinity);
+  camera.bandwidth = map.number_in("bandwidth", camera.bandwidth, 1e-3, 1e5);
+  map.finish();
+  return camera;
+}
+
 /// The file's keys over those of the files its `base` names, and of theirs.
 yaml::Node parse_with_base(const std::string& path, std::vector<std::string>& files) {
   yaml::Node own = yaml::parse_file(path);
@@ -177,6 +186,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.targets = read_named_paths(targets);
   if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
+  if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_named_paths(*obstacles);
   scenario.theta = read_theta_start(map.required("theta_start"), folder_of(path));

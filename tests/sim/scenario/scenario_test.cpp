@@ -198,6 +198,14 @@ TEST_F(ScenarioFile, ThetaStartsAtAMultipleOfTheModelOrAtAFile) {
       AllOf(HasSubstr("theta.yaml"), HasSubstr("no_such_link/mass")));
 }
 
+TEST_F(ScenarioFile, ACameraSeesTheTargetsOnlyWhereOneStands) {
+  EXPECT_FALSE(load_scenario("realistic_moving_target").camera.has_value());
+  const auto camera = load_scenario("realistic_camera_target").camera;
+  ASSERT_TRUE(camera.has_value());
+  EXPECT_EQ(camera->noise, 0.001);
+  EXPECT_EQ(camera->bandwidth, 15.0);
+}
+
 TEST_F(ScenarioFile, MistakesAreRefusedWithTheirLine) {
   EXPECT_THAT(refused("duration: -1\n"), AllOf(HasSubstr("own.yaml:2:"), HasSubstr("duration")));
   EXPECT_THAT(refused("duration: 0.001\n"), AllOf(HasSubstr("own.yaml:2:"), HasSubstr("control periods")));

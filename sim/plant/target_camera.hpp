@@ -1,0 +1,46 @@
+#pragma once
+// What the controller knows of the gaze targets: their motion as it is, or filtered from noisy positions as a
+// camera gives them.
+
+#include <random>
+#include <vector>
+
+#include "core/trajectory/motion_filter.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune {
+
+class TargetCamera {
+ public:
+  /// The scenario must outlive this.
+  explicit TargetCamera(const Scenario& scenario)
+      : scenario_(scenario), generator_(scenario.seed ^ kStream), normal_(0.0, 1.0) {
+    if (!scenario.camera) return;
+    filters_.assign(scenario.targets.size(), {scenario.camera->bandwidth, scenario.control_period});
+  }
+
+  /// The motion of the target `active` at `time` [s], true motion given. To be called once per control
+  /// period: a camera sees all targets all the time.
+  MotionPoint<Vec3> see(std::size_t active, const MotionPoint<Vec3>& truth, double time) {
+    if (!scenario_.camera) return truth;
+    MotionPoint<Vec3> seen = truth;
+    for (std::size_t i = 0; i < filters_.size(); ++i) {
+      Vec3 sample = i == active ? truth.position : scenario_.targets[i].path.at(time).position;
+      for (double& x : sample) x += scenario_.camera->noise * normal_(generator_);
+      const MotionPoint<Vec3>& estimate = filters_[i].update(sample);
+      if (i == active) seen = estimate;
+    }
+    return seen;
+  }
+
+ private:
+  /// Keeps the camera's noise apart from that of the joint sensors, which start from the same seed.
+  static constexpr std::uint64_t kStream = 0x63616d657261;
+
+  const Scenario& scenario_;
+  std::mt19937_64 generator_;
+  std::normal_distribution<double> normal_;
+  std::vector<MotionFilter> filters_;
+};
+
+}  // namespace armtune
