@@ -9,6 +9,20 @@ find_package(CLI11 REQUIRED)
 find_package(NLopt REQUIRED)
 find_package(Threads REQUIRED)
 
+# SuiteSparse 5 ships no CMake package that names SPQR.
+set(SUITESPARSE_VERSION "not built in")
+if(ARMTUNE_IDENTIFICATION)
+  find_path(SPQR_INCLUDE_DIR SuiteSparseQR.hpp PATH_SUFFIXES suitesparse REQUIRED)
+  find_library(SPQR_LIBRARY spqr REQUIRED)
+  find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+  file(STRINGS ${SPQR_INCLUDE_DIR}/SuiteSparse_config.h version_lines REGEX "define SUITESPARSE_(MAIN|SUB|SUBSUB)_VERSION")
+  string(REGEX REPLACE "[^0-9;]" "" SUITESPARSE_VERSION "${version_lines}")
+  string(REPLACE ";" "." SUITESPARSE_VERSION "${SUITESPARSE_VERSION}")
+  add_library(SuiteSparse::spqr INTERFACE IMPORTED GLOBAL)
+  target_include_directories(SuiteSparse::spqr SYSTEM INTERFACE ${SPQR_INCLUDE_DIR})
+  target_link_libraries(SuiteSparse::spqr INTERFACE ${SPQR_LIBRARY} ${CHOLMOD_LIBRARY})
+endif()
+
 # Debian has two CMake packages of that name; the C interface is in either.
 if(NOT TARGET NLopt::nlopt)
   add_library(NLopt::nlopt ALIAS NLopt::nlopt_cxx)

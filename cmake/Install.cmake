@@ -9,6 +9,11 @@ foreach(room core sim tuner)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/armtune
     FILES_MATCHING PATTERN "*.hpp")
 endforeach()
+if(ARMTUNE_IDENTIFICATION)
+  install(TARGETS armtune_identification EXPORT armtune_identification ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT armtune_identification NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
+    FILE armtuneIdentificationTargets.cmake)
+endif()
 install(EXPORT armtune NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
   FILE armtuneTargets.cmake)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/armtuneConfig.cmake.in
@@ -19,7 +24,7 @@ install(FILES ${CMAKE_BINARY_DIR}/armtuneConfig.cmake ${CMAKE_BINARY_DIR}/armtun
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune)
 
 # Bundled data. The build tree gets the same layout beside bin/, so the program finds it the same way.
-set(data sim/robots sim/scenarios sim/gains tuner/studies)
+set(data sim/robots sim/scenarios sim/theta sim/gains tuner/studies)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/armtune)
 foreach(folder ${data})
   get_filename_component(name ${folder} NAME)

@@ -1,4 +1,5 @@
-# armtune_room(NAME): one static library per room, with every .cpp below its folder, our warnings as errors.
+# armtune_room(NAME [WITHOUT FOLDER...]): one static library per room, with every .cpp below its folder but those
+# below the folders named, our warnings as errors.
 # Dependencies point one way: core <- sim <- tuner.
 
 add_library(armtune_options INTERFACE)
@@ -17,8 +18,11 @@ if(ARMTUNE_COVERAGE)
 endif()
 
 function(armtune_room NAME)
+  cmake_parse_arguments(ROOM "" "" "WITHOUT" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  foreach(folder ${ROOM_WITHOUT})
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${folder}/")
+  endforeach()
   add_library(armtune_${NAME} STATIC ${sources})
   add_library(armtune::${NAME} ALIAS armtune_${NAME})
   set_target_properties(armtune_${NAME} PROPERTIES EXPORT_NAME ${NAME})

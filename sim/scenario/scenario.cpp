@@ -41,4 +41,10 @@ ParameterVector start_theta(const Scenario& scenario) {
   return theta;
 }
 
+void start_theta_from(const std::string& file, Scenario& scenario) {
+  scenario.theta = {0.0, file};
+  start_theta(scenario);  // a mistake in it shows now rather than in the first rollout
+  scenario.inputs.push_back(file);
+}
+
 }  // namespace armtune

@@ -73,4 +73,8 @@ RobotModel plant_model(const Scenario& scenario);
 /// theta (13 n) that the controller starts from.
 ParameterVector start_theta(const Scenario& scenario);
 
+/// Lets theta start from a file, in place of what the scenario says. Throws InputError if it does not fit the
+/// robot.
+void start_theta_from(const std::string& file, Scenario& scenario);
+
 }  // namespace armtune

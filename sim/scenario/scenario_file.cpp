@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "core/common/error.hpp"
@@ -57,7 +58,7 @@ std::vector<NamedPath> read_named_paths(const yaml::Node& node) {
   return paths;
 }
 
-ThetaStart read_theta_start(const yaml::Node& node, const std::string& folder) {
+ThetaStart read_theta_start(const yaml::Node& node) {
   yaml::MapReader map(node);
   ThetaStart start;
   const bool has_file = map.has("file");
@@ -66,7 +67,10 @@ ThetaStart read_theta_start(const yaml::Node& node, const std::string& folder) {
   }
   if (has_file) {
     start.file = map.required("file").as_string();
-    if (!start.file.starts_with('/')) start.file = folder + "/" + start.file;
+    // From the file that says so, which may be a base of the scenario's.
+    if (!start.file.starts_with('/')) {
+      start.file = (std::filesystem::path(folder_of(node.file())) / start.file).lexically_normal().string();
+    }
   }
   start.model_scale = map.number_in("model_scale", 0.0, 0.0, 10.0);
   map.finish();
@@ -153,9 +157,11 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.name = stem(path);
   scenario.source = path;
   scenario.description = map.string("description", "");
-  const std::string robot = map.required("robot").as_string();
-  scenario.robot = load_robot(robot, folder_of(path));
-  if (!is_urdf(robot)) scenario.inputs.push_back(find_data_file("robots", robot, folder_of(path)));
+  const yaml::Node& robot_node = map.required("robot");
+  const std::string robot = robot_node.as_string();
+  const std::string robot_folder = folder_of(robot_node.file());
+  scenario.robot = load_robot(robot, robot_folder);
+  if (!is_urdf(robot)) scenario.inputs.push_back(find_data_file("robots", robot, robot_folder));
   scenario.inputs.push_back(scenario.robot->source);
   const auto joints = joint_names(*scenario.robot);
 
@@ -189,16 +195,13 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_named_paths(*obstacles);
-  scenario.theta = read_theta_start(map.required("theta_start"), folder_of(path));
+  scenario.theta = read_theta_start(map.required("theta_start"));
   if (const yaml::Node* plant = map.optional("plant")) scenario.plant = read_plant(*plant, joints);
   const long seed = map.integer("seed", 1);
   if (seed < 0) map.required("seed").fail("must not be negative");
   scenario.seed = static_cast<std::uint64_t>(seed);
   map.finish();
-  if (!scenario.theta.file.empty()) {
-    scenario.inputs.push_back(scenario.theta.file);
-    start_theta(scenario);  // a mistake in it shows now rather than in the first rollout
-  }
+  if (!scenario.theta.file.empty()) start_theta_from(std::string(scenario.theta.file), scenario);
   if (scenario.name.find_first_of(",\"\n") != std::string::npos) {
     throw InputError(path +
                      ": the file's name holds a comma, a quote or a line break, and would break the CSV "

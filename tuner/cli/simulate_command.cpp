@@ -23,6 +23,7 @@ namespace {
 struct Arguments {
   std::vector<std::string> scenarios;
   std::string gains = "published";
+  std::string theta;
   std::string stepper = "midpoint";
   std::string folder;
   int workers = default_workers();
@@ -51,7 +52,10 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
 
 int run(const Arguments& args) {
   std::vector<Scenario> scenarios;
-  for (const std::string& name : args.scenarios) scenarios.push_back(load_scenario(name));
+  for (const std::string& name : args.scenarios) {
+    scenarios.push_back(load_scenario(name));
+    if (!args.theta.empty()) start_theta_from(args.theta, scenarios.back());
+  }
   for (const Scenario& scenario : scenarios) load_gains(args.gains, joint_names(*scenario.robot));
   SimulateOptions options;
   options.stepper = stepper_from_name(args.stepper);
@@ -96,6 +100,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("simulate", "Simulate scenarios and report errors and limits");
   command->add_option("SCENARIO", args->scenarios, "bundled scenarios or YAML files of your own")->required();
   command->add_option("--gains", args->gains, "bundled gains or a YAML file")->capture_default_str();
+  command->add_option("--theta", args->theta,
+                      "theta.yaml that the controller starts from, in place of what the scenarios say");
   command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
       ->capture_default_str();
   command->add_option("--out", args->folder,

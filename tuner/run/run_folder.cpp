@@ -73,6 +73,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"simbody", ARMTUNE_SIMBODY_VERSION},
           {"nlopt", ARMTUNE_NLOPT_VERSION},
+          {"suitesparse", ARMTUNE_SUITESPARSE_VERSION},
           {"urdfdom", ARMTUNE_URDFDOM_VERSION},
           {"yaml_cpp", ARMTUNE_YAML_VERSION},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};

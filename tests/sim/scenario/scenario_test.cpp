@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
 
 #include "core/robot/theta.hpp"
@@ -196,6 +197,16 @@ TEST_F(ScenarioFile, ThetaStartsAtAMultipleOfTheModelOrAtAFile) {
   EXPECT_THAT(
       test::refusal([&] { start_theta(load("base: moving_target\ntheta_start: {file: theta.yaml}\n")); }),
       AllOf(HasSubstr("theta.yaml"), HasSubstr("no_such_link/mass")));
+}
+
+TEST_F(ScenarioFile, FilesThatABaseNamesAreFoundFromThatBasesFolder) {
+  std::filesystem::create_directory(folder_.path() + "/below");
+  const auto names = theta_names(*load_scenario("moving_target").robot);
+  std::string text;
+  for (const std::string& name : names) text += name + ": 0.25\n";
+  folder_.write("below/theta.yaml", text);
+  folder_.write("below/first.yaml", "base: moving_target\ntheta_start: {file: theta.yaml}\n");
+  EXPECT_EQ(start_theta(load("base: below/first.yaml\n")).maxCoeff(), 0.25);
 }
 
 TEST_F(ScenarioFile, ACameraSeesTheTargetsOnlyWhereOneStands) {

@@ -1,0 +1,88 @@
+#include "core/robot/urdf_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&') {
+      safe += "&amp;";
+    } else if (c == '<') {
+      safe += "&lt;";
+    } else if (c == '"') {
+      safe += "&quot;";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string numbers(const Vec3& v) {
+  return fmt::format("{} {} {}", v.x(), v.y(), v.z());
+}
+
+/// R = Rz(yaw) Ry(pitch) Rx(roll).
+Vec3 roll_pitch_yaw(const Mat3& R) {
+  const double level = std::hypot(R(0, 0), R(1, 0));
+  const double pitch = std::atan2(-R(2, 0), level);
+  // Looking straight up or down, roll and yaw turn about one axis: yaw takes it all.
+  if (level < 1e-9) return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
+  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+std::string origin(const Mat3& R, const Vec3& p) {
+  return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", numbers(p), numbers(roll_pitch_yaw(R)));
+}
+
+std::string inertial(const LinkInertia& link) {
+  const Vec3 c = link.first_moment / link.mass;
+  const Mat3 I = link.inertia - link.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
+  return fmt::format(
+      "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{}\"/>\n"
+      "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n    </inertial>\n",
+      numbers(c), link.mass, I(0, 0), I(0, 1), I(0, 2), I(1, 1), I(1, 2), I(2, 2));
+}
+
+std::string joint_text(const RobotModel& model, int i, const std::string& parent) {
+  const auto k = static_cast<std::size_t>(i);
+  const JointInfo& joint = model.joints[k];
+  const JointLimits& limits = joint.limits;
+  const char* type = model.chain.motion[k] == JointMotion::kPrismatic ? "prismatic"
+                     : limits.has_position                            ? "revolute"
+                                                                      : "continuous";
+  const std::string position =
+      limits.has_position ? fmt::format("lower=\"{}\" upper=\"{}\" ", limits.lower, limits.upper) : "";
+  return fmt::format(
+      "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n    {}\n"
+      "    <axis xyz=\"0 0 1\"/>\n    <limit {}velocity=\"{}\" effort=\"{}\"/>\n  </joint>\n",
+      escaped(joint.name), type, escaped(parent), escaped(joint.link),
+      origin(model.chain.R_PB0[k], model.chain.p_PB0[k]), position, limits.velocity, limits.effort);
+}
+
+}  // namespace
+
+std::string urdf_text(const RobotModel& model) {
+  std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
+                                 escaped(model.name), escaped(model.base_link));
+  std::string parent = model.base_link;
+  for (int i = 0; i < model.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    text += fmt::format("  <link name=\"{}\">\n{}  </link>\n", escaped(model.joints[k].link),
+                        inertial(model.chain.link[k]));
+    text += joint_text(model, i, parent);
+    parent = model.joints[k].link;
+  }
+  text += fmt::format(
+      "  <link name=\"tool\"/>\n  <joint name=\"tool_joint\" type=\"fixed\">\n    <parent link=\"{}\"/>\n"
+      "    <child link=\"tool\"/>\n    {}\n  </joint>\n</robot>\n",
+      escaped(parent), origin(model.chain.R_BT, model.chain.p_BT));
+  return text;
+}
+
+}  // namespace armtune

@@ -1,0 +1,29 @@
+#pragma once
+// An exciting trajectory: per joint a finite Fourier series around a centre, faded in and out by quintics.
+// Swevers et al., Optimal robot excitation and identification, 1997.
+
+#include <string>
+#include <vector>
+
+#include "core/common/types.hpp"
+#include "core/trajectory/motion_point.hpp"
+
+namespace armtune {
+
+struct Excitation {
+  double frequency = 0.1;  ///< base frequency [Hz]
+  double duration = 20.0;  ///< [s], fades included
+  double fade = 2.0;       ///< [s] at either end
+  JointVector center;      ///< (n) [rad, m]
+  Eigen::MatrixXd sine;    ///< n x harmonics [rad, m]
+  Eigen::MatrixXd cosine;
+
+  /// q, q', q'' at t in 0 .. duration [s]; before and after, at rest in the centre.
+  MotionPoint<JointVector> at(double t) const;
+};
+
+/// Text of excitation.yaml, and back. Throws InputError if the file does not fit the joints.
+std::string excitation_yaml(const Excitation& excitation, const std::vector<std::string>& joints);
+Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints);
+
+}  // namespace armtune

@@ -1,0 +1,224 @@
+#include "tuner/identification/excitation_design.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/common/error.hpp"
+#include "core/robot/dynamics.hpp"
+#include "core/robot/slotine_li.hpp"
+#include "tuner/gains/solver.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Instants per period of the highest harmonic at which limits and the regressor are looked at.
+constexpr int kInstantsPerWave = 20;
+constexpr int kRandomStarts = 50;
+/// What a limit that is passed by its own size adds to log(condition).
+constexpr double kPenalty = 50.0;
+
+/// Counts each limit's violation once: 0 inside.
+double violation(const ExcitationUse& use, const ExcitationOptions& o) {
+  return std::max(0.0, use.effort_ratio / o.margin - 1.0) + std::max(0.0, -use.position_margin) +
+         std::max(0.0, o.min_height - use.lowest) + std::max(0.0, use.velocity_ratio / o.margin - 1.0 - 1e-9);
+}
+
+class Designer {
+ public:
+  Designer(const RobotModel& model, const ExcitationOptions& options)
+      : model_(model), options_(options), base_(base_parameters(model)) {
+    if (options_.center.size() == 0) options_.center = middle();
+  }
+
+  std::size_t variables() const { return static_cast<std::size_t>(2 * model_.n() * options_.harmonics); }
+  const BaseParameters& base() const { return base_; }
+
+  /// Coefficients from the unit box, each joint's series scaled until it touches its velocity margin or
+  /// amplitude.
+  Excitation at(const std::vector<double>& x) const {
+    Excitation e;
+    e.frequency = options_.frequency;
+    e.duration = options_.duration;
+    e.fade = options_.fade;
+    e.center = options_.center;
+    const Eigen::Index n = model_.n();
+    const Eigen::Index h = options_.harmonics;
+    e.sine.resize(n, h);
+    e.cosine.resize(n, h);
+    for (Eigen::Index k = 0; k < n * h; ++k) {
+      // The k-th harmonic at the same coefficient is k times as fast.
+      const double slower = 1.0 / static_cast<double>(k / n + 1);
+      e.sine(k % n, k / n) = slower * (2.0 * x[static_cast<std::size_t>(k)] - 1.0);
+      e.cosine(k % n, k / n) = slower * (2.0 * x[static_cast<std::size_t>(n * h + k)] - 1.0);
+    }
+    scale_to_limits(e);
+    return e;
+  }
+
+  double cost(const std::vector<double>& x) const {
+    const ExcitationUse use = use_of(at(x), model_, base_);
+    return std::log(std::min(use.condition, 1e12)) + kPenalty * violation(use, options_);
+  }
+
+ private:
+  JointVector middle() const {
+    JointVector center(model_.n());
+    for (int i = 0; i < model_.n(); ++i) {
+      const JointLimits& limits = model_.joints[static_cast<std::size_t>(i)].limits;
+      center[i] = limits.has_position ? 0.5 * (limits.lower + limits.upper) : 0.0;
+    }
+    return center;
+  }
+
+  void scale_to_limits(Excitation& e) const {
+    const int n = model_.n();
+    JointVector distance = JointVector::Zero(n);
+    JointVector speed = JointVector::Zero(n);
+    const int instants = 2 * kInstantsPerWave * options_.harmonics;
+    for (int k = 0; k <= instants; ++k) {
+      const MotionPoint<JointVector> point = e.at(k * e.duration / instants);
+      distance = distance.cwiseMax((point.position - e.center).cwiseAbs());
+      speed = speed.cwiseMax(point.velocity.cwiseAbs());
+    }
+    for (int i = 0; i < n; ++i) {
+      const JointLimits& limits = model_.joints[static_cast<std::size_t>(i)].limits;
+      double room = options_.amplitude;
+      if (limits.has_position)
+        room = std::min({room, limits.upper - e.center[i], e.center[i] - limits.lower});
+      const double scale = std::min(0.98 * room / std::max(1e-9, distance[i]),
+                                    0.98 * options_.margin * limits.velocity / std::max(1e-9, speed[i]));
+      e.sine.row(i) *= std::max(0.0, scale);
+      e.cosine.row(i) *= std::max(0.0, scale);
+    }
+  }
+
+  const RobotModel& model_;
+  ExcitationOptions options_;
+  BaseParameters base_;
+};
+
+void check(const RobotModel& model, const ExcitationOptions& o) {
+  if (o.center.size() != 0 && o.center.size() != model.n()) {
+    throw InputError(
+        fmt::format("the centre has {} values, {} has {} joints", o.center.size(), model.name, model.n()));
+  }
+  for (Eigen::Index i = 0; i < o.center.size(); ++i) {
+    const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
+    if (joint.limits.has_position &&
+        !(o.center[i] > joint.limits.lower && o.center[i] < joint.limits.upper)) {
+      throw InputError(fmt::format("the centre puts {} at {:.4g}, not inside its limits {:.4g} .. {:.4g}",
+                                   joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
+    }
+  }
+  if (o.fade > 0.5 * o.duration)
+    throw InputError(fmt::format("two fades of {} s do not fit in {} s", o.fade, o.duration));
+}
+
+}  // namespace
+
+ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BaseParameters& base) {
+  const int n = model.n();
+  ExcitationUse use;
+  use.position_margin = kInfinity;
+  use.lowest = kInfinity;
+  const double highest = e.frequency * static_cast<double>(e.sine.cols());
+  const int instants = std::max(
+      50, static_cast<int>(kInstantsPerWave * highest * std::min(e.duration, 1.0 / e.frequency + e.fade)));
+  const double end = std::min(e.duration, 1.0 / e.frequency + e.fade);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(instants) * n, base.rank());
+  Poses poses;
+  SlotineLi motion;
+  Regressor Y;
+  JointVector tau;
+  const JointVector velocity_limits = model.velocity_limits();
+  const JointVector effort_limits = model.effort_limits();
+  for (int k = 0; k < instants; ++k) {
+    const MotionPoint<JointVector> point = e.at(end * (k + 0.5) / instants);
+    forward_kinematics(model.chain, point.position, poses);
+    slotine_li_forward(model.chain, poses, point.velocity, point.velocity, point.acceleration, motion);
+    slotine_li_regressor(model.chain, poses, motion, Y);
+    for (int b = 0; b < base.rank(); ++b) {
+      rows.col(b).segment(static_cast<Eigen::Index>(k) * n, n) =
+          Y.col(base.independent[static_cast<std::size_t>(b)]);
+    }
+    inverse_dynamics(model.chain, poses, point.velocity, point.acceleration, tau);
+    use.velocity_ratio =
+        std::max(use.velocity_ratio, point.velocity.cwiseQuotient(velocity_limits).cwiseAbs().maxCoeff());
+    use.effort_ratio = std::max(use.effort_ratio, tau.cwiseQuotient(effort_limits).cwiseAbs().maxCoeff());
+    use.lowest = std::min(use.lowest, poses.p_0T.z());
+    for (int i = 1; i < n; ++i)
+      use.lowest = std::min(use.lowest, poses.p_0B[static_cast<std::size_t>(i)].z());
+    for (int i = 0; i < n; ++i) {
+      const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
+      if (!limits.has_position) continue;
+      use.position_margin =
+          std::min({use.position_margin, point.position[i] - limits.lower, limits.upper - point.position[i]});
+    }
+  }
+  const Eigen::VectorXd length = rows.colwise().norm().cwiseMax(1e-12);
+  Eigen::MatrixXd gram = rows.transpose() * rows;
+  gram = length.cwiseInverse().asDiagonal() * gram * length.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd eigen =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(gram, Eigen::EigenvaluesOnly).eigenvalues();
+  use.condition = eigen[0] > 0.0 ? std::sqrt(eigen[eigen.size() - 1] / eigen[0]) : kInfinity;
+  return use;
+}
+
+ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOptions& options,
+                                   const std::atomic<bool>& stop) {
+  check(model, options);
+  const Designer designer(model, options);
+  ExcitationDesign design;
+  std::mt19937_64 generator(options.seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<double> best(designer.variables());
+  double best_cost = kInfinity;
+  const auto take = [&](const std::vector<double>& x) {
+    const double cost = designer.cost(x);
+    ++design.evaluations;
+    if (cost < best_cost) {
+      best_cost = cost;
+      best = x;
+    }
+    if (options.progress) options.progress(design.evaluations, std::exp(best_cost));
+    return cost;
+  };
+  for (int start = 0; start < kRandomStarts && !stop; ++start) {
+    std::vector<double> x(designer.variables());
+    for (double& v : x) v = uniform(generator);
+    take(x);
+  }
+  design.random_condition = use_of(designer.at(best), model, designer.base()).condition;
+  SolverProblem problem;
+  problem.start = best;
+  problem.evaluate = [&](const std::vector<double>& x, SolverValue& value) {
+    if (stop || design.evaluations >= options.evaluations) return false;
+    value.objective = take(x);
+    return true;
+  };
+  SolverOptions solver;
+  solver.algorithm = "SBPLX";
+  solver.initial_step = 0.2;
+  solver.x_tolerance = 1e-4;
+  solver.seed = options.seed;
+  minimize(problem, solver);
+
+  design.excitation = designer.at(best);
+  design.use = use_of(design.excitation, model, designer.base());
+  if (violation(design.use, options) > 0.0 && !stop) {
+    throw InputError(fmt::format(
+        "no trajectory around this centre keeps the limits: the best one takes {:.3g} of the effort limits "
+        "(at most {}), "
+        "comes down to {:.3g} m (at least {}); move the centre, lower the amplitude, or raise the margin",
+        design.use.effort_ratio, options.margin, design.use.lowest, options.min_height));
+  }
+  return design;
+}
+
+}  // namespace armtune

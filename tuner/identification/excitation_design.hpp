@@ -1,0 +1,50 @@
+#pragma once
+// The exciting trajectory whose regressor has the smallest condition number inside the arm's limits.
+
+#include <atomic>
+#include <functional>
+
+#include "core/robot/robot_model.hpp"
+#include "tuner/identification/base_parameters.hpp"
+#include "tuner/identification/excitation.hpp"
+
+namespace armtune {
+
+struct ExcitationOptions {
+  double frequency = 0.1;  ///< base frequency [Hz]
+  int harmonics = 5;
+  double duration = 20.0;    ///< [s]
+  double fade = 2.0;         ///< [s]
+  JointVector center;        ///< empty: the middle of the position limits
+  double amplitude = 1.0;    ///< largest distance from the centre [rad, m]
+  double margin = 0.8;       ///< share of the velocity and effort limits that may be used
+  double min_height = -1e9;  ///< joint origins and tool stay above it [m], base frame
+  long evaluations = 20000;
+  std::uint64_t seed = 1;
+  std::function<void(long evaluations, double condition)> progress;
+};
+
+/// How a trajectory uses the arm: largest shares of the limits, lowest point, and what it tells of the
+/// parameters.
+struct ExcitationUse {
+  double condition = 0.0;        ///< of the base regressor, columns of unit length
+  double position_margin = 0.0;  ///< smallest distance to a position limit [rad, m]
+  double velocity_ratio = 0.0;
+  double effort_ratio = 0.0;  ///< by inverse dynamics of the model
+  double lowest = 0.0;        ///< [m]
+};
+
+ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, const BaseParameters& base);
+
+struct ExcitationDesign {
+  Excitation excitation;
+  ExcitationUse use;
+  double random_condition = 0.0;  ///< of the best random series that was tried first
+  long evaluations = 0;
+};
+
+/// Throws InputError if no trajectory around the centre keeps the limits.
+ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOptions& options,
+                                   const std::atomic<bool>& stop);
+
+}  // namespace armtune

@@ -1,0 +1,58 @@
+#include "tuner/identification/identification_files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace armtune {
+
+std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
+                       const std::vector<std::string>& header) {
+  std::string text;
+  for (const std::string& line : header) text += fmt::format("# {}\n", line);
+  Eigen::Index i = 0;
+  for (const std::string& name : theta_names(model)) text += fmt::format("{}: {}\n", name, theta[i++]);
+  return text;
+}
+
+std::string base_parameters_csv(const RobotModel& model, const Identification& found) {
+  const Eigen::VectorXd file = found.base.map * theta_of(model.chain);
+  const Eigen::VectorXd physical = found.base.map * found.theta;
+  const Eigen::VectorXd deviation = found.estimate.deviation();
+  std::string text = "group,estimate,standard_deviation,robot_file,physical\n";
+  for (Eigen::Index b = 0; b < file.size(); ++b) {
+    const std::string sd = std::isfinite(deviation[b]) ? fmt::format("{:.6g}", deviation[b]) : "";
+    text += fmt::format("\"{}\",{:.9g},{},{:.9g},{:.9g}\n", found.base.names[static_cast<std::size_t>(b)],
+                        found.estimate.theta[b], sd, file[b], physical[b]);
+  }
+  return text;
+}
+
+RobotModel with_theta(const RobotModel& model, const ParameterVector& theta) {
+  RobotModel found = model;
+  for (int i = 0; i < model.n(); ++i) {
+    const auto p = theta.segment<kLinkParameters>(i * kLinkParameters);
+    LinkInertia& link = found.chain.link[static_cast<std::size_t>(i)];
+    link.mass = p[0];
+    link.first_moment = p.segment<3>(1);
+    link.inertia << p[4], p[5], p[6], p[5], p[7], p[8], p[6], p[8], p[9];
+    const auto joint = theta.segment<kJointParameters>(joint_parameter_index(model.n(), i));
+    found.chain.rotor_inertia[i] = joint[0];
+    found.chain.viscous_friction[i] = joint[1];
+    found.chain.coulomb_friction[i] = joint[2];
+  }
+  return found;
+}
+
+std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
+  const auto list = [](const JointVector& v) {
+    return fmt::format("[{}]", fmt::join(v.data(), v.data() + v.size(), ", "));
+  };
+  return fmt::format(
+      "urdf: {}\ntip_link: tool\nrotor_inertia: {}\nviscous_friction: {}\ncoulomb_friction: {}\n", urdf,
+      list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
+      list(model.chain.coulomb_friction));
+}
+
+}  // namespace armtune

@@ -1,0 +1,26 @@
+#pragma once
+// What `armtune identify` leaves behind.
+
+#include <string>
+#include <vector>
+
+#include "tuner/identification/identify.hpp"
+
+namespace armtune {
+
+/// Text of theta.yaml: every entry of theta by name, as a scenario's `theta_start: {file: ...}` reads it.
+std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
+                       const std::vector<std::string>& header);
+
+/// Text of base_parameters.csv: group, unit-free name of its leading parameter, estimate, standard deviation,
+/// the robot file's value, the physically valid theta's value.
+std::string base_parameters_csv(const RobotModel& model, const Identification& found);
+
+/// The model with theta's links, rotor inertia and friction.
+RobotModel with_theta(const RobotModel& model, const ParameterVector& theta);
+
+/// Text of robot.yaml beside robot.urdf: tool frame, rotor inertia and friction, which a URDF has no place
+/// for.
+std::string robot_yaml(const RobotModel& model, const std::string& urdf);
+
+}  // namespace armtune

@@ -1,0 +1,76 @@
+#pragma once
+// Logs of joint positions, velocities and torques in CSV, read line by line: a rollout's or a real robot's.
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/robot/robot_model.hpp"
+
+namespace armtune {
+
+/// Where a joint's numbers stand and what they are multiplied with to become SI.
+struct LogColumn {
+  std::string name;
+  double scale = 1.0;
+};
+
+/// Columns of a log, joints in the model's order.
+struct LogColumns {
+  LogColumn time;
+  std::vector<LogColumn> position;
+  std::vector<LogColumn> velocity;  ///< n, or empty: the log has none
+  std::vector<LogColumn> torque;
+};
+
+/// As armtune writes them: `time`, `joint/NAME/position`, `joint/NAME/velocity`, `joint/NAME/torque`.
+LogColumns default_log_columns(const RobotModel& model);
+
+/// From a YAML file: time, position, velocity (may be missing), torque; each of the last three is a list of n
+/// column names, or a map from joint names to column names, with `scale` factors beside them. Throws
+/// InputError.
+LogColumns load_log_columns(const std::string& path, const RobotModel& model);
+
+struct LogSample {
+  double time = 0.0;
+  JointVector q;
+  JointVector qd;  ///< empty if the log has no velocities
+  JointVector torque;
+};
+
+/// Reads a log from its start. Throws InputError with file, line and column for whatever is not a whole log:
+/// missing columns, rows of another length, text that is no finite number, times that do not grow evenly.
+class LogFile {
+ public:
+  LogFile(const std::string& path, const LogColumns& columns);
+
+  /// The next sample, or none at the end.
+  std::optional<LogSample> next();
+  /// Time between samples [s]: that of the first two rows.
+  double period() const { return period_; }
+  const std::string& path() const { return path_; }
+
+ private:
+  bool read_row();
+  double number(std::size_t column, const LogColumn& what) const;
+  JointVector numbers(const std::vector<std::size_t>& places, const std::vector<LogColumn>& columns) const;
+  std::optional<LogSample> read_sample();
+  void check_time(double time);
+
+  std::string path_;
+  LogColumns columns_;
+  std::ifstream file_;
+  std::string line_;
+  long line_number_ = 0;
+  std::vector<std::string_view> cells_;
+  std::size_t width_ = 0;
+  std::size_t time_place_ = 0;
+  std::vector<std::size_t> position_places_, velocity_places_, torque_places_;
+  double period_ = 0.0;
+  double last_time_ = 0.0;
+  long samples_ = 0;
+  std::vector<LogSample> first_;  ///< read ahead for the period
+};
+
+}  // namespace armtune

@@ -1,0 +1,38 @@
+#pragma once
+// The last samples of a stream of vectors, as one matrix that a filter's weights can be laid over.
+
+#include <Eigen/Core>
+
+namespace armtune {
+
+class MovingWindow {
+ public:
+  /// length: samples in the window; step: a result every `step` samples once the window is full.
+  MovingWindow(Eigen::Index channels, int length, int step)
+      : length_(length), step_(step), samples_(channels, 4 * length) {}
+
+  /// Takes a sample (channels); true if a result is due.
+  bool push(const Eigen::VectorXd& sample) {
+    if (end_ == samples_.cols()) {
+      samples_.leftCols(length_) = samples_.rightCols(length_).eval();
+      end_ = length_;
+    }
+    samples_.col(end_++) = sample;
+    const long past = ++seen_ - length_;
+    return past >= 0 && past % step_ == 0;
+  }
+
+  /// Weighted sum of the window's samples, channels `first` .. `first + count`.
+  Eigen::VectorXd sum(const Eigen::VectorXd& weights, Eigen::Index first, Eigen::Index count) const {
+    return samples_.block(first, end_ - length_, count, length_) * weights;
+  }
+
+ private:
+  Eigen::Index length_;
+  long step_;
+  Eigen::MatrixXd samples_;
+  Eigen::Index end_ = 0;
+  long seen_ = 0;
+};
+
+}  // namespace armtune

@@ -1,0 +1,176 @@
+#include "tuner/identification/regression.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tuner/identification/sparse_qr.hpp"
+
+namespace armtune {
+namespace {
+
+/// Rows that wait for the next factorisation.
+constexpr std::size_t kBlock = 2000;
+/// The rows' filter makes neighbours alike: its autocorrelation has died away after this many rows.
+constexpr std::size_t kLags = 24;
+constexpr int kWeightIterations = 20;
+/// A column of unit length counts as not excited when less than this is left of it beside the others.
+constexpr double kNotExcited = 1e-7;
+
+/// The factor under the rows that came after it, sparse.
+SparseMatrix stacked(const Eigen::MatrixXd& factor, const std::vector<Eigen::VectorXd>& rows) {
+  const Eigen::Index columns = factor.cols();
+  std::vector<Eigen::Triplet<double, long>> entries;
+  entries.reserve(static_cast<std::size_t>(factor.size()) + rows.size() * static_cast<std::size_t>(columns));
+  const auto add = [&entries](Eigen::Index r, Eigen::Index c, double value) {
+    if (value != 0.0) entries.emplace_back(r, c, value);
+  };
+  for (Eigen::Index r = 0; r < factor.rows(); ++r) {
+    for (Eigen::Index c = r; c < columns; ++c) add(r, c, factor(r, c));
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (Eigen::Index c = 0; c < columns; ++c)
+      add(factor.rows() + static_cast<Eigen::Index>(k), c, rows[k][c]);
+  }
+  SparseMatrix matrix(factor.rows() + static_cast<Eigen::Index>(rows.size()), columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// (-theta, 1): (Y, tau) times it is the residual.
+Eigen::VectorXd residual_of(const Eigen::VectorXd& theta) {
+  Eigen::VectorXd a(theta.size() + 1);
+  a << -theta, 1.0;
+  return a;
+}
+
+}  // namespace
+
+Regression::Regression(int joints, int rank)
+    : joints_(joints),
+      rank_(rank),
+      waiting_(static_cast<std::size_t>(joints)),
+      factor_(static_cast<std::size_t>(joints), Eigen::MatrixXd::Zero(0, rank + 1)),
+      moments_(static_cast<std::size_t>(joints),
+               std::vector<Eigen::MatrixXd>(kLags + 1, Eigen::MatrixXd::Zero(rank + 1, rank + 1))),
+      pairs_(kLags + 1, 0) {}
+
+void Regression::add(const Eigen::MatrixXd& rows) {
+  ++rows_;
+  last_.insert(last_.begin(), rows);
+  if (last_.size() > kLags + 1) last_.pop_back();
+  for (std::size_t lag = 0; lag < last_.size(); ++lag) {
+    ++pairs_[lag];
+    for (std::size_t j = 0; j < waiting_.size(); ++j) {
+      const auto joint = static_cast<Eigen::Index>(j);
+      moments_[j][lag].noalias() += last_[lag].row(joint).transpose() * rows.row(joint);
+    }
+  }
+  for (std::size_t j = 0; j < waiting_.size(); ++j) {
+    waiting_[j].emplace_back(rows.row(static_cast<Eigen::Index>(j)).transpose());
+    if (waiting_[j].size() >= kBlock) compress(j);
+  }
+}
+
+void Regression::compress(std::size_t joint) {
+  if (waiting_[joint].empty()) return;
+  factor_[joint] = triangular_factor(stacked(factor_[joint], waiting_[joint]));
+  waiting_[joint].clear();
+}
+
+Eigen::VectorXd Regression::solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
+                                           Estimate& out) const {
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(joints_) * (rank_ + 1), rank_ + 1);
+  for (int j = 0; j < joints_; ++j) {
+    all.middleRows(static_cast<Eigen::Index>(j) * (rank_ + 1), rank_ + 1) =
+        factor_[static_cast<std::size_t>(j)] / deviation[j];
+  }
+  Eigen::VectorXd length = all.leftCols(rank_).colwise().norm();
+  length = (length.array() > 0.0).select(length, 1.0);
+  Eigen::MatrixXd scaled = all.leftCols(rank_) * length.cwiseInverse().asDiagonal();
+  const RankRevealed revealed = rank_revealing_factor(SparseMatrix(scaled.sparseView()), kNotExcited);
+  out.not_excited = revealed.dead;
+
+  // What is not excited keeps its prior; the rest is solved for beside it.
+  Eigen::VectorXd theta = prior;
+  Eigen::VectorXd torque = all.col(rank_);
+  for (const int dead : revealed.dead) torque -= all.col(dead) * prior[dead];
+  const auto live = static_cast<Eigen::Index>(revealed.live.size());
+  Eigen::MatrixXd system(all.rows(), live + 1);
+  for (Eigen::Index k = 0; k < live; ++k)
+    system.col(k) = scaled.col(revealed.live[static_cast<std::size_t>(k)]);
+  system.col(live) = torque;
+  const Eigen::MatrixXd R = triangular_factor(SparseMatrix(system.sparseView()));
+  const Eigen::VectorXd x =
+      R.topLeftCorner(live, live).triangularView<Eigen::Upper>().solve(R.col(live).head(live));
+  for (Eigen::Index k = 0; k < live; ++k) {
+    const int b = revealed.live[static_cast<std::size_t>(k)];
+    theta[b] = x[k] / length[b];
+  }
+  const Eigen::VectorXd singular = R.topLeftCorner(live, live).jacobiSvd().singularValues();
+  out.condition = singular[0] / singular[singular.size() - 1];
+  return theta;
+}
+
+double Regression::autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& a) const {
+  return pairs_[lag] > 0 ? a.dot(moments_[joint][lag] * a) / static_cast<double>(pairs_[lag]) : 0.0;
+}
+
+Estimate Regression::solve(const Eigen::VectorXd& prior) {
+  for (std::size_t j = 0; j < waiting_.size(); ++j) compress(j);
+  Estimate out;
+  out.rows = rows_;
+  const double freedom = std::max(1.0, static_cast<double>(rows_) - static_cast<double>(rank_) / joints_);
+  Eigen::VectorXd deviation = Eigen::VectorXd::Ones(joints_);
+  for (int iteration = 0; iteration < kWeightIterations; ++iteration) {
+    out.theta = solve_weighted(deviation, prior, out);
+    const Eigen::VectorXd a = residual_of(out.theta);
+    Eigen::VectorXd next(joints_);
+    for (int j = 0; j < joints_; ++j) {
+      next[j] = (factor_[static_cast<std::size_t>(j)] * a).norm() / std::sqrt(freedom);
+    }
+    // Noise-free data must not divide by zero.
+    next = next.cwiseMax(1e-9 * std::max(1e-12, next.maxCoeff()));
+    const bool settled = (next - deviation).cwiseAbs().maxCoeff() < 1e-6 * next.maxCoeff();
+    deviation = next;
+    if (settled) break;
+  }
+  out.torque_residual = deviation;
+
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(rank_, rank_);
+  Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(rank_, rank_);
+  const Eigen::VectorXd a = residual_of(out.theta);
+  const double unbiased = static_cast<double>(rows_) / freedom;
+  for (std::size_t j = 0; j < factor_.size(); ++j) {
+    const double weight = std::pow(deviation[static_cast<Eigen::Index>(j)], -2.0);
+    const auto Y = [&](std::size_t lag) { return moments_[j][lag].topLeftCorner(rank_, rank_); };
+    information += weight * Y(0);
+    meat += weight * weight * unbiased * autocovariance(j, 0, a) * Y(0);
+    for (std::size_t lag = 1; lag <= kLags; ++lag) {
+      // Bartlett's taper keeps the sum positive semi-definite.
+      const double taper = 1.0 - static_cast<double>(lag) / static_cast<double>(kLags + 1);
+      meat += weight * weight * unbiased * taper * autocovariance(j, lag, a) * (Y(lag) + Y(lag).transpose());
+    }
+  }
+  Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
+  for (const int dead : out.not_excited) {
+    information.row(dead).setZero();
+    information.col(dead).setZero();
+    meat.row(dead).setZero();
+    meat.col(dead).setZero();
+    scale[dead] = 1.0;
+    information(dead, dead) = 1.0;
+  }
+  const Eigen::VectorXd unscale = scale.cwiseInverse();
+  const Eigen::MatrixXd H = unscale.asDiagonal() * information * unscale.asDiagonal();
+  const Eigen::MatrixXd W = unscale.asDiagonal() * meat * unscale.asDiagonal();
+  const Eigen::LDLT<Eigen::MatrixXd> factor(H);
+  const Eigen::MatrixXd half = factor.solve(W);
+  out.covariance = unscale.asDiagonal() * factor.solve(half.transpose()) * unscale.asDiagonal();
+  for (const int dead : out.not_excited) out.covariance(dead, dead) = std::numeric_limits<double>::infinity();
+  return out;
+}
+
+}  // namespace armtune

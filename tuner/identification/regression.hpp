@@ -1,0 +1,54 @@
+#pragma once
+// Least squares for theta_base over any number of rows, without keeping them: one triangular factor per
+// joint, so that the joints' weights may change without another pass, and the moments that the covariance
+// needs.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace armtune {
+
+struct Estimate {
+  Eigen::VectorXd theta;            ///< theta_base (rank)
+  Eigen::MatrixXd covariance;       ///< of theta_base
+  Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
+  std::vector<int>
+      not_excited;         ///< groups the rows say nothing of: kept at their prior value, variance infinite
+  double condition = 0.0;  ///< of the weighted regressor with columns of unit length
+  long rows = 0;           ///< per joint
+
+  Eigen::VectorXd deviation() const { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
+};
+
+class Regression {
+ public:
+  Regression(int joints, int rank);
+
+  /// Rows of one instant: n x (rank + 1), columns (Y_base, tau), each row multiplied by the root of its
+  /// weight. Instants of a log come in order; `begin_log` separates logs.
+  void add(const Eigen::MatrixXd& rows);
+  void begin_log() { last_.clear(); }
+
+  /// Weighted least squares, the weights 1/sigma_j^2 of the joints iterated from the residuals. The
+  /// covariance is the sandwich estimator with the residuals' autocorrelation (White, Asymptotic Theory for
+  /// Econometricians, 1984, ch. 6): rows filtered from the same samples are no independent witnesses. prior
+  /// (rank): value of what the rows do not excite.
+  Estimate solve(const Eigen::VectorXd& prior);
+
+ private:
+  void compress(std::size_t joint);
+  Eigen::VectorXd solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
+                                 Estimate& out) const;
+  double autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& residual_of) const;
+
+  int joints_;
+  int rank_;
+  long rows_ = 0;
+  std::vector<std::vector<Eigen::VectorXd>> waiting_;  ///< [joint]: rows not yet in the factor
+  std::vector<Eigen::MatrixXd> factor_;                ///< [joint]: R of (Y_base, tau)
+  std::vector<std::vector<Eigen::MatrixXd>> moments_;  ///< [joint][lag]: sum of y_t y_(t+lag)^T, tau included
+  std::vector<long> pairs_;                            ///< [lag]
+  std::vector<Eigen::MatrixXd> last_;                  ///< the last instants, newest first
+};
+
+}  // namespace armtune

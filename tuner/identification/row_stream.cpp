@@ -1,0 +1,91 @@
+#include "tuner/identification/row_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+/// The first stage lets this many times the cutoff through,
+constexpr double kWide = 4.0;
+/// at most this share of the sampling rate.
+constexpr double kWidest = 0.25;
+/// Samples per second of a filtered signal, in units of its cutoff: its content ends at 1.5 of it.
+constexpr double kRate = 4.0;
+
+double checked(const RowOptions& options, const LogFile& log) {
+  if (!(options.cutoff > 0.0))
+    throw InputError(fmt::format("--cutoff is {} Hz; it must be above zero", options.cutoff));
+  const double rate = 1.0 / log.period();
+  if (2.0 * options.cutoff > kWidest * rate) {
+    throw InputError(
+        fmt::format("{}: {:.4g} samples per second are too few for a cutoff of {} Hz; at most {:.3g} Hz",
+                    log.path(), rate, options.cutoff, 0.5 * kWidest * rate));
+  }
+  return std::min(kWide * options.cutoff, kWidest * rate);
+}
+
+int decimation(double cutoff, double period) {
+  return std::max(1, static_cast<int>(1.0 / (kRate * cutoff * period)));
+}
+
+Eigen::Index rows_size(const RobotModel& model, const BaseParameters& base) {
+  return static_cast<Eigen::Index>(model.n()) * (base.rank() + 1);
+}
+
+}  // namespace
+
+RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log,
+                     const RowOptions& options)
+    : model_(model),
+      base_(base),
+      log_(log),
+      period_(log.period()),
+      motion_filter_(low_pass(checked(options, log), period_)),
+      torque_filter_(low_pass(checked(options, log), period_, options.torque_delay)),
+      motion_step_(decimation(checked(options, log), period_)),
+      row_filter_(low_pass(options.cutoff, period_ * motion_step_)),
+      row_step_(decimation(options.cutoff, period_ * motion_step_)),
+      motion_(2 * static_cast<Eigen::Index>(model.n()), motion_filter_.length(), motion_step_),
+      rows_(rows_size(model, base), row_filter_.length(), row_step_) {
+  const double longest = 0.1 * low_pass_half_length(checked(options, log));
+  if (std::abs(options.torque_delay) > longest) {
+    throw InputError(fmt::format("--torque-delay is {} s; at this cutoff it must lie within {:.3g} s of zero",
+                                 options.torque_delay, longest));
+  }
+}
+
+Eigen::VectorXd RowStream::regressor_rows() {
+  const int n = model_.n();
+  const JointVector q = motion_.sum(motion_filter_.value, 0, n);
+  const JointVector qd = motion_.sum(motion_filter_.first, 0, n);
+  const JointVector qdd = motion_.sum(motion_filter_.second, 0, n);
+  const Eigen::VectorXd tau = motion_.sum(torque_filter_.value, n, n);
+  forward_kinematics(model_.chain, q, poses_);
+  slotine_li_forward(model_.chain, poses_, qd, qd, qdd, slotine_li_);
+  slotine_li_regressor(model_.chain, poses_, slotine_li_, Y_);
+  Eigen::MatrixXd rows(n, base_.rank() + 1);
+  for (int b = 0; b < base_.rank(); ++b) rows.col(b) = Y_.col(base_.independent[static_cast<std::size_t>(b)]);
+  rows.rightCols<1>() = tau;
+  return rows.reshaped();
+}
+
+bool RowStream::next(Eigen::MatrixXd& rows) {
+  const int n = model_.n();
+  Eigen::VectorXd sample(2 * n);
+  while (const auto logged = log_.next()) {
+    ++samples_;
+    sample << logged->q, logged->torque;
+    if (!motion_.push(sample)) continue;
+    if (!rows_.push(regressor_rows())) continue;
+    rows = rows_.sum(row_filter_.value, 0, rows_size(model_, base_)).reshaped(n, base_.rank() + 1);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace armtune
