@@ -6,6 +6,30 @@
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune {
+namespace {
+
+/// Denser by `mass_factor`, then spread wider about its centre of mass by `inertia_factor`: a body whose
+/// principal moments about its centre all grow alike stays one that can be built.
+LinkInertia scaled(const LinkInertia& body, double mass_factor, double inertia_factor) {
+  LinkInertia result{mass_factor * body.mass, mass_factor * body.first_moment, mass_factor * body.inertia};
+  if (inertia_factor == 1.0) return result;  // exactly the same body, without the rounding of the shifts
+  const Vec3 c = result.first_moment / result.mass;
+  LinkInertia centered = in_frame(result, Mat3::Identity(), -c);
+  centered.first_moment.setZero();
+  centered.inertia *= inertia_factor;
+  return in_frame(centered, Mat3::Identity(), c);
+}
+
+void apply_factors(const PlantConditions& plant, Chain& chain) {
+  const auto factor = [](const JointVector& factors, int i) { return factors.size() > 0 ? factors[i] : 1.0; };
+  for (int i = 0; i < chain.n; ++i) {
+    LinkInertia& link = chain.link[static_cast<std::size_t>(i)];
+    link = scaled(link, factor(plant.mass_factors, i), factor(plant.inertia_factors, i));
+    chain.rotor_inertia[i] *= factor(plant.rotor_factors, i);
+  }
+}
+
+}  // namespace
 
 int Scenario::periods() const {
   return static_cast<int>(std::llround(duration / control_period));
@@ -19,7 +43,9 @@ std::size_t Scenario::active_target(double t) const {
 }
 
 RobotModel plant_model(const Scenario& scenario) {
-  RobotModel plant = with_payload(*scenario.robot, scenario.plant.payload);
+  RobotModel bare = *scenario.robot;
+  apply_factors(scenario.plant, bare.chain);
+  RobotModel plant = with_payload(bare, scenario.plant.payload);
   if (scenario.plant.viscous_friction.size() > 0) {
     plant.chain.viscous_friction += scenario.plant.viscous_friction;
   }

@@ -32,6 +32,9 @@ struct PlantConditions {
   Payload payload;               ///< at the tool, unknown to the controller
   JointVector viscous_friction;  ///< unknown to the controller, on top of the model's; n or empty
   JointVector coulomb_friction;
+  JointVector mass_factors;     ///< on each link's mass, first moment and inertia alike; n or empty (all 1)
+  JointVector inertia_factors;  ///< then on its inertia about the centre of mass; n or empty
+  JointVector rotor_factors;    ///< on each joint's rotor inertia; n or empty
 };
 
 /// How the controller sees the targets when it does not know their motion.
@@ -67,7 +70,7 @@ struct Scenario {
 /// from other files first; the file's own keys replace them whole. Throws InputError.
 Scenario load_scenario(const std::string& name_or_path);
 
-/// The arm as it really is in the scenario: payload and friction included.
+/// The arm as it really is in the scenario: factors, then payload and friction included.
 RobotModel plant_model(const Scenario& scenario);
 
 /// theta (13 n) that the controller starts from.

@@ -100,6 +100,17 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
     *values = yaml::joint_values(*friction, joints);
     if ((values->array() < 0.0).any()) friction->fail("friction must not be negative");
   }
+  for (const auto& [key, values] :
+       {std::pair{"mass_factors", &plant.mass_factors}, std::pair{"inertia_factors", &plant.inertia_factors},
+        std::pair{"rotor_factors", &plant.rotor_factors}}) {
+    const yaml::Node* factors = map.optional(key);
+    if (factors == nullptr) continue;
+    *values = yaml::joint_values(*factors, joints);
+    if (!(values->array() > 0.0).all()) {
+      factors->fail(
+          fmt::format("a factor is {}; each must be > 0 (1: as in the robot file)", values->minCoeff()));
+    }
+  }
   map.finish();
   return plant;
 }

@@ -1,0 +1,173 @@
+#include "sim/scenario/perturbation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/robot/theta.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/states.hpp"
+#include "tests/core/support/worst_error.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Rounding of sums of a few dozen products.
+constexpr double kRounding = 1e-12;
+
+Scenario scenario_on(RobotModel arm) {
+  Scenario scenario;
+  scenario.robot = std::make_shared<RobotModel>(std::move(arm));
+  return scenario;
+}
+
+LinkInertia about_center(const LinkInertia& body) {
+  return in_frame(body, Mat3::Identity(), -body.first_moment / body.mass);
+}
+
+TEST(PlantFactors, ScaleMassAndInertiaAboutTheCenterWithoutMovingTheCenter) {
+  test::WorstError law("mass, centre and inertia scale as named", kRounding);
+  std::mt19937 generator(3);
+  for (const RobotModel& arm : test::all_arms()) {
+    Scenario scenario = scenario_on(arm);
+    PlantConditions& plant = scenario.plant;
+    plant.mass_factors = JointVector::Ones(arm.n()) + test::random_vector(generator, arm.n(), 0.2);
+    plant.inertia_factors = JointVector::Ones(arm.n()) + test::random_vector(generator, arm.n(), 0.2);
+    plant.rotor_factors = JointVector::Ones(arm.n()) + test::random_vector(generator, arm.n(), 0.2);
+    const RobotModel real = plant_model(scenario);
+    validate(real);
+    for (int i = 0; i < arm.n(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const LinkInertia& before = arm.chain.link[k];
+      const LinkInertia& after = real.chain.link[k];
+      const double a = plant.mass_factors[i];
+      law.compare(after.mass, a * before.mass, arm.name);
+      law.compare(after.first_moment, Vec3(a * before.first_moment), arm.name);
+      // The shift to the centre cancels two numbers of the size of the inertia about the joint.
+      law.compare(about_center(after).inertia,
+                  Mat3(a * plant.inertia_factors[i] * about_center(before).inertia), arm.name,
+                  before.inertia.norm());
+      law.compare(real.chain.rotor_inertia[i], plant.rotor_factors[i] * arm.chain.rotor_inertia[i], arm.name);
+    }
+  }
+}
+
+TEST(PlantFactors, OfOneOrNoneLeaveTheArmBitForBit) {
+  const RobotModel arm = test::seven_joint_arm();
+  const Scenario none = scenario_on(arm);
+  Scenario one = scenario_on(arm);
+  one.plant.mass_factors = one.plant.inertia_factors = one.plant.rotor_factors = JointVector::Ones(arm.n());
+  EXPECT_EQ(theta_of(plant_model(none).chain), theta_of(arm.chain));
+  EXPECT_EQ(theta_of(plant_model(one).chain), theta_of(arm.chain));
+}
+
+TEST(PlantFactors, ComeFromTheScenarioFileAndMustBePositive) {
+  const test::TemporaryFolder folder;
+  const std::string path =
+      folder.write("own.yaml",
+                   "base: moving_target\nplant:\n  mass_factors: [1, 1.1, 1, 1, 1, 0.9]\n"
+                   "  inertia_factors: [1, 1, 1, 1, 1, 1.2]\n  rotor_factors: [0.8, 1, 1, 1, 1, 1]\n");
+  const Scenario scenario = load_scenario(path);
+  const RobotModel real = plant_model(scenario);
+  EXPECT_DOUBLE_EQ(real.chain.link[1].mass, 1.1 * scenario.robot->chain.link[1].mass);
+  EXPECT_DOUBLE_EQ(real.chain.rotor_inertia[0], 0.8 * scenario.robot->chain.rotor_inertia[0]);
+  EXPECT_EQ(scenario.plant.inertia_factors[5], 1.2);
+
+  for (const char* key : {"mass_factors", "inertia_factors", "rotor_factors"}) {
+    folder.write("own.yaml", std::string("base: moving_target\nplant:\n  ") + key + ": [1, 1, 0, 1, 1, 1]\n");
+    EXPECT_THAT(test::refusal([&] { load_scenario(path); }),
+                AllOf(HasSubstr("own.yaml:3:"), HasSubstr(key), HasSubstr("> 0")));
+  }
+}
+
+/// theta of the plant, and everything else a sample changes.
+std::vector<double> everything(const Scenario& s) {
+  const ParameterVector theta = theta_of(plant_model(s).chain);
+  std::vector<double> all(theta.begin(), theta.end());
+  for (const NamedPath& p : s.targets) all.push_back(p.path.phase);
+  for (const NamedPath& p : s.obstacles) all.push_back(p.path.phase);
+  all.push_back(static_cast<double>(s.seed));
+  return all;
+}
+
+TEST(Perturbed, ASampleIsTheSameOneWhateverElseIsDrawn) {
+  const Scenario scenario = load_scenario("realistic_obstacle_pass");
+  const auto alone = everything(perturbed(scenario, {}, 1, 41));
+  for (std::uint64_t sample = 0; sample < 41; ++sample) {
+    EXPECT_NE(everything(perturbed(scenario, {}, 1, sample)), alone);
+  }
+  EXPECT_EQ(everything(perturbed(scenario, {}, 1, 41)), alone);
+  EXPECT_NE(everything(perturbed(scenario, {}, 2, 41)), alone) << "another seed";
+}
+
+TEST(Perturbed, ASampleIsOneArmInEveryScenario) {
+  const RobotModel a = plant_model(perturbed(load_scenario("realistic_fixed_target"), {}, 1, 5));
+  const RobotModel b = plant_model(perturbed(load_scenario("realistic_obstacle_pass"), {}, 1, 5));
+  EXPECT_EQ(theta_of(a.chain), theta_of(b.chain));
+}
+
+TEST(Perturbed, StaysWithinItsRangesFillsThemAndIsAnArmThatCanBeBuilt) {
+  const Scenario scenario = load_scenario("realistic_obstacle_pass");
+  const Perturbation range;
+  constexpr int kSamples = 400;
+  double payload_sum = 0.0;
+  double least_mass = 2.0;
+  double most_friction = 0.0;
+  double most_phase = 0.0;
+  for (std::uint64_t k = 0; k < kSamples; ++k) {
+    const Scenario drawn = perturbed(scenario, range, 7, k);
+    const PlantConditions& plant = drawn.plant;
+    for (const JointVector& factors : {plant.mass_factors, plant.inertia_factors, plant.rotor_factors}) {
+      ASSERT_EQ(factors.size(), 6);
+      EXPECT_GE(factors.minCoeff(), 0.8);
+      EXPECT_LE(factors.maxCoeff(), 1.2);
+    }
+    const JointVector viscous = plant.viscous_friction.cwiseQuotient(scenario.plant.viscous_friction);
+    const JointVector coulomb = plant.coulomb_friction.cwiseQuotient(scenario.plant.coulomb_friction);
+    EXPECT_LT((viscous - coulomb).norm(), kRounding) << "one factor per joint";
+    EXPECT_GE(viscous.minCoeff(), 0.5);
+    EXPECT_LE(viscous.maxCoeff(), 1.5);
+    EXPECT_GE(plant.payload.mass, 0.0);
+    EXPECT_LE(plant.payload.mass, 3.0);
+    EXPECT_EQ(plant.position_noise, scenario.plant.position_noise);
+    EXPECT_EQ(plant.torque_delay_periods, scenario.plant.torque_delay_periods);
+    for (const auto* paths : {&drawn.targets, &drawn.obstacles}) {
+      for (const NamedPath& path : *paths) {
+        EXPECT_GE(path.path.phase, 0.0);
+        EXPECT_LT(path.path.phase, 2.0 * M_PI);
+        most_phase = std::max(most_phase, path.path.phase);
+      }
+    }
+    EXPECT_NE(drawn.obstacles[0].path.phase, drawn.obstacles[1].path.phase);
+    validate(plant_model(drawn));
+    EXPECT_EQ(start_theta(drawn), start_theta(scenario)) << "the controller knows nothing of it";
+    payload_sum += plant.payload.mass;
+    least_mass = std::min(least_mass, plant.mass_factors.minCoeff());
+    most_friction = std::max(most_friction, viscous.maxCoeff());
+  }
+  // The mean of 400 uniform draws of width 3 has a deviation of 3 / sqrt(12 * 400) = 0.043; five of them.
+  EXPECT_NEAR(payload_sum / kSamples, 1.5, 0.22);
+  // 2400 draws miss the outer 1 % of a range with probability 0.99^2400 = 3e-11.
+  EXPECT_LT(least_mass, 0.804);
+  EXPECT_GT(most_friction, 1.49);
+  EXPECT_GT(most_phase, 0.99 * 2.0 * M_PI);
+}
+
+TEST(Perturbed, RefusesRangesThatLeaveNoArm) {
+  const Scenario scenario = load_scenario("moving_target");
+  Perturbation wide;
+  wide.mass = 1.0;
+  EXPECT_THAT(test::refusal([&] { perturbed(scenario, wide, 1, 0); }),
+              AllOf(HasSubstr("mass is 1"), HasSubstr("[0, 1)")));
+  Perturbation heavy;
+  heavy.payload_max = -1.0;
+  EXPECT_THAT(test::refusal([&] { perturbed(scenario, heavy, 1, 0); }), HasSubstr("payload_max is -1"));
+}
+
+}  // namespace
+}  // namespace armtune
