@@ -1,0 +1,70 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using testing::HasSubstr;
+
+TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
+  const test::TemporaryFolder folder;
+  const std::string excite = folder / "excite";
+  const Finished excited =
+      run_program({"excite", "ur10", "--center", "0,-90,-60,-90,90,0", "--min-height", "0.1", "--evaluations",
+                   "300", "--out", excite, "--scenario", "moving_target"});
+  ASSERT_EQ(excited.exit_code, 0) << excited.err;
+  EXPECT_THAT(excited.out, HasSubstr("condition number"));
+  for (const char* file : {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.yaml"}) {
+    EXPECT_TRUE(std::filesystem::exists(excite + "/" + file)) << file;
+  }
+
+  const std::string found = folder / "found";
+  const Finished identified = run_program({"identify", excite + "/log_moving_target.csv", "--out", found});
+  ASSERT_EQ(identified.exit_code, 0) << identified.err;
+  EXPECT_THAT(identified.out, HasSubstr("52 base parameters of 78"));
+  const auto table = test::read_csv(found + "/base_parameters.csv");
+  EXPECT_EQ(table.rows.size(), 52U);
+
+  // The result is a robot and a start for the controller.
+  const Finished robot = run_program({"robot", found + "/robot.yaml"});
+  EXPECT_EQ(robot.exit_code, 0) << robot.err;
+  EXPECT_THAT(robot.out, HasSubstr("wrist_3_joint"));
+  const std::string scenario = folder.write(
+      "short.yaml", "base: moving_target\nduration: 12\ntheta_start: {file: found/theta.yaml}\n");
+  const Finished simulated = run_program({"simulate", scenario, "--gains", "extended"});
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.err;
+  const Finished by_option =
+      run_program({"simulate", folder.write("plain.yaml", "base: moving_target\nduration: 12\n"), "--gains",
+                   "extended", "--theta", found + "/theta.yaml"});
+  EXPECT_EQ(by_option.exit_code, 0) << by_option.err;
+
+  const Finished reused = run_program({"excite", "ur10", "--trajectory", excite + "/excitation.yaml", "--out",
+                                       folder / "again", "--scenario", "moving_target"});
+  EXPECT_EQ(reused.exit_code, 0) << reused.err;
+  EXPECT_EQ(test::read_text(folder / "again/log_moving_target.csv"),
+            test::read_text(excite + "/log_moving_target.csv"));
+}
+
+TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
+  const test::TemporaryFolder folder;
+  const Finished missing = run_program({"identify", folder / "nowhere.csv"});
+  EXPECT_EQ(missing.exit_code, 2);
+  const Finished columns = run_program({"identify", folder.write("log.csv", "t,q\n0,1\n1,2\n")});
+  EXPECT_EQ(columns.exit_code, 2);
+  EXPECT_THAT(columns.err, HasSubstr("no column 'time'"));
+  const Finished center = run_program({"excite", "ur10", "--center", "0,0", "--out", folder / "out"});
+  EXPECT_EQ(center.exit_code, 2);
+  EXPECT_THAT(center.err, HasSubstr("6 joints"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+}  // namespace
+}  // namespace armtune

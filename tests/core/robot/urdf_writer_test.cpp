@@ -1,0 +1,61 @@
+#include "core/robot/urdf_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "core/robot/theta.hpp"
+#include "core/robot/urdf_reader.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/states.hpp"
+#include "tests/core/support/worst_error.hpp"
+
+namespace armtune {
+namespace {
+
+using test::WorstError;
+
+RobotModel read_back(const std::string& text) {
+  const std::string path = testing::TempDir() + "armtune_urdf_writer_test.urdf";
+  std::ofstream(path, std::ios::binary) << text;
+  UrdfOptions options;
+  options.tip_link = "tool";
+  RobotModel model = read_urdf(path, options);
+  std::remove(path.c_str());
+  return model;
+}
+
+TEST(UrdfWriter, WhatItWritesReadsBackAsTheSameArm) {
+  std::mt19937 generator(251);
+  WorstError torque("torque", 1e-9);  // rounding; angles near straight up lose half the digits
+  WorstError tool("tool", 1e-9);
+  for (const RobotModel& arm : test::all_arms()) {
+    const RobotModel back = read_back(urdf_text(arm));
+    ASSERT_EQ(joint_names(back), joint_names(arm));
+    for (int i = 0; i < arm.n(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      EXPECT_EQ(back.chain.motion[k], arm.chain.motion[k]);
+      EXPECT_EQ(back.joints[k].limits.has_position, arm.joints[k].limits.has_position);
+      EXPECT_EQ(back.joints[k].limits.lower, arm.joints[k].limits.lower);
+      EXPECT_EQ(back.joints[k].limits.velocity, arm.joints[k].limits.velocity);
+      EXPECT_EQ(back.joints[k].limits.effort, arm.joints[k].limits.effort);
+    }
+    Chain bare = test::without_friction(arm.chain);
+    bare.rotor_inertia.setZero();
+    for (int sample = 0; sample < 10; ++sample) {
+      const JointVector q = test::random_configuration(generator, arm);
+      const JointVector qd = test::random_vector(generator, arm.n(), 1.0);
+      const JointVector qdd = test::random_vector(generator, arm.n(), 2.0);
+      torque.compare(test::inverse_dynamics_at(back.chain, q, qd, qdd),
+                     test::inverse_dynamics_at(bare, q, qd, qdd), arm.name);
+      const Poses a = test::poses_at(back.chain, q);
+      const Poses b = test::poses_at(arm.chain, q);
+      tool.compare(a.p_0T, b.p_0T, arm.name);
+      tool.compare(a.R_0T, b.R_0T, arm.name);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,205 @@
+#include "tuner/identification/identify.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tests/core/support/states.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/identification/excitation_design.hpp"
+#include "tuner/identification/excitation_log.hpp"
+#include "tuner/identification/identification_files.hpp"
+
+namespace armtune {
+namespace {
+
+const std::atomic<bool> kNever{false};
+constexpr int kSeeds = 20;
+
+/// moving_target on an arm whose links and rotors differ by up to 30 % from the URDF, with friction and
+/// sensor noise.
+Scenario differing_arm(unsigned seed, double noise) {
+  std::mt19937 generator(seed);
+  Scenario scenario = load_scenario("moving_target");
+  const auto factors = [&generator] {
+    return JointVector(JointVector::Ones(6) + test::random_vector(generator, 6, 0.3));
+  };
+  PlantConditions& plant = scenario.plant;
+  plant.mass_factors = factors();
+  plant.inertia_factors = factors();
+  plant.rotor_factors = factors();
+  plant.viscous_friction.resize(6);
+  plant.viscous_friction << 4, 4, 2.5, 0.75, 0.75, 0.5;
+  plant.coulomb_friction = plant.viscous_friction.cwiseProduct(factors());
+  plant.position_noise = noise * 1e-4;
+  plant.velocity_noise = noise * 1e-2;
+  scenario.seed = seed;
+  return scenario;
+}
+
+Excitation random_series(const RobotModel& arm, std::uint64_t seed) {
+  ExcitationOptions options;
+  options.center.resize(6);
+  options.center << 0.0, -1.5, -1.0, -1.5, 1.5, 0.0;
+  options.min_height = 0.1;
+  options.seed = seed;
+  options.evaluations = 300;
+  return design_excitation(arm, options, kNever).excitation;
+}
+
+ParameterVector true_theta(const Scenario& scenario) {
+  return theta_of(plant_model(scenario).chain);
+}
+
+/// RMS of the difference between two thetas' torques along a trajectory, over the RMS of the second's.
+double prediction_error(const RobotModel& arm, const Excitation& e, const ParameterVector& found,
+                        const ParameterVector& truth) {
+  double squares = 0.0;
+  double total = 0.0;
+  SlotineLi motion;
+  JointVector a, b;
+  for (double t = 0.0; t < e.duration; t += 0.01) {
+    const MotionPoint<JointVector> point = e.at(t);
+    const Poses poses = test::poses_at(arm.chain, point.position);
+    slotine_li_forward(arm.chain, poses, point.velocity, point.velocity, point.acceleration, motion);
+    slotine_li_torque(arm.chain, poses, motion, found, a);
+    slotine_li_torque(arm.chain, poses, motion, truth, b);
+    squares += (a - b).squaredNorm();
+    total += b.squaredNorm();
+  }
+  return std::sqrt(squares / total);
+}
+
+class Identify : public ::testing::Test {
+ protected:
+  test::TemporaryFolder folder_;
+  Scenario nominal_ = load_scenario("moving_target");
+  const RobotModel& arm_ = *nominal_.robot;
+  Excitation exciting_ = random_series(arm_, 1);
+  Excitation unseen_ = random_series(arm_, 2);
+
+  std::string log(const Scenario& scenario, double torque_noise, const std::string& name = "log.csv") {
+    ExcitationLogOptions options;
+    options.torque_noise = torque_noise;
+    return folder_.write(name, log_csv(arm_, simulate_excitation(scenario, exciting_, options, kNever)));
+  }
+  Identification identified(const std::vector<std::string>& logs, const IdentifyOptions& options = {}) {
+    return identify(arm_, logs, default_log_columns(arm_), options, kNever);
+  }
+};
+
+TEST_F(Identify, FindsADifferingArmFromNoisyLogsWithinItsStatedDeviations) {
+  int within = 0;
+  int all = 0;
+  double squares = 0.0;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    const Scenario scenario = differing_arm(seed, 1.0);
+    const Identification found = identified({log(scenario, 0.5)});
+    const ParameterVector truth = true_theta(scenario);
+    EXPECT_LT(prediction_error(arm_, unseen_, found.theta, truth), 0.02) << seed;
+    const Eigen::VectorXd error =
+        (found.estimate.theta - found.base.map * truth).cwiseQuotient(found.estimate.deviation());
+    within += static_cast<int>((error.array().abs() <= 3.0).count());
+    all += static_cast<int>(error.size());
+    squares += error.squaredNorm();
+  }
+  EXPECT_GE(within, 0.95 * all) << within << " of " << all;
+  // Nor may the deviations be stated too large.
+  const double rms = std::sqrt(squares / all);
+  RecordProperty("rms_of_normalised_errors", std::to_string(rms));
+  RecordProperty("within_three_deviations", std::to_string(static_cast<double>(within) / all));
+  EXPECT_GT(rms, 0.6);
+  EXPECT_LT(rms, 1.6);
+}
+
+TEST_F(Identify, WithoutNoiseFindsTheArmItself) {
+  const Scenario scenario = differing_arm(31, 0.0);
+  const Identification found = identified({log(scenario, 0.0)});
+  // What is left is the torque's being held over the control period: second order in 2 ms.
+  EXPECT_LT(prediction_error(arm_, unseen_, found.theta, true_theta(scenario)), 1e-4);
+}
+
+TEST_F(Identify, ManyLogsAreOneAndMoreOfThemKnowMore) {
+  const Scenario scenario = differing_arm(32, 1.0);
+  Scenario again = scenario;
+  again.seed = 77;
+  const std::string first = log(scenario, 0.5, "a.csv");
+  const std::string second = log(again, 0.5, "b.csv");
+  const Identification one = identified({first});
+  const Identification both = identified({first, second});
+  const Identification turned = identified({second, first});
+  EXPECT_LT((both.estimate.theta - turned.estimate.theta).norm(), 1e-9 * both.estimate.theta.norm());
+  EXPECT_NEAR((both.estimate.deviation().cwiseQuotient(one.estimate.deviation())).mean(), std::sqrt(0.5),
+              0.1);
+  EXPECT_EQ(both.samples, 2 * one.samples);
+}
+
+TEST_F(Identify, RobustRegressionShrugsOffOutliers) {
+  const Scenario scenario = differing_arm(33, 1.0);
+  ExcitationLogOptions options;
+  options.torque_noise = 0.5;
+  ExcitationLog disturbed = simulate_excitation(scenario, exciting_, options, kNever);
+  // Someone leans on the arm: 0.4 s in every 4 s.
+  for (LogSample& sample : disturbed.samples) {
+    if (std::fmod(sample.time, 4.0) < 0.4) sample.torque.array() += 15.0;
+  }
+  const std::string path = folder_.write("log.csv", log_csv(arm_, disturbed));
+  IdentifyOptions robust;
+  robust.robust = true;
+  const ParameterVector truth = true_theta(scenario);
+  const double plain_error = prediction_error(arm_, unseen_, identified({path}).theta, truth);
+  const double robust_error = prediction_error(arm_, unseen_, identified({path}, robust).theta, truth);
+  EXPECT_LT(robust_error, 0.5 * plain_error);
+}
+
+TEST_F(Identify, ATorqueThatActsLaterIsTakenBack) {
+  Scenario scenario = differing_arm(34, 0.0);
+  ExcitationLog shifted = simulate_excitation(scenario, exciting_, {}, kNever);
+  // The log's torque of each instant acts 4 ms (two samples) later.
+  for (std::size_t k = 0; k + 2 < shifted.samples.size(); ++k)
+    shifted.samples[k].torque = shifted.samples[k + 2].torque;
+  shifted.samples.resize(shifted.samples.size() - 2);
+  const std::string path = folder_.write("log.csv", log_csv(arm_, shifted));
+  const ParameterVector truth = true_theta(scenario);
+  IdentifyOptions aware;
+  aware.rows.torque_delay = 0.004;
+  EXPECT_LT(prediction_error(arm_, unseen_, identified({path}, aware).theta, truth), 2e-4);
+  EXPECT_GT(prediction_error(arm_, unseen_, identified({path}).theta, truth), 1e-3);
+}
+
+TEST_F(Identify, TheClosedLoopStartsFiveTimesMoreAccuratelyFromItThanFromNothing) {
+  Scenario scenario = differing_arm(35, 1.0);
+  const std::string theta =
+      folder_.write("theta.yaml", theta_yaml(arm_, identified({log(scenario, 0.5)}).theta, {"found"}));
+  scenario.duration = 18.0;  // the first lap
+  const auto rms = [&] {
+    const RolloutResult result =
+        Rollout(scenario, Stepper::kMidpoint).run(load_gains("extended", joint_names(arm_)));
+    EXPECT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+    return result.metrics[Metric::kPositionRms];
+  };
+  const double from_nothing = rms();
+  start_theta_from(theta, scenario);
+  const double from_identification = rms();
+  RecordProperty("factor", std::to_string(from_nothing / from_identification));
+  EXPECT_GT(from_nothing, 5.0 * from_identification);
+}
+
+TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
+  Scenario scenario = differing_arm(36, 0.0);
+  ExcitationLog cut = simulate_excitation(scenario, exciting_, {}, kNever);
+  cut.samples.resize(700);
+  const std::string path = folder_.write("log.csv", log_csv(arm_, cut));
+  EXPECT_THAT(test::refusal([&] { identified({path}); }),
+              testing::HasSubstr("shorter than the filters' window"));
+  IdentifyOptions high;
+  high.rows.cutoff = 100.0;
+  EXPECT_THAT(test::refusal([&] { identified({path}, high); }), testing::HasSubstr("too few for a cutoff"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,76 @@
+#include "tuner/identification/log_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/support/arms.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Logs : public ::testing::Test {
+ protected:
+  RobotModel arm_ = test::random_arm(2, 5, false);
+  test::TemporaryFolder folder_;
+  LogColumns columns_{{"t"}, {{"q1"}, {"q2"}}, {}, {{"tau1"}, {"tau2"}}};
+
+  std::vector<LogSample> read(const std::string& text) {
+    LogFile log(folder_.write("log.csv", text), columns_);
+    std::vector<LogSample> samples;
+    while (auto sample = log.next()) samples.push_back(*sample);
+    return samples;
+  }
+  std::string refused(const std::string& text) {
+    return test::refusal([&] { read(text); });
+  }
+};
+
+TEST_F(Logs, AreReadByColumnNameWhateverElseStandsInThem) {
+  const auto samples = read("tau2,t, q1,note,q2,tau1\n4,0.0,1,7,2,3\n8,0.5,5,7,6,7\r\n12,1.0,9,8,10,11\n");
+  ASSERT_EQ(samples.size(), 3U);
+  EXPECT_EQ(samples[1].time, 0.5);
+  EXPECT_EQ(samples[1].q, JointVector(Eigen::Vector2d(5, 6)));
+  EXPECT_EQ(samples[2].torque, JointVector(Eigen::Vector2d(11, 12)));
+  EXPECT_EQ(samples[0].qd.size(), 0);
+}
+
+TEST_F(Logs, AColumnMapGivesNamesAndUnits) {
+  const auto joints = joint_names(arm_);
+  const std::string path = folder_.write(
+      "map.yaml",
+      "time: stamp\ntime_scale: 1e-9\nposition: {columns: [a, b], scale: 0.5}\ntorque:\n  columns:\n    " +
+          joints[1] + ": second\n    " + joints[0] + ": first\n");
+  columns_ = load_log_columns(path, arm_);
+  const auto samples = read("stamp,a,b,first,second\n0,2,4,1,2\n1000000000,2,4,3,4\n");
+  EXPECT_EQ(samples[1].time, 1.0);
+  EXPECT_EQ(samples[1].q, JointVector(Eigen::Vector2d(1, 2)));
+  EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(3, 4)));
+  EXPECT_THAT(test::refusal([&] {
+                load_log_columns(
+                    folder_.write("m.yaml", "position: {columns: [a]}\ntorque: {columns: [a, b]}\n"), arm_);
+              }),
+              AllOf(HasSubstr("m.yaml:1:"), HasSubstr("1 columns"), HasSubstr("2 joints")));
+}
+
+TEST_F(Logs, WhatIsNoWholeLogIsRefusedWithItsPlace) {
+  const std::string head = "t,q1,q2,tau1,tau2\n";
+  EXPECT_THAT(refused(""), HasSubstr("empty"));
+  EXPECT_THAT(refused("t,q1,q2,tau1\n"),
+              AllOf(HasSubstr("log.csv:1:"), HasSubstr("'tau2'"), HasSubstr("--columns")));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n"), HasSubstr("1 rows of data"));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("4 cells")));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,nan,3,4\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("'q2'")));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2x,3,4\n"),
+              AllOf(HasSubstr("'2x'"), HasSubstr("no finite number")));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n0,1,2,3,4\n"), HasSubstr("does not grow"));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n2.5,1,2,3,4\n"),
+              AllOf(HasSubstr("log.csv:4:"), HasSubstr("step")));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n\n2,1,2,3,4\n"), HasSubstr("empty line"));
+}
+
+}  // namespace
+}  // namespace armtune
