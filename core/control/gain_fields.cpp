@@ -64,6 +64,9 @@ std::vector<GainField> make_fields() {
       {"gaze_feedforward", "",
        "whether the desired orientation turns with the line from tool to target (published: it stands still)",
        &Gains::gaze_feedforward, false},
+      {"slerp_start_angle", "rad",
+       "gaze errors above this begin an interpolation; 0: slerpAngularErrorThreshold, as published",
+       &Gains::slerp_start_angle, false},
       {"joint_goal_follows_task", "",
        "whether leaveSingularity ends on the path and in the gaze, in their motion, instead of at "
        "joint_space_goal",
@@ -142,6 +145,11 @@ void validate(const Gains& gains, const std::vector<std::string>& joints, const 
                                      names[i].empty() ? "" : "/", names[i], v, field.below));
       }
     }
+  }
+  if (gains.slerp_start_angle > gains.slerpAngularErrorThreshold) {
+    throw InputError(
+        fmt::format("{}: slerp_start_angle is {} rad; it must be at most slerpAngularErrorThreshold = {} rad",
+                    source, gains.slerp_start_angle, gains.slerpAngularErrorThreshold));
   }
   if (gains.release_radius != 0.0 && gains.release_radius < gains.obstacleInfluenceRadius) {
     throw InputError(

@@ -33,6 +33,7 @@ struct Gains {
   bool adapt_while_avoiding = true;
   // What the published law lacks; off unless a gains file says otherwise.
   bool gaze_feedforward = false;
+  double slerp_start_angle = 0.0;
   bool joint_goal_follows_task = false;
   double velocity_margin = 0.0;
   double velocity_barrier_start = 0.8;

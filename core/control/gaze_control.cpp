@@ -12,7 +12,9 @@ GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, co
   if (slerping_ && time - start_time_ >= parameter_.duration()) slerping_ = false;
   if (!slerping_) {
     const double angle = turn.norm();
-    if (angle < gains.slerpAngularErrorThreshold) {
+    const double start_angle =
+        gains.slerp_start_angle > 0.0 ? gains.slerp_start_angle : gains.slerpAngularErrorThreshold;
+    if (angle < start_angle) {
       const TurnRate rate =
           gains.gaze_feedforward ? direction_rate(gaze_direction(tool, target)) : TurnRate{};
       return {{rotation_exp(turn) * Q_0T, rate.velocity, rate.acceleration}, false};

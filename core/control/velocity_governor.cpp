@@ -1,5 +1,6 @@
 #include "core/control/velocity_governor.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace armtune {
@@ -51,7 +52,8 @@ double govern(const JointVector& bound, JointReference& reference) {
 double shortest_duration(const TaskInverse& inverse, const Vec6& displacement, const JointVector& bound) {
   JointVector way;
   inverse.apply(displacement, way);
-  return 15.0 / 8.0 * way.cwiseQuotient(bound).cwiseAbs().maxCoeff();
+  const double share = way.cwiseQuotient(bound).cwiseAbs().maxCoeff();
+  return std::max(15.0 / 8.0 * share, std::sqrt(10.0 / std::sqrt(3.0) * share * kRampTime));
 }
 
 }  // namespace armtune

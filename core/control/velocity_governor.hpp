@@ -18,9 +18,13 @@ inline constexpr double kGovernorKnee = 0.8;
 /// (0, 1]: the rate at which interpolations may go on.
 double govern(const JointVector& bound, JointReference& reference);
 
+/// No interpolation takes a joint from rest to its bound in less than this [s]: arms whose inertia differs
+/// from the model's overshoot sharper ones.
+inline constexpr double kRampTime = 0.1;
+
 /// Time [s] that a rest-to-rest quintic over a displacement (linear [m], rotation vector [rad]) needs so that
-/// no joint passes its bound (n) on the way, with the Jacobian as it is now: 15/8 of the way over the time is
-/// its peak speed.
+/// no joint passes its bound (n) nor bound / kRampTime in acceleration on the way, with the Jacobian as it is
+/// now. The peaks of a quintic over the way w in the time T are 15/8 w/T and 10/sqrt(3) w/T^2.
 double shortest_duration(const TaskInverse& inverse, const Vec6& displacement, const JointVector& bound);
 
 }  // namespace armtune

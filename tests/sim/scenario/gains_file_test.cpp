@@ -85,6 +85,7 @@ TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
       }
     }
     gains.release_radius = gains.obstacleInfluenceRadius * 1.1;
+    gains.slerp_start_angle = gains.slerpAngularErrorThreshold * 0.7;
     gains.slerp_reference = i % 2 == 0 ? SlerpReference::kCurrent : SlerpReference::kStart;
     gains.adapt_while_avoiding = i % 3 == 0;
     gains.gaze_feedforward = i % 4 == 0;
