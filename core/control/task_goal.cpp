@@ -3,7 +3,7 @@
 namespace armtune {
 namespace {
 
-/// K [1/s]: an error at the start is 1e-7 of itself after the 6 s of leaveSingularity.
+/// K [1/s]: an error at the start is 2e-8 of itself after the 6 s of leaveSingularity.
 constexpr double kTaskGoalGain = 3.0;
 
 }  // namespace

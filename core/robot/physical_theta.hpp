@@ -15,8 +15,9 @@ using PseudoInertia = Eigen::Matrix4d;
 PseudoInertia pseudo_inertia(const Eigen::Matrix<double, kLinkParameters, 1>& link);
 Eigen::Matrix<double, kLinkParameters, 1> link_parameters(const PseudoInertia& P);
 
-/// Moves theta (13 n) to the nearest physically valid one: nearest in the Frobenius norm of each P. A theta
-/// that is valid already stays as it is. Allocates nothing.
+/// Moves theta (13 n) to the nearest physically valid one: nearest in the Frobenius norm of each P. A link
+/// whose P is positive definite stays as it is, to the bit; one at the edge, such as a point mass, stays
+/// within rounding. Allocates nothing.
 void project_to_physical(ParameterVector& theta);
 
 }  // namespace armtune

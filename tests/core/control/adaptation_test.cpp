@@ -85,5 +85,105 @@ TEST(Adaptation, StandsStillWhereSIsZeroOrGammaIs) {
   }
 }
 
+TEST(Adaptation, LeaksTowardsWhereItStartedAndNowhereElse) {
+  std::mt19937 generator(544);
+  const RobotModel arm = test::ur10();
+  const ParameterVector start = theta_of(arm.chain);
+  Adaptation adaptation(start);
+  adaptation.leak(0.3, kPeriod);
+  EXPECT_EQ(adaptation.theta(), start) << "the start itself";
+  for (int step = 0; step < 20; ++step) adaptation.step(random_motion(generator, arm).y, 1.0, kPeriod);
+  const ParameterVector away = adaptation.theta() - start;
+  ASSERT_GT(away.norm(), 0.1);
+  // e^(-rate t); an Euler step of rate dt = 6e-4 is off by half of that per unit of rate t.
+  WorstError worst("decay", 1e-3);
+  for (int step = 1; step <= 1000; ++step) {
+    adaptation.leak(0.3, kPeriod);
+    worst.compare(ParameterVector(adaptation.theta() - start),
+                  ParameterVector(std::exp(-0.3 * step * kPeriod) * away), std::to_string(step));
+  }
+}
+
+TEST(Adaptation, ProjectsThetaToThePhysicalOne) {
+  std::mt19937 generator(545);
+  for (const RobotModel& arm : test::all_arms()) {
+    Adaptation adaptation(ParameterVector::Zero(parameter_count(arm.chain)));
+    adaptation.step(random_motion(generator, arm).y, kGamma, kPeriod);
+    ParameterVector expected = adaptation.theta();
+    project_to_physical(expected);
+    EXPECT_NE(adaptation.theta(), expected) << arm.name << ": one step from nothing is not physical";
+    adaptation.project();
+    EXPECT_EQ(adaptation.theta(), expected) << arm.name;
+  }
+}
+
+/// Viscous friction as the adaptation sees it while the arm stands, and its velocity measures as white noise.
+struct Standing {
+  static constexpr double kSeconds = 60.0;
+  static constexpr double kNoise = 0.05;  // [rad/s]
+
+  /// theta - start of every joint's viscous friction, and of all of theta, after half of the time and the
+  /// whole.
+  JointVector half, whole;
+  double largest_half = 0.0;
+  double largest_whole = 0.0;
+
+  Standing(const RobotModel& arm, double leakage) {
+    std::mt19937 generator(546);
+    std::normal_distribution<double> noise(0.0, kNoise);
+    const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
+    const ParameterVector start = theta_of(arm.chain);
+    const JointVector zero = JointVector::Zero(arm.n());
+    Adaptation adaptation(start);
+    JointVector qd(arm.n());
+    SlotineLi y;
+    const int periods = static_cast<int>(std::lround(kSeconds / kPeriod));
+    for (int k = 1; k <= periods; ++k) {
+      for (double& v : qd) v = noise(generator);
+      slotine_li_forward(arm.chain, poses, qd, zero, zero, y);
+      adaptation.step(y, kGamma, kPeriod);
+      adaptation.leak(leakage, kPeriod);
+      if (k == periods / 2 || k == periods) {
+        const ParameterVector away = adaptation.theta() - start;
+        JointVector& friction = k == periods ? whole : half;
+        friction.resize(arm.n());
+        for (int i = 0; i < arm.n(); ++i) friction[i] = away[joint_parameter_index(arm.n(), i) + 1];
+      }
+      double& largest = k <= periods / 2 ? largest_half : largest_whole;
+      largest = std::max(largest, (adaptation.theta() - start).lpNorm<Eigen::Infinity>());
+    }
+  }
+};
+
+// Of viscous friction Y is q' and S is q' too, so noise of variance s^2 has (Y^T S) = s^2 on average: theta
+// falls by gamma s^2 per second although nothing moves. Its spread over N periods is sqrt(2 / N), 0.8 % of
+// 30000.
+TEST(Adaptation, NoiseOfAStandingArmDrivesThetaAwayWithoutEnd) {
+  const RobotModel arm = test::ur10();
+  const Standing drift(arm, 0.0);
+  const double fallen = -kGamma * Standing::kNoise * Standing::kNoise * Standing::kSeconds;
+  WorstError worst("drift", 0.05);  // four spreads of half of the time
+  for (int i = 0; i < arm.n(); ++i) {
+    worst.compare(drift.whole[i], fallen, "60 s");
+    worst.compare(drift.half[i], 0.5 * fallen, "30 s");
+  }
+  EXPECT_GT(drift.largest_whole, 1.8 * drift.largest_half);
+}
+
+TEST(Adaptation, LeakageBoundsWhatNoiseDoes) {
+  const RobotModel arm = test::ur10();
+  constexpr double kLeakage = 0.5;
+  const Standing leaking(arm, kLeakage);
+  // It comes to rest where the leak takes what the noise brings, and has done so after 30 s: e^-15.
+  const double rest = -kGamma * Standing::kNoise * Standing::kNoise / kLeakage;
+  WorstError worst("rest", 0.15);  // five spreads, sqrt(leakage dt) = 3 % each
+  for (int i = 0; i < arm.n(); ++i) {
+    worst.compare(leaking.half[i], rest, "30 s");
+    worst.compare(leaking.whole[i], rest, "60 s");
+  }
+  EXPECT_LT(leaking.largest_whole, 1.2 * leaking.largest_half);
+  EXPECT_LT(leaking.largest_whole, 0.1 * Standing(arm, 0.0).largest_whole);
+}
+
 }  // namespace
 }  // namespace armtune
