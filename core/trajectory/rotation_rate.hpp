@@ -18,10 +18,10 @@ struct TurnRate {
 inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
   const double x = psi.position.squaredNorm();
   const double angle = std::sqrt(x);
-  double a;
-  double b;
-  double a1;  // (da / d angle) / angle
-  double b1;
+  double a = 0.0;
+  double b = 0.0;
+  double a1 = 0.0;  // (da / d angle) / angle
+  double b1 = 0.0;
   if (x < 1e-2) {
     // The quotients lose digits; their series are exact to 1e-16 here.
     a = 1.0 / 2.0 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40320.0 - x / 3628800.0)));

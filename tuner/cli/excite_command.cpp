@@ -162,8 +162,9 @@ void add_excite_command(CLI::App& app, int& exit_code) {
   command->add_option("--margin", d.margin, "share of velocity and effort limits that may be used")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command->add_option("--min-height", args->min_height,
-                      "joint origins and tool stay above this z of the base frame [m]");
+  command->add_option(
+      "--min-height", args->min_height,
+      "origins of the third joint and up, and the tool, stay above this z of the base frame [m]");
   command->add_option("--frequency", d.frequency, "base frequency [Hz]")
       ->check(CLI::Range(1e-3, 10.0))
       ->capture_default_str();

@@ -14,6 +14,8 @@ namespace {
 /// A column of unit length counts as dependent when less than this is left of it. Rounding leaves 1e-14; the
 /// smallest independent part seen on serial arms is 1e-3.
 constexpr double kDependent = 1e-8;
+/// A column this much shorter than the longest is rounding.
+constexpr double kNothing = 1e-12;
 /// Coefficients below this are rounding.
 constexpr double kNoCoefficient = 1e-9;
 constexpr int kStatesPerParameter = 4;
@@ -62,8 +64,9 @@ BaseParameters base_parameters(const RobotModel& model) {
   const int p = parameter_count(model.chain);
   Eigen::MatrixXd Y = random_regressor(model, kStatesPerParameter * p, 1);
   Eigen::VectorXd length = Y.colwise().norm();
-  // A parameter that moves nothing has a column of zeros; it stays one.
-  length = (length.array() > 0.0).select(length, 1.0);
+  // A parameter that moves nothing has a column of zeros, or of rounding; scaled up it would look like one
+  // that does.
+  length = (length.array() > kNothing * length.maxCoeff()).select(length, HUGE_VAL);
   Y *= length.cwiseInverse().asDiagonal();
   const SparseMatrix sparse = Y.sparseView().cast<double>();
   const RankRevealed revealed = rank_revealing_factor(sparse, kDependent);
@@ -80,7 +83,9 @@ BaseParameters base_parameters(const RobotModel& model) {
     base.map(b, leader) = 1.0;
     for (std::size_t d = 0; d < revealed.dead.size(); ++d) {
       const int dead = revealed.dead[d];
-      const double coefficient = combination(b, static_cast<Eigen::Index>(d)) * length[dead] / length[leader];
+      const double coefficient = std::isinf(length[dead]) ? 0.0
+                                                          : combination(b, static_cast<Eigen::Index>(d)) *
+                                                                length[dead] / length[leader];
       if (std::abs(coefficient) > kNoCoefficient) base.map(b, dead) = coefficient;
     }
   }

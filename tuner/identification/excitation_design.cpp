@@ -103,6 +103,44 @@ class Designer {
   BaseParameters base_;
 };
 
+/// Largest shares of the limits over the instants it was shown.
+class LimitsInUse {
+ public:
+  explicit LimitsInUse(const RobotModel& model)
+      : model_(model), velocity_limits_(model.velocity_limits()), effort_limits_(model.effort_limits()) {
+    use_.position_margin = kInfinity;
+    use_.lowest = kInfinity;
+  }
+
+  const Poses& look_at(const MotionPoint<JointVector>& point) {
+    forward_kinematics(model_.chain, point.position, poses_);
+    inverse_dynamics(model_.chain, poses_, point.velocity, point.acceleration, tau_);
+    use_.velocity_ratio =
+        std::max(use_.velocity_ratio, point.velocity.cwiseQuotient(velocity_limits_).cwiseAbs().maxCoeff());
+    use_.effort_ratio = std::max(use_.effort_ratio, tau_.cwiseQuotient(effort_limits_).cwiseAbs().maxCoeff());
+    use_.lowest = std::min(use_.lowest, poses_.p_0T.z());
+    // The first two joints' origins stand on the base or go round its axis: they are where they are.
+    for (std::size_t i = 2; i < model_.joints.size(); ++i)
+      use_.lowest = std::min(use_.lowest, poses_.p_0B[i].z());
+    for (std::size_t i = 0; i < model_.joints.size(); ++i) {
+      const JointLimits& limits = model_.joints[i].limits;
+      const double q = point.position[static_cast<Eigen::Index>(i)];
+      if (limits.has_position) {
+        use_.position_margin = std::min({use_.position_margin, q - limits.lower, limits.upper - q});
+      }
+    }
+    return poses_;
+  }
+
+  const ExcitationUse& use() const { return use_; }
+
+ private:
+  const RobotModel& model_;
+  JointVector velocity_limits_, effort_limits_, tau_;
+  Poses poses_;
+  ExcitationUse use_;
+};
+
 void check(const RobotModel& model, const ExcitationOptions& o) {
   if (o.center.size() != 0 && o.center.size() != model.n()) {
     throw InputError(
@@ -124,43 +162,28 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
 
 ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BaseParameters& base) {
   const int n = model.n();
-  ExcitationUse use;
-  use.position_margin = kInfinity;
-  use.lowest = kInfinity;
   const double highest = e.frequency * static_cast<double>(e.sine.cols());
-  const int instants = std::max(
-      50, static_cast<int>(kInstantsPerWave * highest * std::min(e.duration, 1.0 / e.frequency + e.fade)));
+  // The fade-in and a whole period; what follows repeats it, up to the fade-out.
   const double end = std::min(e.duration, 1.0 / e.frequency + e.fade);
+  const int instants = std::max(50, static_cast<int>(kInstantsPerWave * highest * end));
+  LimitsInUse limits(model);
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(instants) * n, base.rank());
-  Poses poses;
   SlotineLi motion;
   Regressor Y;
-  JointVector tau;
-  const JointVector velocity_limits = model.velocity_limits();
-  const JointVector effort_limits = model.effort_limits();
   for (int k = 0; k < instants; ++k) {
     const MotionPoint<JointVector> point = e.at(end * (k + 0.5) / instants);
-    forward_kinematics(model.chain, point.position, poses);
+    const Poses& poses = limits.look_at(point);
     slotine_li_forward(model.chain, poses, point.velocity, point.velocity, point.acceleration, motion);
     slotine_li_regressor(model.chain, poses, motion, Y);
     for (int b = 0; b < base.rank(); ++b) {
       rows.col(b).segment(static_cast<Eigen::Index>(k) * n, n) =
           Y.col(base.independent[static_cast<std::size_t>(b)]);
     }
-    inverse_dynamics(model.chain, poses, point.velocity, point.acceleration, tau);
-    use.velocity_ratio =
-        std::max(use.velocity_ratio, point.velocity.cwiseQuotient(velocity_limits).cwiseAbs().maxCoeff());
-    use.effort_ratio = std::max(use.effort_ratio, tau.cwiseQuotient(effort_limits).cwiseAbs().maxCoeff());
-    use.lowest = std::min(use.lowest, poses.p_0T.z());
-    for (int i = 1; i < n; ++i)
-      use.lowest = std::min(use.lowest, poses.p_0B[static_cast<std::size_t>(i)].z());
-    for (int i = 0; i < n; ++i) {
-      const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
-      if (!limits.has_position) continue;
-      use.position_margin =
-          std::min({use.position_margin, point.position[i] - limits.lower, limits.upper - point.position[i]});
-    }
   }
+  const int fading = std::max(10, static_cast<int>(kInstantsPerWave * highest * e.fade));
+  for (int k = 0; k < fading; ++k) limits.look_at(e.at(e.duration - e.fade * (k + 0.5) / fading));
+
+  ExcitationUse use = limits.use();
   const Eigen::VectorXd length = rows.colwise().norm().cwiseMax(1e-12);
   Eigen::MatrixXd gram = rows.transpose() * rows;
   gram = length.cwiseInverse().asDiagonal() * gram * length.cwiseInverse().asDiagonal();

@@ -18,7 +18,7 @@ struct ExcitationOptions {
   JointVector center;        ///< empty: the middle of the position limits
   double amplitude = 1.0;    ///< largest distance from the centre [rad, m]
   double margin = 0.8;       ///< share of the velocity and effort limits that may be used
-  double min_height = -1e9;  ///< joint origins and tool stay above it [m], base frame
+  double min_height = -1e9;  ///< origins of the third joint and up, and the tool, stay above it [m]
   long evaluations = 20000;
   std::uint64_t seed = 1;
   std::function<void(long evaluations, double condition)> progress;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "core/control/controller.hpp"
@@ -11,12 +12,9 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
-#include "tests/core/support/worst_error.hpp"
 
 namespace armtune {
 namespace {
-
-using test::WorstError;
 
 constexpr double kMargin = 0.85;
 

@@ -169,6 +169,19 @@ TEST(GazeControl, InCurrentModeSlerpsFromTheMeasuredOrientationAheadOfIt) {
   }
 }
 
+TEST(GazeControl, BeginsASlerpAtItsOwnAngleWhereOneIsGiven) {
+  std::mt19937 generator(560);
+  Gains gains = gains_for_gaze();
+  for (const double start : {0.0, 0.1}) {
+    gains.slerp_start_angle = start;
+    for (const double angle : {0.099, 0.101, 0.149, 0.151}) {
+      GazeControl control;
+      const bool slerps = update(control, gains, sight(generator, angle), 0.0).slerping;
+      EXPECT_EQ(slerps, angle >= (start > 0.0 ? start : 0.15)) << start << " " << angle;
+    }
+  }
+}
+
 TEST(GazeControl, NeverSlerpsForLessThanATwentiethOfASecond) {
   std::mt19937 generator(557);
   Gains gains = gains_for_gaze();
@@ -244,6 +257,25 @@ TEST(GazeControl, WithFeedForwardASlerpEndsWithTheZAxisOnTheLineAndTurningWithIt
     const Vec3 z = end.orientation * Vec3::UnitZ();
     worst.compare(z, u.position, "z");
     worst.compare(Vec3(end.angular_velocity.cross(z)), u.velocity, "w x z", 0.1);
+  }
+}
+
+TEST(GazeControl, BelowTheThresholdTheDesiredOrientationTurnsWithTheLineOnlyWithFeedForward) {
+  std::mt19937 generator(561);
+  Gains gains = gains_for_gaze();
+  for (int sample = 0; sample < 10; ++sample) {
+    const Sight s = sight(generator, 0.1);
+    const MotionPoint<Vec3> tool{s.poses.p_0T, random_vec3(generator, 0.3), random_vec3(generator, 0.3)};
+    const MotionPoint<Vec3> target{s.p_0G, random_vec3(generator, 0.3), random_vec3(generator, 0.3)};
+    const TurnRate line = direction_rate(gaze_direction(tool, target));
+    for (const bool feedforward : {false, true}) {
+      gains.gaze_feedforward = feedforward;
+      GazeControl control;
+      const auto out = control.update(gains, s.poses.R_0T, s.Q_0T, tool, target, 0.0);
+      EXPECT_FALSE(out.slerping);
+      EXPECT_EQ(out.desired.angular_velocity, feedforward ? line.velocity : Vec3(0.0, 0.0, 0.0));
+      EXPECT_EQ(out.desired.angular_acceleration, feedforward ? line.acceleration : Vec3(0.0, 0.0, 0.0));
+    }
   }
 }
 

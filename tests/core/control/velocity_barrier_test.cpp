@@ -10,7 +10,6 @@
 namespace armtune {
 namespace {
 
-using test::random_number;
 using test::random_vector;
 
 constexpr int kJoints = 6;
@@ -63,7 +62,8 @@ TEST(VelocityBarrier, IsZeroUpToItsStartAndOneFromTheLimitOn) {
 
 TEST(VelocityBarrier, GrowsWithTheSpeedAndIsFlatAtBothEnds) {
   double last = 0.0;
-  for (double x = 0.805; x < 1.0; x += 0.005) {
+  for (int step = 1; step < 40; ++step) {
+    const double x = kStart + 0.005 * step;
     const double h = velocity_barrier(x, 1.0, kStart);
     EXPECT_GT(h, last) << x;
     EXPECT_EQ(velocity_barrier(-x, 1.0, kStart), h) << x;

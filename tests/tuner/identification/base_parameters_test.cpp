@@ -19,7 +19,8 @@ TEST(BaseParameters, AreAsManyAsADenseSvdFinds) {
     Eigen::MatrixXd Y = random_regressor(arm, 3 * parameter_count(arm.chain), 77);
     const Eigen::VectorXd length = Y.colwise().norm();
     for (Eigen::Index c = 0; c < Y.cols(); ++c) {
-      if (length[c] > 0.0) Y.col(c) /= length[c];
+      // A column of rounding must not be scaled up to look like one that says something.
+      Y.col(c) *= length[c] > 1e-12 * length.maxCoeff() ? 1.0 / length[c] : 0.0;
     }
     const Eigen::VectorXd singular = Y.bdcSvd().singularValues();
     // A gap of many decades, or the comparison would say nothing.
