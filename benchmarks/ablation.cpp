@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string>
 #include <thread>
@@ -232,6 +233,7 @@ int run(int argc, char** argv) {
   app.add_option("--workers", workers, "threads")->check(CLI::Range(1, 1024))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   if (!folder.empty()) make_run_folder(folder);
+  const auto began = std::chrono::steady_clock::now();
 
   const auto joints = joint_names(*load_scenario("moving_target").robot);
   const std::vector<Variant> all = variants(joints, tuned_gains);
@@ -244,6 +246,7 @@ int run(int argc, char** argv) {
   write_text_file(folder + "/ablation.csv", csv(all, results));
   Provenance p;
   p.command = fmt::format("benchmark_ablation --gains {}", tuned_gains);
+  p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   p.workers = workers;
   for (const std::string& scenario : scenario_names()) {
     add_inputs({load_scenario("identified_" + scenario)}, p.inputs);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <string>
@@ -115,6 +116,7 @@ int run(int argc, char** argv) {
   app.add_option("--out", args.folder, "new folder for perturbed_arms.csv and run.yaml");
   CLI11_PARSE(app, argc, argv);
   if (!args.folder.empty()) make_run_folder(args.folder);
+  const auto began = std::chrono::steady_clock::now();
 
   std::vector<Scenario> scenarios;
   for (const std::string& name : args.scenarios) scenarios.push_back(load_scenario(name));
@@ -142,6 +144,7 @@ int run(int argc, char** argv) {
   p.command = fmt::format("benchmark_perturbed_arms {} --gains {} --samples {}",
                           fmt::join(args.scenarios, " "), args.gains, args.samples);
   p.seed = args.seed;
+  p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   p.workers = args.workers;
   add_inputs(scenarios, p.inputs);
   write_text_file(args.folder + "/run.yaml", run_yaml(p));
