@@ -32,9 +32,10 @@ struct Option {
 
 const std::vector<Option>& options() {
   static const std::vector<Option> all = {
-      {"gaze feed-forward", {"gaze_feedforward"}},
+      {"gaze feed-forward", {"gaze_feedforward", "slerp_start_angle"}},
       {"moving joint goal", {"joint_goal_follows_task", "joint_trajectory_duration"}},
       {"governor and barrier", {"velocity_margin", "velocity_barrier_start", "velocity_barrier_gain"}},
+      {"variable damping", {"variable_damping"}},
       {"adaptation",
        {"adaptation_gain", "adaptation_leakage", "adaptation_projection", "adapt_while_avoiding"}},
   };
@@ -201,6 +202,15 @@ int print_demands(const Results& results, std::size_t tuned) {
     fmt::print("{:<28}{:<28}{:>12.4g}{:>12.4g}{:>10}{:>10.2f}{}\n", scenario_names()[s],
                "joint_velocity/max_ratio", results[0][s].metrics[Metric::kJointVelocityMaxRatio], ratio,
                "at most", kLargestVelocityRatio, met ? "" : "  missed");
+  }
+  for (std::size_t s = 0; s < scenario_names().size(); ++s) {
+    const double before = results[0][s].metrics[Metric::kObstacleMinClearance];
+    const double now = results[tuned][s].metrics[Metric::kObstacleMinClearance];
+    if (!std::isfinite(before)) continue;
+    const bool met = now >= before;
+    missed += met ? 0 : 1;
+    fmt::print("{:<28}{:<28}{:>12.4g}{:>12.4g}{:>10}{:>10.3g}{}\n", scenario_names()[s],
+               "obstacle/min_clearance", before, now, "at least", before, met ? "" : "  missed");
   }
   fmt::print("\n{} missed\n", missed);
   return missed;

@@ -30,6 +30,7 @@ Controller::Controller(std::shared_ptr<const RobotModel> model, const Gains& gai
       effort_limits_(model_->effort_limits()),
       velocity_limits_(model_->velocity_limits()),
       velocity_bound_(gains.velocity_margin * velocity_limits_),
+      damping_(inverse_damping(gains)),
       period_(period),
       adaptation_(theta) {
   if (gains_.release_radius == 0.0) gains_.release_radius = gains_.obstacleInfluenceRadius;
@@ -45,7 +46,7 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
   forward_kinematics(chain, measured.q, poses_);
   tool_jacobian(chain, poses_, J_);
   twist_.noalias() = J_ * measured.qd;
-  inverse_.compute(J_, gains_.manipulability_threshold, gains_.manipulability_damping);
+  inverse_.compute(J_, damping_);
   out_.manipulability = inverse_.manipulability();
   out_.damped = inverse_.damped();
   out_.obstacle_distance = obstacle_distance(poses_, scene.obstacles);
@@ -98,10 +99,7 @@ void Controller::follow_joint_trajectory(const JointState& measured, const Scene
   if (gains_.joint_goal_follows_task) {
     const MotionPoint<Vec3> path = scene.path->at(time);
     // By way of joint_space_goal, which the arm's user has chosen, so that the first half of the way stays.
-    goal = towards(goal_,
-                   task_goal_.step(model_->chain, path, scene.target, gains_.manipulability_threshold,
-                                   gains_.manipulability_damping, period_),
-                   s);
+    goal = towards(goal_, task_goal_.step(model_->chain, path, scene.target, damping_, period_), s);
     out_.desired.acceleration = path.acceleration;
   }
   joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,

@@ -79,6 +79,7 @@ class Controller {
   JointVector effort_limits_;
   JointVector velocity_limits_;
   JointVector velocity_bound_;  ///< of the governor
+  InverseDamping damping_;
   double period_;
 
   bool started_ = false;

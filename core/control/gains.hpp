@@ -2,6 +2,7 @@
 // Everything a person tunes in the controller, under the names of the published ROS parameters.
 
 #include "core/common/types.hpp"
+#include "core/control/inverse_damping.hpp"
 
 namespace armtune {
 
@@ -32,6 +33,7 @@ struct Gains {
   SlerpReference slerp_reference = SlerpReference::kStart;
   bool adapt_while_avoiding = true;
   // What the published law lacks; off unless a gains file says otherwise.
+  bool variable_damping = false;
   bool gaze_feedforward = false;
   double slerp_start_angle = 0.0;
   bool joint_goal_follows_task = false;
@@ -41,5 +43,9 @@ struct Gains {
   double adaptation_leakage = 0.0;
   bool adaptation_projection = false;
 };
+
+inline InverseDamping inverse_damping(const Gains& gains) {
+  return {gains.manipulability_threshold, gains.manipulability_damping, gains.variable_damping};
+}
 
 }  // namespace armtune

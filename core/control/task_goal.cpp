@@ -9,12 +9,12 @@ constexpr double kTaskGoalGain = 3.0;
 }  // namespace
 
 const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionPoint<Vec3>& path,
-                                               const MotionPoint<Vec3>& target, double threshold, double psi,
+                                               const MotionPoint<Vec3>& target, const InverseDamping& damping,
                                                double dt) {
   motion_.position += step_;
   forward_kinematics(chain, motion_.position, poses_);
   tool_jacobian(chain, poses_, J_);
-  inverse_.compute(J_, threshold, psi);
+  inverse_.compute(J_, damping);
   const TurnRate gaze =
       direction_rate(gaze_direction({poses_.p_0T, path.velocity, path.acceleration}, target));
   Vec6 rate;

@@ -22,9 +22,9 @@ class TaskGoal {
   }
 
   /// The goal's q, q', q'' now, then one step of length dt [s]. path: desired tool motion, target: gaze
-  /// target. threshold, psi: of the damped inverse.
+  /// target. damping: of the inverse.
   const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path,
-                                       const MotionPoint<Vec3>& target, double threshold, double psi,
+                                       const MotionPoint<Vec3>& target, const InverseDamping& damping,
                                        double dt);
 
  private:

@@ -4,14 +4,14 @@
 
 namespace armtune {
 
-void TaskInverse::compute(const Jacobian& J, double threshold, double psi) {
+void TaskInverse::compute(const Jacobian& J, const InverseDamping& damping) {
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   J_ = &J;
   const auto n = J.cols();
   if (n == 6) {
     lu_.compute(Mat6(J));
     manipulability_ = std::abs(lu_.determinant());
-    damped_ = !(manipulability_ >= threshold);
+    damped_ = !(manipulability_ >= damping.threshold);
     if (!damped_) return;
   }
   Mat6 JJt;
@@ -21,14 +21,14 @@ void TaskInverse::compute(const Jacobian& J, double threshold, double psi) {
     // det(J J^T) is the square of the product of the Cholesky factor's diagonal; a failed factorisation
     // means that J has lost rank.
     manipulability_ = llt_.info() == Eigen::Success ? llt_.matrixLLT().diagonal().prod() : 0.0;
-    damped_ = !(manipulability_ >= threshold);
+    damped_ = !(manipulability_ >= damping.threshold);
     if (!damped_) return;
   } else if (n < 6) {
     const JointMatrix JtJ = J.transpose() * J;
     manipulability_ = std::sqrt(std::max(0.0, JtJ.determinant()));
     damped_ = true;
   }
-  JJt.diagonal().array() += psi;
+  JJt.diagonal().array() += n < 6 ? damping.psi : damping.at(manipulability_);
   llt_.compute(JJt);
 }
 

@@ -7,14 +7,16 @@
 #include <Eigen/LU>
 
 #include "core/common/types.hpp"
+#include "core/control/inverse_damping.hpp"
 
 namespace armtune {
 
 class TaskInverse {
  public:
   /// Factorises once for all right-hand sides of a control period. J is 6 x n and is referred to, not copied.
-  /// With fewer than six joints J J^T is singular by shape: always damped, m = sqrt(det(J^T J)).
-  void compute(const Jacobian& J, double threshold, double psi);
+  /// With fewer than six joints J J^T is singular by shape: always damped with all of psi,
+  /// m = sqrt(det(J^T J)).
+  void compute(const Jacobian& J, const InverseDamping& damping);
 
   /// x (n) = J+ b.
   void apply(const Vec6& b, JointVector& x) const;

@@ -2,7 +2,9 @@
 // Joint-level velocity barrier: damping that grows as |q'| nears its limit, against torques that bypass the
 // velocity reference. With x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, from 0 at the start
 // to 1 at the limit:
-//   tau_i <- tau_i - gain Kd_i h q'_i,   and a bypassing torque that pushes on is faded by 1 - h.
+//   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i),
+// and a bypassing torque that pushes on is faded by 1 - h. The damping counts from the start of the barrier,
+// so that its slope stays below 1.7 gain Kd: what is steeper rings in a sampled loop.
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,9 @@ inline void add_behind_barrier(const JointVector& qd, const JointVector& limits,
   for (Eigen::Index i = 0; i < torque.size(); ++i) {
     const double h = gain > 0.0 ? velocity_barrier(qd[i], limits[i], start) : 0.0;
     const bool pushes_on = bypassing[i] * qd[i] > 0.0;
-    torque[i] += (pushes_on ? 1.0 - h : 1.0) * bypassing[i] - gain * h * Kd[i] * qd[i];
+    const double room = start * limits[i];
+    const double beyond = qd[i] - std::clamp(qd[i], -room, room);
+    torque[i] += (pushes_on ? 1.0 - h : 1.0) * bypassing[i] - gain * h * Kd[i] * beyond;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace armtune {
@@ -41,7 +42,7 @@ std::string origin(const Mat3& R, const Vec3& p) {
 }
 
 std::string inertial(const LinkInertia& link) {
-  const Vec3 c = link.first_moment / link.mass;
+  const Vec3 c = link.mass > 0.0 ? Vec3(link.first_moment / link.mass) : Vec3::Zero();
   const Mat3 I = link.inertia - link.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
   return fmt::format(
       "    <inertial>\n      <origin xyz=\"{}\" rpy=\"0 0 0\"/>\n      <mass value=\"{}\"/>\n"
@@ -67,6 +68,15 @@ std::string joint_text(const RobotModel& model, int i, const std::string& parent
 
 }  // namespace
 
+std::string urdf_tool_link(const RobotModel& model) {
+  std::string tool = "tool";
+  const auto taken = [&](const JointInfo& joint) {
+    return joint.link == tool || joint.name == tool + "_joint";
+  };
+  while (tool == model.base_link || std::any_of(model.joints.begin(), model.joints.end(), taken)) tool += '_';
+  return tool;
+}
+
 std::string urdf_text(const RobotModel& model) {
   std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
                                  escaped(model.name), escaped(model.base_link));
@@ -79,9 +89,9 @@ std::string urdf_text(const RobotModel& model) {
     parent = model.joints[k].link;
   }
   text += fmt::format(
-      "  <link name=\"tool\"/>\n  <joint name=\"tool_joint\" type=\"fixed\">\n    <parent link=\"{}\"/>\n"
-      "    <child link=\"tool\"/>\n    {}\n  </joint>\n</robot>\n",
-      escaped(parent), origin(model.chain.R_BT, model.chain.p_BT));
+      "  <link name=\"{0}\"/>\n  <joint name=\"{0}_joint\" type=\"fixed\">\n    <parent link=\"{1}\"/>\n"
+      "    <child link=\"{0}\"/>\n    {2}\n  </joint>\n</robot>\n",
+      urdf_tool_link(model), escaped(parent), origin(model.chain.R_BT, model.chain.p_BT));
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -27,6 +28,7 @@ struct Arguments {
   std::string trajectory;
   std::string folder;
   double min_height = NAN;
+  double fade = NAN;
   ExcitationOptions design;
   ExcitationLogOptions log;
 };
@@ -57,6 +59,7 @@ Excitation designed(const Arguments& args, const RobotModel& model) {
   ExcitationOptions options = args.design;
   options.center = center_in_si(model, args.center_deg);
   if (!std::isnan(args.min_height)) options.min_height = args.min_height;
+  options.fade = std::isnan(args.fade) ? std::min(options.fade, 0.25 * options.duration) : args.fade;
   ProgressLine line;
   options.progress = [&](long evaluations, double condition) {
     if (evaluations % 200 == 0) {
@@ -171,7 +174,11 @@ void add_excite_command(CLI::App& app, int& exit_code) {
   command->add_option("--harmonics", d.harmonics, "multiples of it")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
-  command->add_option("--duration", d.duration, "[s]")->check(CLI::Range(1.0, 1e5))->capture_default_str();
+  command->add_option("--duration", d.duration, "[s]")
+      ->check(CLI::Range(1.0, kLongestExcitation))
+      ->capture_default_str();
+  command->add_option("--fade", args->fade, "in and out [s]; 2, or a quarter of a short duration")
+      ->check(CLI::Range(0.1, 10.0));
   command->add_option("--evaluations", d.evaluations, "budget of the design")
       ->check(CLI::Range(1, 100000000))
       ->capture_default_str();

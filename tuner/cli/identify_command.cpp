@@ -89,6 +89,10 @@ void write_files(const Arguments& args, const RobotModel& model, const Identific
              {"base_parameters", fmt::format("{}", found.base.rank())},
              {"condition_number", fmt::format("{:.6g}", found.estimate.condition)},
              {"made_physical", found.made_physical ? "yes" : "no"}};
+  for (int j = 0; j < model.n(); ++j) {
+    p.extra.emplace_back("torque_not_explained/" + model.joints[static_cast<std::size_t>(j)].name,
+                         fmt::format("{:.6g}", found.estimate.torque_residual[j]));
+  }
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 
@@ -126,9 +130,10 @@ void add_identify_command(CLI::App& app, int& exit_code) {
       "identify",
       "Find an arm's inertial and friction parameters from logs of positions, velocities and torques");
   command
-      ->add_option(
-          "LOG", args->logs,
-          "CSV files: time, joint/NAME/position, joint/NAME/torque; as simulate and excite write them")
+      ->add_option("LOG", args->logs,
+                   "CSV files: time, joint/NAME/position, joint/NAME/torque, if there joint/NAME/velocity "
+                   "(checked against the "
+                   "positions); as simulate and excite write them")
       ->required()
       ->check(CLI::ExistingFile);
   command
@@ -144,6 +149,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
                    "of the zero-phase filter [Hz]: five times the highest frequency that moves the arm; "
                    "lower lets less "
                    "noise through, higher keeps friction's edges")
+      ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command
       ->add_option(

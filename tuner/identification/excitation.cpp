@@ -76,18 +76,21 @@ std::string excitation_yaml(const Excitation& e, const std::vector<std::string>&
 }
 
 Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints) {
-  constexpr double kLongest = 1e5;
   const yaml::Node root = yaml::parse_file(path);
   yaml::MapReader map(root);
   Excitation e;
-  e.frequency = map.number_in("frequency", e.frequency, 1e-4, 1e3);
-  e.duration = map.number_in("duration", e.duration, 1e-2, kLongest);
+  e.frequency = map.number_in("frequency", e.frequency, 1e-3, kFastestHarmonic);
+  e.duration = map.number_in("duration", e.duration, 1e-2, kLongestExcitation);
   e.fade = map.number_in("fade", e.fade, 1e-3, 0.5 * e.duration);
   e.center = yaml::joint_values(map.required("center"), joints);
   e.sine = read_coefficients(map.required("sine"), joints);
   const yaml::Node& cosine = map.required("cosine");
   e.cosine = read_coefficients(cosine, joints);
   if (e.cosine.cols() != e.sine.cols()) cosine.fail("it must have as many harmonics as 'sine'");
+  if (e.frequency * static_cast<double>(e.sine.cols()) > kFastestHarmonic) {
+    cosine.fail(fmt::format("{} harmonics of {} Hz; the fastest may have {} Hz", e.sine.cols(), e.frequency,
+                            kFastestHarmonic));
+  }
   map.finish();
   return e;
 }

@@ -22,6 +22,10 @@ struct Excitation {
   MotionPoint<JointVector> at(double t) const;
 };
 
+/// Longest trajectory [s] and fastest harmonic [Hz]: what an arm can do in one log, and memory can hold.
+inline constexpr double kLongestExcitation = 1000.0;
+inline constexpr double kFastestHarmonic = 20.0;
+
 /// Text of excitation.yaml, and back. Throws InputError if the file does not fit the joints.
 std::string excitation_yaml(const Excitation& excitation, const std::vector<std::string>& joints);
 Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints);

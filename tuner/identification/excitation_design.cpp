@@ -26,8 +26,32 @@ constexpr double kPenalty = 50.0;
 /// Counts each limit's violation once: 0 inside.
 double violation(const ExcitationUse& use, const ExcitationOptions& o) {
   return std::max(0.0, use.effort_ratio / o.margin - 1.0) + std::max(0.0, -use.position_margin) +
-         std::max(0.0, o.min_height - use.lowest) + std::max(0.0, use.velocity_ratio / o.margin - 1.0 - 1e-9);
+         std::max(0.0, o.min_height - use.lowest) + std::max(0.0, use.velocity_ratio / o.margin - 1.0) +
+         std::max(0.0, use.distance / o.amplitude - 1.0);
 }
+
+/// Instants that show a trajectory's limits and what it excites: the fade-in and a whole period, evenly
+/// spaced; what follows repeats them, up to the fade-out.
+struct Instants {
+  std::vector<double> main;
+  std::vector<double> fade_out;
+
+  explicit Instants(const Excitation& e) {
+    const double rate = kInstantsPerWave * e.frequency * static_cast<double>(e.sine.cols());
+    const double end = std::min(e.duration, 1.0 / e.frequency + e.fade);
+    main = spread(0.0, end, std::max(50, static_cast<int>(rate * end)));
+    fade_out = spread(e.duration - e.fade, e.duration, std::max(10, static_cast<int>(rate * e.fade)));
+  }
+
+ private:
+  static std::vector<double> spread(double begin, double end, int count) {
+    std::vector<double> instants(static_cast<std::size_t>(count));
+    for (int k = 0; k < count; ++k) {
+      instants[static_cast<std::size_t>(k)] = begin + (end - begin) * (k + 0.5) / count;
+    }
+    return instants;
+  }
+};
 
 class Designer {
  public:
@@ -36,7 +60,9 @@ class Designer {
     if (options_.center.size() == 0) options_.center = middle();
   }
 
-  std::size_t variables() const { return static_cast<std::size_t>(2 * model_.n() * options_.harmonics); }
+  std::size_t variables() const {
+    return 2 * static_cast<std::size_t>(model_.n()) * static_cast<std::size_t>(options_.harmonics);
+  }
   const BaseParameters& base() const { return base_; }
 
   /// Coefficients from the unit box, each joint's series scaled until it touches its velocity margin or
@@ -53,9 +79,10 @@ class Designer {
     e.cosine.resize(n, h);
     for (Eigen::Index k = 0; k < n * h; ++k) {
       // The k-th harmonic at the same coefficient is k times as fast.
-      const double slower = 1.0 / static_cast<double>(k / n + 1);
-      e.sine(k % n, k / n) = slower * (2.0 * x[static_cast<std::size_t>(k)] - 1.0);
-      e.cosine(k % n, k / n) = slower * (2.0 * x[static_cast<std::size_t>(n * h + k)] - 1.0);
+      const Eigen::Index harmonic = k / n;
+      const double slower = 1.0 / (static_cast<double>(harmonic) + 1.0);
+      e.sine(k % n, harmonic) = slower * (2.0 * x[static_cast<std::size_t>(k)] - 1.0);
+      e.cosine(k % n, harmonic) = slower * (2.0 * x[static_cast<std::size_t>(n * h + k)] - 1.0);
     }
     scale_to_limits(e);
     return e;
@@ -80,11 +107,13 @@ class Designer {
     const int n = model_.n();
     JointVector distance = JointVector::Zero(n);
     JointVector speed = JointVector::Zero(n);
-    const int instants = 2 * kInstantsPerWave * options_.harmonics;
-    for (int k = 0; k <= instants; ++k) {
-      const MotionPoint<JointVector> point = e.at(k * e.duration / instants);
-      distance = distance.cwiseMax((point.position - e.center).cwiseAbs());
-      speed = speed.cwiseMax(point.velocity.cwiseAbs());
+    const Instants instants(e);
+    for (const auto* list : {&instants.main, &instants.fade_out}) {
+      for (const double t : *list) {
+        const MotionPoint<JointVector> point = e.at(t);
+        distance = distance.cwiseMax((point.position - e.center).cwiseAbs());
+        speed = speed.cwiseMax(point.velocity.cwiseAbs());
+      }
     }
     for (int i = 0; i < n; ++i) {
       const JointLimits& limits = model_.joints[static_cast<std::size_t>(i)].limits;
@@ -106,8 +135,11 @@ class Designer {
 /// Largest shares of the limits over the instants it was shown.
 class LimitsInUse {
  public:
-  explicit LimitsInUse(const RobotModel& model)
-      : model_(model), velocity_limits_(model.velocity_limits()), effort_limits_(model.effort_limits()) {
+  LimitsInUse(const RobotModel& model, const JointVector& center)
+      : model_(model),
+        center_(center),
+        velocity_limits_(model.velocity_limits()),
+        effort_limits_(model.effort_limits()) {
     use_.position_margin = kInfinity;
     use_.lowest = kInfinity;
   }
@@ -115,6 +147,7 @@ class LimitsInUse {
   const Poses& look_at(const MotionPoint<JointVector>& point) {
     forward_kinematics(model_.chain, point.position, poses_);
     inverse_dynamics(model_.chain, poses_, point.velocity, point.acceleration, tau_);
+    use_.distance = std::max(use_.distance, (point.position - center_).cwiseAbs().maxCoeff());
     use_.velocity_ratio =
         std::max(use_.velocity_ratio, point.velocity.cwiseQuotient(velocity_limits_).cwiseAbs().maxCoeff());
     use_.effort_ratio = std::max(use_.effort_ratio, tau_.cwiseQuotient(effort_limits_).cwiseAbs().maxCoeff());
@@ -136,6 +169,7 @@ class LimitsInUse {
 
  private:
   const RobotModel& model_;
+  const JointVector& center_;
   JointVector velocity_limits_, effort_limits_, tau_;
   Poses poses_;
   ExcitationUse use_;
@@ -154,6 +188,10 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
                                    joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
     }
   }
+  if (o.frequency * o.harmonics > kFastestHarmonic) {
+    throw InputError(fmt::format("{} harmonics of {} Hz; the fastest may have {} Hz", o.harmonics,
+                                 o.frequency, kFastestHarmonic));
+  }
   if (o.fade > 0.5 * o.duration)
     throw InputError(fmt::format("two fades of {} s do not fit in {} s", o.fade, o.duration));
 }
@@ -162,16 +200,13 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
 
 ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BaseParameters& base) {
   const int n = model.n();
-  const double highest = e.frequency * static_cast<double>(e.sine.cols());
-  // The fade-in and a whole period; what follows repeats it, up to the fade-out.
-  const double end = std::min(e.duration, 1.0 / e.frequency + e.fade);
-  const int instants = std::max(50, static_cast<int>(kInstantsPerWave * highest * end));
-  LimitsInUse limits(model);
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(instants) * n, base.rank());
+  const Instants instants(e);
+  LimitsInUse limits(model, e.center);
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(instants.main.size()) * n, base.rank());
   SlotineLi motion;
   Regressor Y;
-  for (int k = 0; k < instants; ++k) {
-    const MotionPoint<JointVector> point = e.at(end * (k + 0.5) / instants);
+  for (std::size_t k = 0; k < instants.main.size(); ++k) {
+    const MotionPoint<JointVector> point = e.at(instants.main[k]);
     const Poses& poses = limits.look_at(point);
     slotine_li_forward(model.chain, poses, point.velocity, point.velocity, point.acceleration, motion);
     slotine_li_regressor(model.chain, poses, motion, Y);
@@ -180,8 +215,7 @@ ExcitationUse use_of(const Excitation& e, const RobotModel& model, const BasePar
           Y.col(base.independent[static_cast<std::size_t>(b)]);
     }
   }
-  const int fading = std::max(10, static_cast<int>(kInstantsPerWave * highest * e.fade));
-  for (int k = 0; k < fading; ++k) limits.look_at(e.at(e.duration - e.fade * (k + 0.5) / fading));
+  for (const double t : instants.fade_out) limits.look_at(e.at(t));
 
   ExcitationUse use = limits.use();
   const Eigen::VectorXd length = rows.colwise().norm().cwiseMax(1e-12);
@@ -236,10 +270,14 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   design.use = use_of(design.excitation, model, designer.base());
   if (violation(design.use, options) > 0.0 && !stop) {
     throw InputError(fmt::format(
-        "no trajectory around this centre keeps the limits: the best one takes {:.3g} of the effort limits "
-        "(at most {}), "
-        "comes down to {:.3g} m (at least {}); move the centre, lower the amplitude, or raise the margin",
-        design.use.effort_ratio, options.margin, design.use.lowest, options.min_height));
+        "no trajectory around this centre keeps the limits: the best one takes {:.3g} of the effort and "
+        "{:.3g} "
+        "of the velocity limits (at most {}), goes {:.3g} away from the centre (at most {}) with {:.3g} to "
+        "the "
+        "nearest position limit, and comes down to {:.3g} m (at least {}); move the centre, lower the "
+        "amplitude or the frequency, or raise the margin",
+        design.use.effort_ratio, design.use.velocity_ratio, options.margin, design.use.distance,
+        options.amplitude, design.use.position_margin, design.use.lowest, options.min_height));
   }
   return design;
 }

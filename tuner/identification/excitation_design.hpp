@@ -14,7 +14,7 @@ struct ExcitationOptions {
   double frequency = 0.1;  ///< base frequency [Hz]
   int harmonics = 5;
   double duration = 20.0;    ///< [s]
-  double fade = 2.0;         ///< [s]
+  double fade = 2.0;         ///< [s], at most half the duration
   JointVector center;        ///< empty: the middle of the position limits
   double amplitude = 1.0;    ///< largest distance from the centre [rad, m]
   double margin = 0.8;       ///< share of the velocity and effort limits that may be used
@@ -28,6 +28,7 @@ struct ExcitationOptions {
 /// parameters.
 struct ExcitationUse {
   double condition = 0.0;        ///< of the base regressor, columns of unit length
+  double distance = 0.0;         ///< largest from the centre [rad, m]
   double position_margin = 0.0;  ///< smallest distance to a position limit [rad, m]
   double velocity_ratio = 0.0;
   double effort_ratio = 0.0;  ///< by inverse dynamics of the model

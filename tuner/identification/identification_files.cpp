@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/robot/urdf_writer.hpp"
+
 namespace armtune {
 
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
@@ -50,8 +52,8 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
     return fmt::format("[{}]", fmt::join(v.data(), v.data() + v.size(), ", "));
   };
   return fmt::format(
-      "urdf: {}\ntip_link: tool\nrotor_inertia: {}\nviscous_friction: {}\ncoulomb_friction: {}\n", urdf,
-      list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
+      "urdf: {}\ntip_link: {}\nrotor_inertia: {}\nviscous_friction: {}\ncoulomb_friction: {}\n", urdf,
+      urdf_tool_link(model), list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
       list(model.chain.coulomb_friction));
 }
 

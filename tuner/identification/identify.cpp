@@ -13,15 +13,43 @@ namespace {
 /// 1981.
 constexpr double kHuber = 1.345;
 
-/// Multiplies each row by the root of Huber's weight of its residual.
-void weigh(const Estimate& last, Eigen::MatrixXd& rows) {
-  const Eigen::Index rank = last.theta.size();
-  for (Eigen::Index j = 0; j < rows.rows(); ++j) {
-    const double residual = std::abs(rows(j, rank) - rows.row(j).head(rank).dot(last.theta));
-    const double bound = kHuber * last.torque_residual[j];
-    if (residual > bound) rows.row(j) *= std::sqrt(bound / residual);
+/// E[min(|z|, kHuber)^2] of a normal z: what the clipped squares are of the variance.
+constexpr double kClippedVariance = 0.7102;
+
+/// Iteratively reweighted least squares: between passes the estimate and every joint's scale, which comes
+/// from clipped residuals, so that neither outliers nor their weights move it (Huber's proposal 2).
+class Reweighting {
+ public:
+  explicit Reweighting(int joints) : clipped_(JointVector::Zero(joints)) {}
+
+  /// Takes what a pass has found.
+  void update(const Estimate& estimate) {
+    scale_ = rows_ == 0
+                 ? JointVector(estimate.torque_residual)
+                 : JointVector((clipped_ / (kClippedVariance * static_cast<double>(rows_))).cwiseSqrt());
+    theta_ = estimate.theta;
+    clipped_.setZero();
+    rows_ = 0;
   }
-}
+
+  /// Multiplies each row by the root of Huber's weight of its residual.
+  void weigh(Eigen::MatrixXd& rows) {
+    const Eigen::Index rank = theta_.size();
+    for (Eigen::Index j = 0; j < rows.rows(); ++j) {
+      const double residual = std::abs(rows(j, rank) - rows.row(j).head(rank).dot(theta_));
+      const double bound = kHuber * scale_[j];
+      clipped_[j] += std::pow(std::min(residual, bound), 2);
+      if (residual > bound) rows.row(j) *= std::sqrt(bound / residual);
+    }
+    ++rows_;
+  }
+
+ private:
+  Eigen::VectorXd theta_;
+  JointVector scale_;
+  JointVector clipped_;  ///< sums of clipped squared residuals of this pass
+  long rows_ = 0;
+};
 
 }  // namespace
 
@@ -32,6 +60,7 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
   found.base = base_parameters(model);
   const ParameterVector file_theta = theta_of(model.chain);
   const Eigen::VectorXd prior = found.base.map * file_theta;
+  Reweighting reweighting(model.n());
   const int passes = options.robust ? std::max(2, options.passes) : 1;
   for (int pass = 0; pass < passes && !stop; ++pass) {
     Regression regression(model.n(), found.base.rank());
@@ -47,12 +76,13 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
       while (!stop && stream.next(rows)) {
         squares += rows.rightCols<1>().cwiseAbs2();
         ++of_this_log;
-        if (pass > 0) weigh(found.estimate, rows);
+        if (pass > 0) reweighting.weigh(rows);
         regression.add(rows);
         if (options.progress) options.progress(pass, i, found.samples + stream.samples());
       }
       found.samples += stream.samples();
       rows_seen += of_this_log;
+      if (!stop) stream.check_velocities();
       if (of_this_log == 0 && !stop) {
         throw InputError(fmt::format(
             "{}: {} samples of {:.4g} s are shorter than the filters' window at a cutoff of {} Hz; "
@@ -66,6 +96,7 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
                                    found.base.rank()));
     }
     found.estimate = regression.solve(prior);
+    reweighting.update(found.estimate);
     found.torque_rms = (squares / static_cast<double>(rows_seen)).cwiseSqrt();
   }
   found.interrupted = stop;

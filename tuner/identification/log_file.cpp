@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -12,8 +13,12 @@
 namespace armtune {
 namespace {
 
-/// Largest deviation of a step in time from the period, relative: clocks print milliseconds.
-constexpr double kJitter = 0.02;
+/// Steps that the period is the mean of, and over which it must stay the same.
+constexpr long kStretch = 500;
+/// Largest deviation of one step from the period, relative: time stamps jitter. A missing sample is 1.
+constexpr double kJitter = 0.5;
+/// Largest deviation of a whole stretch's mean step, relative.
+constexpr double kDrift = 0.01;
 
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -57,6 +62,7 @@ std::vector<LogColumn> read_columns(const yaml::Node& node, const std::vector<st
 LogColumns default_log_columns(const RobotModel& model) {
   LogColumns columns;
   columns.time.name = "time";
+  columns.velocity_optional = true;
   for (const std::string& joint : joint_names(model)) {
     columns.position.push_back({"joint/" + joint + "/position"});
     columns.velocity.push_back({"joint/" + joint + "/velocity"});
@@ -103,15 +109,40 @@ LogFile::LogFile(const std::string& path, const LogColumns& columns)
   };
   time_place_ = place(columns_.time);
   position_places_ = places(columns_.position);
+  const auto has = [&](const LogColumn& column) {
+    return std::find(header.begin(), header.end(), column.name) != header.end();
+  };
+  if (columns_.velocity_optional && !std::all_of(columns_.velocity.begin(), columns_.velocity.end(), has)) {
+    columns_.velocity.clear();
+  }
   velocity_places_ = places(columns_.velocity);
   torque_places_ = places(columns_.torque);
 
-  for (int i = 0; i < 2; ++i) {
+  read_ahead();
+}
+
+void LogFile::read_ahead() {
+  while (samples_ <= kStretch) {
     auto sample = read_sample();
-    if (!sample) throw InputError(fmt::format("{}: {} rows of data; a log needs at least two", path, i));
-    first_.push_back(std::move(*sample));
+    if (!sample) break;
+    ahead_.push_back(std::move(*sample));
   }
-  std::swap(first_[0], first_[1]);  // handed out from the back
+  if (samples_ < 2) {
+    throw InputError(fmt::format("{}: {} rows of data; a log needs at least two", path_, samples_));
+  }
+  period_ = (ahead_.back().time - ahead_.front().time) / static_cast<double>(samples_ - 1);
+  stretch_begin_ = ahead_.back().time;
+  for (std::size_t k = 1; k < ahead_.size(); ++k) {
+    check_step(ahead_[k].time - ahead_[k - 1].time, static_cast<long>(k) + 2);  // line 1 holds the names
+  }
+}
+
+void LogFile::check_step(double step, long line) const {
+  if (std::abs(step - period_) < kJitter * period_) return;
+  throw InputError(
+      fmt::format("{}:{}: a step of {:.6g} s among steps of {:.6g} s; filters need even ones (within {} %): "
+                  "resample the log, or cut it where samples are missing and give both parts",
+                  path_, line, step, period_, 100.0 * kJitter));
 }
 
 bool LogFile::read_row() {
@@ -151,18 +182,21 @@ JointVector LogFile::numbers(const std::vector<std::size_t>& places,
 }
 
 void LogFile::check_time(double time) {
-  if (samples_ == 1) period_ = time - last_time_;
-  if (samples_ > 0) {
-    const double step = time - last_time_;
-    if (!(step > 0.0)) {
-      throw InputError(
-          fmt::format("{}:{}: time {} does not grow after {}", path_, line_number_, time, last_time_));
-    }
-    if (std::abs(step - period_) > kJitter * period_) {
-      throw InputError(fmt::format(
-          "{}:{}: a step of {:.6g} s among steps of {:.6g} s; filters need even ones (within {} %): "
-          "resample the log, or cut it where samples are missing and give both parts",
-          path_, line_number_, step, period_, 100.0 * kJitter));
+  if (samples_ > 0 && !(time > last_time_)) {
+    throw InputError(
+        fmt::format("{}:{}: time {} does not grow after {}", path_, line_number_, time, last_time_));
+  }
+  if (samples_ > kStretch) {
+    check_step(time - last_time_, line_number_);
+    if (samples_ % kStretch == 0) {
+      const double mean = (time - stretch_begin_) / static_cast<double>(kStretch);
+      if (std::abs(mean - period_) > kDrift * period_) {
+        throw InputError(fmt::format(
+            "{}:{}: the last {} steps take {:.6g} s each, the first ones {:.6g} s; filters need one rate "
+            "(within {} %): resample the log",
+            path_, line_number_, kStretch, mean, period_, 100.0 * kDrift));
+      }
+      stretch_begin_ = time;
     }
   }
   last_time_ = time;
@@ -181,9 +215,9 @@ std::optional<LogSample> LogFile::read_sample() {
 }
 
 std::optional<LogSample> LogFile::next() {
-  if (first_.empty()) return read_sample();
-  LogSample sample = std::move(first_.back());
-  first_.pop_back();
+  if (ahead_.empty()) return read_sample();
+  LogSample sample = std::move(ahead_.front());
+  ahead_.pop_front();
   return sample;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Logs of joint positions, velocities and torques in CSV, read line by line: a rollout's or a real robot's.
 
+#include <deque>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -20,11 +21,13 @@ struct LogColumn {
 struct LogColumns {
   LogColumn time;
   std::vector<LogColumn> position;
-  std::vector<LogColumn> velocity;  ///< n, or empty: the log has none
+  std::vector<LogColumn> velocity;  ///< n, or empty: the log has none, nor needs any
   std::vector<LogColumn> torque;
+  bool velocity_optional = false;  ///< take velocities only if the log has their columns
 };
 
-/// As armtune writes them: `time`, `joint/NAME/position`, `joint/NAME/velocity`, `joint/NAME/torque`.
+/// As armtune writes them: `time`, `joint/NAME/position`, `joint/NAME/torque`; `joint/NAME/velocity` if
+/// there.
 LogColumns default_log_columns(const RobotModel& model);
 
 /// From a YAML file: time, position, velocity (may be missing), torque; each of the last three is a list of n
@@ -47,9 +50,10 @@ class LogFile {
 
   /// The next sample, or none at the end.
   std::optional<LogSample> next();
-  /// Time between samples [s]: that of the first two rows.
+  /// Time between samples [s]: the mean of the first steps, as many as are read ahead.
   double period() const { return period_; }
   const std::string& path() const { return path_; }
+  bool has_velocities() const { return !columns_.velocity.empty(); }
 
  private:
   bool read_row();
@@ -57,6 +61,8 @@ class LogFile {
   JointVector numbers(const std::vector<std::size_t>& places, const std::vector<LogColumn>& columns) const;
   std::optional<LogSample> read_sample();
   void check_time(double time);
+  void read_ahead();
+  void check_step(double step, long line) const;
 
   std::string path_;
   LogColumns columns_;
@@ -69,8 +75,9 @@ class LogFile {
   std::vector<std::size_t> position_places_, velocity_places_, torque_places_;
   double period_ = 0.0;
   double last_time_ = 0.0;
+  double stretch_begin_ = 0.0;  ///< time at which the present stretch of steps begins [s]
   long samples_ = 0;
-  std::vector<LogSample> first_;  ///< read ahead for the period
+  std::deque<LogSample> ahead_;  ///< read ahead for the period
 };
 
 }  // namespace armtune

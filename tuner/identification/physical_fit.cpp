@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/error.hpp"
 #include "core/robot/physical_theta.hpp"
 
 namespace armtune {
@@ -14,6 +15,9 @@ namespace {
 constexpr double kLength = 0.2;
 /// An estimate is not believed beyond this share of a group's size: noise-free logs would ask for 1e12.
 constexpr double kFinest = 1e-5;
+/// Least eigenvalue of a pseudo-inertia, as a share of the prior's trace: a link keeps a mass and an inertia
+/// that a simulator can divide by.
+constexpr double kLeastEigenvalue = 1e-9;
 constexpr int kMostIterations = 20000;
 constexpr double kConverged = 1e-10;
 
@@ -51,16 +55,17 @@ class Coordinates {
     return y;
   }
 
-  /// Nearest valid theta in the norm of the coordinates, as coordinates.
+  /// Nearest valid theta in the norm of the coordinates, as coordinates; a little inside the cone.
   Eigen::VectorXd project(const Eigen::VectorXd& y) const {
     Eigen::VectorXd valid = y;
     const auto n = static_cast<Eigen::Index>(unit_.size());
     ParameterVector link = ParameterVector::Zero(kLinkParameters + kJointParameters);
     for (Eigen::Index i = 0; i < n; ++i) {
+      const PseudoInertia least = kLeastEigenvalue * PseudoInertia::Identity();
       const PseudoInertia P = Eigen::Map<const PseudoInertia>(y.data() + 16 * i);
-      link.head<kLinkParameters>() = link_parameters(P);
+      link.head<kLinkParameters>() = link_parameters(P - least);
       project_to_physical(link);
-      valid.segment<16>(16 * i) = pseudo_inertia(link.head<kLinkParameters>()).reshaped();
+      valid.segment<16>(16 * i) = (pseudo_inertia(link.head<kLinkParameters>()) + least).reshaped();
     }
     valid.tail(n * kJointParameters) = valid.tail(n * kJointParameters).cwiseMax(0.0);
     return valid;
@@ -124,14 +129,18 @@ PhysicalFit physical_fit(const BaseParameters& base, const Estimate& estimate, c
   const Eigen::MatrixXd C = information(base, estimate, prior);
   const Eigen::MatrixXd Q = base.map.transpose() * C * base.map + AtA;
   const Eigen::VectorXd c = base.map.transpose() * (C * estimate.theta) + AtA * prior;
-  const Eigen::VectorXd unconstrained = Q.llt().solve(c);
+  const Eigen::LLT<Eigen::MatrixXd> direct(Q);
+  if (direct.info() != Eigen::Success) {
+    throw InputError("theta cannot be completed: the covariance of the estimate is not positive definite");
+  }
+  const Eigen::VectorXd unconstrained = direct.solve(c);
 
   PhysicalFit fit;
   Eigen::VectorXd y = coordinates.to(unconstrained);
   Eigen::VectorXd z = coordinates.project(y);
   fit.changed = (y - z).norm() > 1e-12 * (1.0 + y.norm());
   if (!fit.changed) {
-    fit.theta = unconstrained;
+    fit.theta = coordinates.from(z);
     return fit;
   }
   // The penalty between the extremes of Q in these coordinates.

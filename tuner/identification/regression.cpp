@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/common/error.hpp"
 #include "tuner/identification/sparse_qr.hpp"
 
 namespace armtune {
@@ -98,6 +99,7 @@ Eigen::VectorXd Regression::solve_weighted(const Eigen::VectorXd& deviation, con
   Eigen::VectorXd torque = all.col(rank_);
   for (const int dead : revealed.dead) torque -= all.col(dead) * prior[dead];
   const auto live = static_cast<Eigen::Index>(revealed.live.size());
+  if (live == 0) throw InputError("the logs excite no parameter: does the arm move in them at all?");
   Eigen::MatrixXd system(all.rows(), live + 1);
   for (Eigen::Index k = 0; k < live; ++k)
     system.col(k) = scaled.col(revealed.live[static_cast<std::size_t>(k)]);
@@ -149,7 +151,7 @@ Estimate Regression::solve(const Eigen::VectorXd& prior) {
     information += weight * Y(0);
     meat += weight * weight * unbiased * autocovariance(j, 0, a) * Y(0);
     for (std::size_t lag = 1; lag <= kLags; ++lag) {
-      // Bartlett's taper keeps the sum positive semi-definite.
+      // Bartlett's taper: lags count less the fewer of them lie in the window.
       const double taper = 1.0 - static_cast<double>(lag) / static_cast<double>(kLags + 1);
       meat += weight * weight * unbiased * taper * autocovariance(j, lag, a) * (Y(lag) + Y(lag).transpose());
     }

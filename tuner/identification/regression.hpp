@@ -39,7 +39,7 @@ class Regression {
   void compress(std::size_t joint);
   Eigen::VectorXd solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
                                  Estimate& out) const;
-  double autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& residual_of) const;
+  double autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& a) const;
 
   int joints_;
   int rank_;

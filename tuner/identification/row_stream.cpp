@@ -14,6 +14,11 @@ namespace {
 constexpr double kWide = 4.0;
 /// at most this share of the sampling rate.
 constexpr double kWidest = 0.25;
+/// Largest deviation from 1 of the regression of logged on differentiated velocity: friction's drives and
+/// sensors agree within some percent, degrees, signs and columns do not.
+constexpr double kVelocityMismatch = 0.2;
+/// A joint slower than this [rad/s, m/s] (RMS) says nothing about its velocity's column.
+constexpr double kSlow = 0.01;
 /// Samples per second of a filtered signal, in units of its cutoff: its content ends at 1.5 of it.
 constexpr double kRate = 4.0;
 
@@ -33,6 +38,11 @@ int decimation(double cutoff, double period) {
   return std::max(1, static_cast<int>(1.0 / (kRate * cutoff * period)));
 }
 
+/// Positions and torques, and velocities if there are any.
+Eigen::Index channels(const RobotModel& model, const LogFile& log) {
+  return (log.has_velocities() ? 3 : 2) * static_cast<Eigen::Index>(model.n());
+}
+
 Eigen::Index rows_size(const RobotModel& model, const BaseParameters& base) {
   return static_cast<Eigen::Index>(model.n()) * (base.rank() + 1);
 }
@@ -50,10 +60,12 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
       motion_step_(decimation(checked(options, log), period_)),
       row_filter_(low_pass(options.cutoff, period_ * motion_step_)),
       row_step_(decimation(options.cutoff, period_ * motion_step_)),
-      motion_(2 * static_cast<Eigen::Index>(model.n()), motion_filter_.length(), motion_step_),
-      rows_(rows_size(model, base), row_filter_.length(), row_step_) {
+      motion_(channels(model, log), motion_filter_.length(), motion_step_),
+      rows_(rows_size(model, base), row_filter_.length(), row_step_),
+      velocity_products_(JointVector::Zero(model.n())),
+      velocity_squares_(JointVector::Zero(model.n())) {
   const double longest = 0.1 * low_pass_half_length(checked(options, log));
-  if (std::abs(options.torque_delay) > longest) {
+  if (!(std::abs(options.torque_delay) <= longest)) {
     throw InputError(fmt::format("--torque-delay is {} s; at this cutoff it must lie within {:.3g} s of zero",
                                  options.torque_delay, longest));
   }
@@ -65,6 +77,7 @@ Eigen::VectorXd RowStream::regressor_rows() {
   const JointVector qd = motion_.sum(motion_filter_.first, 0, n);
   const JointVector qdd = motion_.sum(motion_filter_.second, 0, n);
   const Eigen::VectorXd tau = motion_.sum(torque_filter_.value, n, n);
+  if (log_.has_velocities()) compare_velocities(qd);
   forward_kinematics(model_.chain, q, poses_);
   slotine_li_forward(model_.chain, poses_, qd, qd, qdd, slotine_li_);
   slotine_li_regressor(model_.chain, poses_, slotine_li_, Y_);
@@ -74,12 +87,33 @@ Eigen::VectorXd RowStream::regressor_rows() {
   return rows.reshaped();
 }
 
+void RowStream::compare_velocities(const JointVector& qd) {
+  const int n = model_.n();
+  const JointVector logged = motion_.sum(motion_filter_.value, 2 * static_cast<Eigen::Index>(n), n);
+  velocity_products_ += logged.cwiseProduct(qd);
+  velocity_squares_ += qd.cwiseAbs2();
+  ++compared_;
+}
+
+void RowStream::check_velocities() const {
+  for (int i = 0; i < model_.n() && compared_ > 0; ++i) {
+    const double squares = velocity_squares_[i];
+    if (squares < kSlow * kSlow * static_cast<double>(compared_)) continue;
+    const double slope = velocity_products_[i] / squares;
+    if (std::abs(slope - 1.0) < kVelocityMismatch) continue;
+    throw InputError(fmt::format(
+        "{}: the velocity of {} is {:.3g} times the derivative of its position; look at units, signs and "
+        "columns, or leave velocities out of the column map",
+        log_.path(), model_.joints[static_cast<std::size_t>(i)].name, slope));
+  }
+}
+
 bool RowStream::next(Eigen::MatrixXd& rows) {
   const int n = model_.n();
-  Eigen::VectorXd sample(2 * n);
+  Eigen::VectorXd sample(channels(model_, log_));
   while (const auto logged = log_.next()) {
     ++samples_;
-    sample << logged->q, logged->torque;
+    sample << logged->q, logged->torque, logged->qd;
     if (!motion_.push(sample)) continue;
     if (!rows_.push(regressor_rows())) continue;
     rows = rows_.sum(row_filter_.value, 0, rows_size(model_, base_)).reshaped(n, base_.rank() + 1);

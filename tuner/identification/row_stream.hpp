@@ -29,11 +29,17 @@ class RowStream {
   /// The next instant's rows: n x (rank + 1), columns (Y_base, tau). False at the end of the log.
   bool next(Eigen::MatrixXd& rows);
 
+  /// After the last row: throws InputError if the log has velocities that are not the positions' derivatives,
+  /// which a wrong unit, sign or column makes them. Nothing else is taken from them: they carry the noise of
+  /// one more sensor, or were differentiated from the positions with a lag.
+  void check_velocities() const;
+
   /// Samples of the log read so far.
   long samples() const { return samples_; }
 
  private:
   Eigen::VectorXd regressor_rows();
+  void compare_velocities(const JointVector& qd);
 
   const RobotModel& model_;
   const BaseParameters& base_;
@@ -49,6 +55,9 @@ class RowStream {
   Poses poses_;
   SlotineLi slotine_li_;
   Regressor Y_;
+  JointVector velocity_products_;  ///< sums of logged times differentiated velocity
+  JointVector velocity_squares_;   ///< sums of differentiated velocity squared
+  long compared_ = 0;
   long samples_ = 0;
 };
 

@@ -32,7 +32,7 @@ void fill(Case& c, std::mt19937& generator, const RobotModel& arm, double thresh
   const JointVector qd = random_vector(generator, arm.n(), 1.0);
   c.J = test::tool_jacobian_at(arm.chain, q);
   tool_jacobian_derivative(arm.chain, test::poses_at(arm.chain, q), c.J, qd, c.J_dot);
-  c.inverse.compute(c.J, threshold, 0.05);
+  c.inverse.compute(c.J, {threshold, 0.05});
 }
 
 JointReference references(const Case& c) {

@@ -200,9 +200,8 @@ TEST(ControllerOptions, LeaveSingularityGoesByWayOfItsPublishedGoal) {
     const double time = step * rig.period;
     const JointState measured{start, JointVector::Zero(6)};
     const ControlOutput& out = controller->update(measured, rig.scene(), time);
-    const MotionPoint<JointVector> m =
-        task.step(rig.model->chain, rig.path.at(time), rig.scene().target, rig.gains.manipulability_threshold,
-                  rig.gains.manipulability_damping, rig.period);
+    const MotionPoint<JointVector> m = task.step(rig.model->chain, rig.path.at(time), rig.scene().target,
+                                                 inverse_damping(rig.gains), rig.period);
     const MotionPoint<double> s = rest_to_rest(0.0, 1.0, 6.0).at(time);
     // q = start + s (goal - start + s (task - goal)).
     const JointVector expected = s.velocity * (rig.goal().q - start) +

@@ -286,7 +286,7 @@ TEST(GazeControl, StretchesASlerpThatTheJointsCannotFollow) {
   const Poses poses = test::poses_at(arm.chain, q);
   const Jacobian J = test::tool_jacobian_at(arm.chain, q);
   TaskInverse inverse;
-  inverse.compute(J, 0.0, 0.05);
+  inverse.compute(J, {0.0, 0.05});
   const Vec3 turn = poses.R_0T.col(0);  // of 1 rad
   Vec6 displacement;
   displacement << Vec3::Zero(), turn;

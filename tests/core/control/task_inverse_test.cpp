@@ -44,7 +44,7 @@ TEST(TaskInverse, ManipulabilityIsTheRootOfTheDeterminant) {
     for (int sample = 0; sample < kSamples; ++sample) {
       const Jacobian J = test::tool_jacobian_at(arm.chain, test::random_configuration(generator, arm));
       TaskInverse inverse;
-      inverse.compute(J, kThreshold, kPsi);
+      inverse.compute(J, {kThreshold, kPsi});
       worst.compare(inverse.manipulability(), manipulability_by_singular_values(J), arm.name, 1e-3);
     }
   }
@@ -60,7 +60,7 @@ TEST(TaskInverse, IsThePseudoInverseAboveTheThresholdForSixJointsAndMore) {
     for (int sample = 0; sample < kSamples; ++sample) {
       const Jacobian J = test::tool_jacobian_at(arm.chain, test::random_configuration(generator, arm));
       TaskInverse inverse;
-      inverse.compute(J, kThreshold, kPsi);
+      inverse.compute(J, {kThreshold, kPsi});
       EXPECT_EQ(inverse.damped(), inverse.manipulability() < kThreshold) << arm.name;
       if (inverse.damped()) continue;
       ++above;
@@ -82,7 +82,7 @@ TEST(TaskInverse, IsTheDampedFormulaBelowTheThreshold) {
       const Jacobian J = test::tool_jacobian_at(arm.chain, test::random_configuration(generator, arm));
       const double threshold = 1.01 * manipulability_by_singular_values(J) + 1e-9;
       TaskInverse inverse;
-      inverse.compute(J, threshold, kPsi);
+      inverse.compute(J, {threshold, kPsi});
       EXPECT_TRUE(inverse.damped()) << arm.name;
       const Eigen::MatrixXd JJt = J * J.transpose() + kPsi * Eigen::MatrixXd::Identity(6, 6);
       worst.compare(matrix_of(inverse, J.cols()), Eigen::MatrixXd(J.transpose() * JJt.inverse()), arm.name);
@@ -93,19 +93,44 @@ TEST(TaskInverse, IsTheDampedFormulaBelowTheThreshold) {
 TEST(TaskInverse, SwitchesExactlyAtTheThreshold) {
   const Jacobian J = test::tool_jacobian_at(test::ur10().chain, JointVector::Constant(6, 0.7));
   TaskInverse inverse;
-  inverse.compute(J, 0.0, kPsi);
+  inverse.compute(J, {0.0, kPsi});
   const double m = inverse.manipulability();
-  inverse.compute(J, m, kPsi);
+  inverse.compute(J, {m, kPsi});
   EXPECT_FALSE(inverse.damped());
-  inverse.compute(J, std::nextafter(m, 1.0), kPsi);
+  inverse.compute(J, {std::nextafter(m, 1.0), kPsi});
   EXPECT_TRUE(inverse.damped());
+}
+
+TEST(TaskInverse, VariableDampingIsContinuousAtTheThresholdAndWholeAtASingularity) {
+  const Jacobian J = test::tool_jacobian_at(test::ur10().chain, JointVector::Constant(6, 0.7));
+  TaskInverse inverse;
+  inverse.compute(J, {0.0, kPsi});
+  const double m = inverse.manipulability();
+  const Eigen::MatrixXd exact = matrix_of(inverse, 6);
+  // psi = kPsi * 1e-12 just below the threshold; switched on as a whole it changes the inverse by far more.
+  inverse.compute(J, {m * (1.0 + 1e-6), kPsi, true});
+  EXPECT_TRUE(inverse.damped());
+  EXPECT_LT((matrix_of(inverse, 6) - exact).norm(), 1e-9 * exact.norm());
+  inverse.compute(J, {m * (1.0 + 1e-6), kPsi, false});
+  EXPECT_GT((matrix_of(inverse, 6) - exact).norm(), 1e-2 * exact.norm());
+
+  const Eigen::MatrixXd half =
+      J.transpose() * (J * J.transpose() + 0.25 * kPsi * Eigen::MatrixXd::Identity(6, 6)).inverse();
+  inverse.compute(J, {2.0 * m, kPsi, true});
+  EXPECT_LT((matrix_of(inverse, 6) - half).norm(), 1e-12 * half.norm());
+
+  const Jacobian singular = test::tool_jacobian_at(test::ur10().chain, JointVector::Zero(6));
+  inverse.compute(singular, {0.1, kPsi, false});
+  const Eigen::MatrixXd whole = matrix_of(inverse, 6);
+  inverse.compute(singular, {0.1, kPsi, true});
+  EXPECT_LT((matrix_of(inverse, 6) - whole).norm(), 1e-5 * whole.norm());
 }
 
 TEST(TaskInverse, IsAlwaysDampedWithFewerThanSixJoints) {
   const RobotModel arm = test::random_arm(3, 13, false);
   const Jacobian J = test::tool_jacobian_at(arm.chain, JointVector::Constant(3, 0.7));
   TaskInverse inverse;
-  inverse.compute(J, 0.0, kPsi);
+  inverse.compute(J, {0.0, kPsi});
   EXPECT_TRUE(inverse.damped());
   EXPECT_GT(inverse.manipulability(), 0.0);
 }
@@ -115,7 +140,7 @@ TEST(TaskInverse, IsFiniteAtASingularity) {
   for (const RobotModel& arm : {test::ur10(), test::seven_joint_arm()}) {
     const Jacobian J = test::tool_jacobian_at(arm.chain, JointVector::Zero(arm.n()));
     TaskInverse inverse;
-    inverse.compute(J, 0.1, kPsi);
+    inverse.compute(J, {0.1, kPsi});
     EXPECT_TRUE(inverse.damped());
     EXPECT_LT(inverse.manipulability(), 1e-6);
     EXPECT_TRUE(matrix_of(inverse, arm.n()).allFinite());

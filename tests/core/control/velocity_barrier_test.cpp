@@ -91,15 +91,35 @@ TEST(VelocityBarrier, TakesPowerFromEveryJointThatIsBeyondItsStartAndFromNoOther
   EXPECT_GT(beyond, 100);
 }
 
-TEST(VelocityBarrier, DampsWithTheGainTimesKdAtTheLimit) {
+TEST(VelocityBarrier, DampsWhatIsBeyondItsStartWithTheGainTimesKdFromTheLimitOn) {
   test::WorstError worst("damping", 1e-13);  // rounding
   for_all_samples(732, [&](Sample s) {
     s.bypassing.setZero();
     const JointVector added = s.added(kGain);
     for (int i = 0; i < kJoints; ++i) {
-      if (share(s, i) >= 1.0) worst.compare(added[i], -kGain * s.Kd[i] * s.qd[i], "beyond the limit");
+      if (share(s, i) >= 1.0) {
+        const double beyond = (share(s, i) - kStart) * s.limits[i];
+        worst.compare(added[i], std::copysign(kGain * s.Kd[i] * beyond, -s.qd[i]), "beyond the limit", 1.0);
+      }
     }
   });
+}
+
+TEST(VelocityBarrier, IsNowhereMuchSteeperThanKd) {
+  // The largest slope of h(x) x with h = 3 x^2 - 2 x^3 up to 1 and 1 beyond: 9 x^2 - 8 x^3 at x = 3/4.
+  constexpr double kSteepest = 27.0 / 16.0;
+  Sample s;
+  s.limits = s.Kd = JointVector::Ones(1);
+  s.bypassing = s.torque = JointVector::Zero(1);
+  const auto torque = [&s](double qd) {
+    s.qd = JointVector::Constant(1, qd);
+    return s.added(1.0)[0];
+  };
+  double steepest = 0.0;
+  for (double qd = 0.7; qd < 1.3; qd += 1e-3) {
+    steepest = std::max(steepest, (torque(qd) - torque(qd + 1e-6)) / 1e-6);
+  }
+  EXPECT_NEAR(steepest, kSteepest, 1e-3);
 }
 
 TEST(VelocityBarrier, FadesOutWhatPushesAJointOnAndNothingElse) {

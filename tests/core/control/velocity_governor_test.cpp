@@ -158,7 +158,7 @@ TEST(ShortestDuration, LetsTheQuinticsFastestJointJustReachItsBoundInSpeedOrInAc
     for (int sample = 0; sample < 30; ++sample) {
       const Jacobian J = test::tool_jacobian_at(arm.chain, test::random_configuration(generator, arm));
       TaskInverse inverse;
-      inverse.compute(J, 1e-3, 0.05);
+      inverse.compute(J, {1e-3, 0.05});
       if (inverse.damped()) continue;
       const Vec6 displacement = random_vector(generator, 6, sample % 2 == 0 ? 1.0 : 1e-3);
       const JointVector bound = random_bound(generator, arm.n());

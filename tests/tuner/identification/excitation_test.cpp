@@ -88,6 +88,20 @@ TEST(ExcitationDesign, KeepsTheLimitsAtEveryInstantAndBeatsRandomSeries) {
   }
 }
 
+TEST(ExcitationDesign, ALongTrajectoryKeepsTheLimitsToo) {
+  const RobotModel arm = test::ur10();
+  const std::atomic<bool> never{false};
+  ExcitationOptions options = ur10_options();
+  options.duration = 300.0;  // thirty periods
+  options.evaluations = 100;
+  const ExcitationDesign design = design_excitation(arm, options, never);
+  for (double t = 0.0; t <= options.duration; t += 0.013) {
+    const MotionPoint<JointVector> point = design.excitation.at(t);
+    EXPECT_LE(point.velocity.cwiseQuotient(arm.velocity_limits()).cwiseAbs().maxCoeff(), 0.81) << t;
+    EXPECT_LE((point.position - options.center).cwiseAbs().maxCoeff(), 1.01) << t;
+  }
+}
+
 TEST(ExcitationDesign, RepeatsItselfAndRefusesWhatCannotBe) {
   const RobotModel arm = test::ur10();
   const std::atomic<bool> never{false};

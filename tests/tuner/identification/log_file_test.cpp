@@ -1,5 +1,6 @@
 #include "tuner/identification/log_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -67,9 +68,44 @@ TEST_F(Logs, WhatIsNoWholeLogIsRefusedWithItsPlace) {
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2x,3,4\n"),
               AllOf(HasSubstr("'2x'"), HasSubstr("no finite number")));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n0,1,2,3,4\n"), HasSubstr("does not grow"));
-  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n2.5,1,2,3,4\n"),
-              AllOf(HasSubstr("log.csv:4:"), HasSubstr("step")));
+  EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n4,1,2,3,4\n5,1,2,3,4\n"),
+              AllOf(HasSubstr("log.csv:5:"), HasSubstr("step")));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n\n2,1,2,3,4\n"), HasSubstr("empty line"));
+}
+
+/// A log whose k-th row is at the time that `when` gives.
+template <typename When>
+std::string log_at(long rows, When when) {
+  std::string text = "t,q1,q2,tau1,tau2\n";
+  for (long k = 0; k < rows; ++k) text += fmt::format("{:.9f},1,2,3,4\n", when(k));
+  return text;
+}
+
+TEST_F(Logs, ThePeriodIsTheMeanOfJitteringSteps) {
+  const auto when = [](long k) { return 0.002 * static_cast<double>(k) + (k % 3 == 1 ? 0.0003 : 0.0); };
+  const LogFile log(folder_.write("log.csv", log_at(2000, when)), columns_);
+  EXPECT_NEAR(log.period(), 0.002, 1e-3 * 0.002);  // that of the first two rows is 15 % longer
+  EXPECT_EQ(read(log_at(2000, when)).size(), 2000U);
+}
+
+TEST_F(Logs, AMissingSampleOrAnotherRateIsFoundFarIntoALog) {
+  EXPECT_THAT(refused(log_at(3000, [](long k) { return 0.002 * static_cast<double>(k < 2500 ? k : k + 1); })),
+              AllOf(HasSubstr("log.csv:2502:"), HasSubstr("step")));
+  EXPECT_THAT(refused(log_at(3000,
+                             [](long k) {
+                               return 0.002 * static_cast<double>(k) * (1.0 + 1e-5 * static_cast<double>(k));
+                             })),
+              HasSubstr("one rate"));
+}
+
+TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
+  columns_.velocity = {{"v1"}, {"v2"}};
+  columns_.velocity_optional = true;
+  EXPECT_EQ(read("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n").front().qd.size(), 0);
+  EXPECT_EQ(read("t,q1,q2,tau1,tau2,v2,v1\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n").front().qd,
+            JointVector(Eigen::Vector2d(6, 5)));
+  columns_.velocity_optional = false;
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr("'v1'"));
 }
 
 }  // namespace
