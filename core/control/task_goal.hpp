@@ -5,7 +5,7 @@
 //
 // Closed-loop inverse kinematics (Siciliano et al., Robotics: Modelling, Planning and Control, section 3.7)
 // on a configuration of its own:  q' = J+ (xd' - K e),  q'' = J+ (xd'' - K e' - J' q'),  integrated from the
-// start.
+// start. It knows nothing of the joints' position limits, like the Cartesian law that takes over from it.
 
 #include "core/control/task_inverse.hpp"
 #include "core/robot/kinematics.hpp"
