@@ -1,8 +1,9 @@
 #pragma once
 // Gaze orientation control (equation 7): below the angular threshold the goal orientation itself, above it a
 // slerp whose parameter is a quintic over k_s times the angle. With gaze feed-forward the desired orientation
-// turns as the line from tool to target does; without, as published, it stands still outside slerps. Its rates
-// are exact for a slerp from the start; from the `current` orientation they leave out that this one moves.
+// turns as the line from tool to target does; without, as published, it stands still outside slerps. Its
+// rates are exact for a slerp from the start; from the `current` orientation they leave out that this one
+// moves.
 
 #include <optional>
 
