@@ -63,6 +63,14 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   const Finished center = run_program({"excite", "ur10", "--center", "0,0", "--out", folder / "out"});
   EXPECT_EQ(center.exit_code, 2);
   EXPECT_THAT(center.err, HasSubstr("6 joints"));
+  const Finished fast =
+      run_program({"excite", "ur10", "--frequency", "5", "--harmonics", "5", "--out", folder / "out"});
+  EXPECT_EQ(fast.exit_code, 2);
+  EXPECT_THAT(fast.err, HasSubstr("5 harmonics of 5 Hz; the fastest may have 20 Hz"));
+  const Finished fades =
+      run_program({"excite", "ur10", "--duration", "3", "--fade", "2", "--out", folder / "out"});
+  EXPECT_EQ(fades.exit_code, 2);
+  EXPECT_THAT(fades.err, HasSubstr("two fades of 2 s do not fit in 3 s"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 

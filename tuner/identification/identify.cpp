@@ -20,7 +20,8 @@ constexpr double kClippedVariance = 0.7102;
 /// from clipped residuals, so that neither outliers nor their weights move it (Huber's proposal 2).
 class Reweighting {
  public:
-  explicit Reweighting(int joints) : clipped_(JointVector::Zero(joints)) {}
+  explicit Reweighting(int joints)
+      : squares_(JointVector::Zero(joints)), clipped_(JointVector::Zero(joints)) {}
 
   /// Takes what a pass has found.
   void update(const Estimate& estimate) {
@@ -28,7 +29,9 @@ class Reweighting {
                  ? JointVector(estimate.torque_residual)
                  : JointVector((clipped_ / (kClippedVariance * static_cast<double>(rows_))).cwiseSqrt());
     theta_ = estimate.theta;
+    if (rows_ > 0) residual_ = (squares_ / static_cast<double>(rows_)).cwiseSqrt();
     clipped_.setZero();
+    squares_.setZero();
     rows_ = 0;
   }
 
@@ -38,15 +41,21 @@ class Reweighting {
     for (Eigen::Index j = 0; j < rows.rows(); ++j) {
       const double residual = std::abs(rows(j, rank) - rows.row(j).head(rank).dot(theta_));
       const double bound = kHuber * scale_[j];
+      squares_[j] += residual * residual;
       clipped_[j] += std::pow(std::min(residual, bound), 2);
       if (residual > bound) rows.row(j) *= std::sqrt(bound / residual);
     }
     ++rows_;
   }
 
+  /// RMS of the residuals as they are, without weights, of the pass before the last update; empty after one.
+  const JointVector& residual() const { return residual_; }
+
  private:
   Eigen::VectorXd theta_;
   JointVector scale_;
+  JointVector residual_;
+  JointVector squares_;  ///< sums of squared residuals of this pass
   JointVector clipped_;  ///< sums of clipped squared residuals of this pass
   long rows_ = 0;
 };
@@ -99,6 +108,7 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
     reweighting.update(found.estimate);
     found.torque_rms = (squares / static_cast<double>(rows_seen)).cwiseSqrt();
   }
+  if (reweighting.residual().size() > 0) found.estimate.torque_residual = reweighting.residual();
   found.interrupted = stop;
   if (found.interrupted) return found;
   const PhysicalFit fit = physical_fit(found.base, found.estimate, file_theta);

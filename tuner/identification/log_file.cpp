@@ -13,11 +13,12 @@
 namespace armtune {
 namespace {
 
-/// Steps that the period is the mean of, and over which it must stay the same.
+/// Steps that the period is the mean of. Every further such stretch must have it, both halves of the first
+/// one and what is left at the end, too.
 constexpr long kStretch = 500;
 /// Largest deviation of one step from the period, relative: time stamps jitter. A missing sample is 1.
 constexpr double kJitter = 0.5;
-/// Largest deviation of a whole stretch's mean step, relative.
+/// Largest deviation of a stretch's mean step, relative, beside what the jitter of its two ends makes.
 constexpr double kDrift = 0.01;
 
 std::vector<std::string_view> split(std::string_view line) {
@@ -112,7 +113,7 @@ LogFile::LogFile(const std::string& path, const LogColumns& columns)
   const auto has = [&](const LogColumn& column) {
     return std::find(header.begin(), header.end(), column.name) != header.end();
   };
-  if (columns_.velocity_optional && !std::all_of(columns_.velocity.begin(), columns_.velocity.end(), has)) {
+  if (columns_.velocity_optional && std::none_of(columns_.velocity.begin(), columns_.velocity.end(), has)) {
     columns_.velocity.clear();
   }
   velocity_places_ = places(columns_.velocity);
@@ -131,10 +132,23 @@ void LogFile::read_ahead() {
     throw InputError(fmt::format("{}: {} rows of data; a log needs at least two", path_, samples_));
   }
   period_ = (ahead_.back().time - ahead_.front().time) / static_cast<double>(samples_ - 1);
+  const std::size_t half = ahead_.size() / 2;
+  check_rate(ahead_[half].time - ahead_.front().time, static_cast<long>(half));
+  check_rate(ahead_.back().time - ahead_[half].time, samples_ - 1 - static_cast<long>(half));
   stretch_begin_ = ahead_.back().time;
   for (std::size_t k = 1; k < ahead_.size(); ++k) {
     check_step(ahead_[k].time - ahead_[k - 1].time, static_cast<long>(k) + 2);  // line 1 holds the names
   }
+}
+
+void LogFile::check_rate(double duration, long steps) const {
+  if (steps < 1) return;
+  const double mean = duration / static_cast<double>(steps);
+  if (std::abs(mean - period_) <= (kDrift + 2.0 * kJitter / static_cast<double>(steps)) * period_) return;
+  throw InputError(fmt::format(
+      "{}:{}: {} steps take {:.6g} s each, the first ones {:.6g} s; filters need one rate (within {} %): "
+      "resample the log",
+      path_, line_number_, steps, mean, period_, 100.0 * kDrift));
 }
 
 void LogFile::check_step(double step, long line) const {
@@ -188,15 +202,10 @@ void LogFile::check_time(double time) {
   }
   if (samples_ > kStretch) {
     check_step(time - last_time_, line_number_);
-    if (samples_ % kStretch == 0) {
-      const double mean = (time - stretch_begin_) / static_cast<double>(kStretch);
-      if (std::abs(mean - period_) > kDrift * period_) {
-        throw InputError(fmt::format(
-            "{}:{}: the last {} steps take {:.6g} s each, the first ones {:.6g} s; filters need one rate "
-            "(within {} %): resample the log",
-            path_, line_number_, kStretch, mean, period_, 100.0 * kDrift));
-      }
+    if (++stretch_steps_ == kStretch) {
+      check_rate(time - stretch_begin_, stretch_steps_);
       stretch_begin_ = time;
+      stretch_steps_ = 0;
     }
   }
   last_time_ = time;
@@ -204,7 +213,10 @@ void LogFile::check_time(double time) {
 }
 
 std::optional<LogSample> LogFile::read_sample() {
-  if (!read_row()) return std::nullopt;
+  if (!read_row()) {
+    check_rate(last_time_ - stretch_begin_, stretch_steps_);
+    return std::nullopt;
+  }
   LogSample sample;
   sample.time = number(time_place_, columns_.time);
   check_time(sample.time);

@@ -23,7 +23,7 @@ struct LogColumns {
   std::vector<LogColumn> position;
   std::vector<LogColumn> velocity;  ///< n, or empty: the log has none, nor needs any
   std::vector<LogColumn> torque;
-  bool velocity_optional = false;  ///< take velocities only if the log has their columns
+  bool velocity_optional = false;  ///< a log without any of their columns has no velocities
 };
 
 /// As armtune writes them: `time`, `joint/NAME/position`, `joint/NAME/torque`; `joint/NAME/velocity` if
@@ -63,6 +63,7 @@ class LogFile {
   void check_time(double time);
   void read_ahead();
   void check_step(double step, long line) const;
+  void check_rate(double duration, long steps) const;
 
   std::string path_;
   LogColumns columns_;
@@ -75,6 +76,7 @@ class LogFile {
   std::vector<std::size_t> position_places_, velocity_places_, torque_places_;
   double period_ = 0.0;
   double last_time_ = 0.0;
+  long stretch_steps_ = 0;      ///< since then
   double stretch_begin_ = 0.0;  ///< time at which the present stretch of steps begins [s]
   long samples_ = 0;
   std::deque<LogSample> ahead_;  ///< read ahead for the period

@@ -18,6 +18,8 @@ constexpr double kFinest = 1e-5;
 /// Least eigenvalue of a pseudo-inertia, as a share of the prior's trace: a link keeps a mass and an inertia
 /// that a simulator can divide by.
 constexpr double kLeastEigenvalue = 1e-9;
+/// Farther than this from valid, relative, is more than rounding.
+constexpr double kInvalid = 1e-6;
 constexpr int kMostIterations = 20000;
 constexpr double kConverged = 1e-10;
 
@@ -55,13 +57,14 @@ class Coordinates {
     return y;
   }
 
-  /// Nearest valid theta in the norm of the coordinates, as coordinates; a little inside the cone.
-  Eigen::VectorXd project(const Eigen::VectorXd& y) const {
+  /// Nearest valid theta in the norm of the coordinates, as coordinates; inside the cone by that
+  /// eigenvalue.
+  Eigen::VectorXd project(const Eigen::VectorXd& y, double least_eigenvalue = kLeastEigenvalue) const {
     Eigen::VectorXd valid = y;
     const auto n = static_cast<Eigen::Index>(unit_.size());
     ParameterVector link = ParameterVector::Zero(kLinkParameters + kJointParameters);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const PseudoInertia least = kLeastEigenvalue * PseudoInertia::Identity();
+      const PseudoInertia least = least_eigenvalue * PseudoInertia::Identity();
       const PseudoInertia P = Eigen::Map<const PseudoInertia>(y.data() + 16 * i);
       link.head<kLinkParameters>() = link_parameters(P - least);
       project_to_physical(link);
@@ -112,7 +115,12 @@ Eigen::MatrixXd information(const BaseParameters& base, const Estimate& estimate
     covariance(dead, dead) = 1e6 * size[dead] * size[dead];
   }
   covariance.diagonal() += (kFinest * size).cwiseAbs2();
-  return covariance.llt().solve(Eigen::MatrixXd::Identity(rank, rank));
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+  if (factor.info() != Eigen::Success) {
+    throw InputError(
+        "theta cannot be completed: the estimate's covariance is not positive definite; log longer");
+  }
+  return factor.solve(Eigen::MatrixXd::Identity(rank, rank));
 }
 
 }  // namespace
@@ -129,16 +137,12 @@ PhysicalFit physical_fit(const BaseParameters& base, const Estimate& estimate, c
   const Eigen::MatrixXd C = information(base, estimate, prior);
   const Eigen::MatrixXd Q = base.map.transpose() * C * base.map + AtA;
   const Eigen::VectorXd c = base.map.transpose() * (C * estimate.theta) + AtA * prior;
-  const Eigen::LLT<Eigen::MatrixXd> direct(Q);
-  if (direct.info() != Eigen::Success) {
-    throw InputError("theta cannot be completed: the covariance of the estimate is not positive definite");
-  }
-  const Eigen::VectorXd unconstrained = direct.solve(c);
+  const Eigen::VectorXd unconstrained = Q.llt().solve(c);
 
   PhysicalFit fit;
   Eigen::VectorXd y = coordinates.to(unconstrained);
   Eigen::VectorXd z = coordinates.project(y);
-  fit.changed = (y - z).norm() > 1e-12 * (1.0 + y.norm());
+  fit.changed = (y - coordinates.project(y, 0.0)).norm() > kInvalid * (1.0 + y.norm());
   if (!fit.changed) {
     fit.theta = coordinates.from(z);
     return fit;

@@ -1,6 +1,7 @@
 #include "tuner/identification/regression.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,15 @@ SparseMatrix stacked(const Eigen::MatrixXd& factor, const std::vector<Eigen::Vec
   SparseMatrix matrix(factor.rows() + static_cast<Eigen::Index>(rows.size()), columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+/// Lags of a short log may outweigh its variances: directions of negative variance are taken for exactly
+/// known.
+void make_positive(Eigen::MatrixXd& W) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(W);
+  if (eigen.eigenvalues().minCoeff() >= 0.0) return;
+  const Eigen::VectorXd kept = eigen.eigenvalues().cwiseMax(0.0);
+  W = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
 /// (-theta, 1): (Y, tau) times it is the residual.
@@ -167,7 +177,8 @@ Estimate Regression::solve(const Eigen::VectorXd& prior) {
   }
   const Eigen::VectorXd unscale = scale.cwiseInverse();
   const Eigen::MatrixXd H = unscale.asDiagonal() * information * unscale.asDiagonal();
-  const Eigen::MatrixXd W = unscale.asDiagonal() * meat * unscale.asDiagonal();
+  Eigen::MatrixXd W = unscale.asDiagonal() * meat * unscale.asDiagonal();
+  make_positive(W);
   const Eigen::LDLT<Eigen::MatrixXd> factor(H);
   const Eigen::MatrixXd half = factor.solve(W);
   out.covariance = unscale.asDiagonal() * factor.solve(half.transpose()) * unscale.asDiagonal();

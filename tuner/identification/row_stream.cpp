@@ -17,8 +17,9 @@ constexpr double kWidest = 0.25;
 /// Largest deviation from 1 of the regression of logged on differentiated velocity: friction's drives and
 /// sensors agree within some percent, degrees, signs and columns do not.
 constexpr double kVelocityMismatch = 0.2;
-/// A joint slower than this [rad/s, m/s] (RMS) says nothing about its velocity's column.
-constexpr double kSlow = 0.01;
+/// A joint slower than this [rad/s, m/s] (RMS) says nothing about its velocity's column: what differentiation
+/// makes of the positions' noise would count.
+constexpr double kSlow = 0.1;
 /// Samples per second of a filtered signal, in units of its cutoff: its content ends at 1.5 of it.
 constexpr double kRate = 4.0;
 
@@ -103,7 +104,7 @@ void RowStream::check_velocities() const {
     if (std::abs(slope - 1.0) < kVelocityMismatch) continue;
     throw InputError(fmt::format(
         "{}: the velocity of {} is {:.3g} times the derivative of its position; look at units, signs and "
-        "columns, or leave velocities out of the column map",
+        "columns (--columns FILE; a map without velocities leaves them alone)",
         log_.path(), model_.joints[static_cast<std::size_t>(i)].name, slope));
   }
 }

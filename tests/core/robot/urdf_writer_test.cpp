@@ -16,11 +16,11 @@ namespace {
 
 using test::WorstError;
 
-RobotModel read_back(const std::string& text) {
+RobotModel read_back(const std::string& text, const std::string& tip = "tool") {
   const std::string path = testing::TempDir() + "armtune_urdf_writer_test.urdf";
   std::ofstream(path, std::ios::binary) << text;
   UrdfOptions options;
-  options.tip_link = "tool";
+  options.tip_link = tip;
   RobotModel model = read_urdf(path, options);
   std::remove(path.c_str());
   return model;
@@ -55,6 +55,21 @@ TEST(UrdfWriter, WhatItWritesReadsBackAsTheSameArm) {
       tool.compare(a.R_0T, b.R_0T, arm.name);
     }
   }
+}
+
+TEST(UrdfWriter, AnArmWithALinkCalledToolGetsAnotherNameForItsEnd) {
+  RobotModel arm = test::ur10();
+  EXPECT_EQ(urdf_tool_link(arm), "tool");
+  arm.joints.back().link = "tool";
+  ASSERT_EQ(urdf_tool_link(arm), "tool_");
+  const RobotModel back = read_back(urdf_text(arm), "tool_");
+  EXPECT_LT((back.chain.p_BT - arm.chain.p_BT).norm(), 1e-12);
+}
+
+TEST(UrdfWriter, ALinkWithoutMassIsWrittenWithFiniteNumbers) {
+  RobotModel arm = test::ur10();
+  arm.chain.link[1] = {};
+  EXPECT_EQ(urdf_text(arm).find("nan"), std::string::npos);
 }
 
 }  // namespace

@@ -87,7 +87,8 @@ Balance balance(ControlState state, const std::string& gains_name, double period
 }
 
 /// The torque is held over a period and theta steps by Euler's rule: what is left is of first order in it.
-void expect_balanced(ControlState state, const std::string& gains) {
+/// largest_correction: share of what is dissipated.
+void expect_balanced(ControlState state, const std::string& gains, double largest_correction) {
   const Balance coarse = balance(state, gains, 0.001);
   const Balance fine = balance(state, gains, 0.0005);
   testing::Test::RecordProperty(
@@ -95,21 +96,22 @@ void expect_balanced(ControlState state, const std::string& gains) {
                             coarse.discrepancy / coarse.dissipated, fine.discrepancy / fine.dissipated,
                             fine.dissipated, fine.correction / fine.dissipated));
   EXPECT_GT(fine.dissipated, 0.1) << "there was something to balance [J]";
+  EXPECT_LE(fine.correction, largest_correction * fine.dissipated);
   EXPECT_LT(fine.discrepancy, 1e-3 * fine.dissipated);
   EXPECT_GT(fine.discrepancy, 0.4 * coarse.discrepancy);
   EXPECT_LT(fine.discrepancy, 0.6 * coarse.discrepancy);
 }
 
 TEST(LyapunovInSimbody, FallsByWhatKdDissipatesWhileLeavingTheSingularity) {
-  expect_balanced(ControlState::kLeaveSingularity, "published");
+  expect_balanced(ControlState::kLeaveSingularity, "published", 1e-5);
 }
 
 TEST(LyapunovInSimbody, FallsByWhatKdDissipatesAlongThePath) {
-  expect_balanced(ControlState::kFollowTrajectory, "published");
+  expect_balanced(ControlState::kFollowTrajectory, "published", 0.3);  // the gaze that stands still
 }
 
 TEST(LyapunovInSimbody, FallsByWhatKdDissipatesUnderTheExtendedLaw) {
-  expect_balanced(ControlState::kFollowTrajectory, "extended");
+  expect_balanced(ControlState::kFollowTrajectory, "extended", 0.005);
 }
 
 }  // namespace

@@ -96,6 +96,17 @@ TEST_F(Logs, AMissingSampleOrAnotherRateIsFoundFarIntoALog) {
                                return 0.002 * static_cast<double>(k) * (1.0 + 1e-5 * static_cast<double>(k));
                              })),
               HasSubstr("one rate"));
+  // Within the first stretch and at a log's end, too.
+  const auto slower = [](long k) {
+    return 0.01 * static_cast<double>(k) * (1.0 + 1e-3 * static_cast<double>(k));
+  };
+  EXPECT_THAT(refused(log_at(300, slower)), HasSubstr("one rate"));
+  EXPECT_THAT(refused(log_at(900,
+                             [](long k) {
+                               return 0.002 * static_cast<double>(k < 600 ? k : 600) +
+                                      0.0024 * static_cast<double>(k < 600 ? 0 : k - 600);
+                             })),
+              HasSubstr("one rate"));
 }
 
 TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
@@ -104,6 +115,8 @@ TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
   EXPECT_EQ(read("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n").front().qd.size(), 0);
   EXPECT_EQ(read("t,q1,q2,tau1,tau2,v2,v1\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n").front().qd,
             JointVector(Eigen::Vector2d(6, 5)));
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,v1\n0,1,2,3,4,5\n1,1,2,3,4,5\n"), HasSubstr("'v2'"))
+      << "half of them";
   columns_.velocity_optional = false;
   EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1,1,2,3,4\n"), HasSubstr("'v1'"));
 }

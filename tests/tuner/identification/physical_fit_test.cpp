@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <random>
 
+#include "core/common/error.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
@@ -86,6 +88,30 @@ TEST(PhysicalFit, OfAnImpossibleEstimateIsThePhysicalThetaNearestToIt) {
       EXPECT_GT(distance(base, e, nearer), found - 0.02 * step * found - 1e-3) << sample;
     }
   }
+}
+
+TEST(PhysicalFit, AnEstimateThatIsValidAtTheEdgeIsNotCalledChanged) {
+  RobotModel arm = test::ur10();
+  const BaseParameters base = base_parameters(arm);
+  arm.chain.link[2].inertia =
+      in_frame({1.0, Vec3::Zero(), Mat3::Zero()}, Mat3::Identity(), Vec3(0.1, 0.2, 0.3)).inertia;
+  arm.chain.link[2].first_moment = Vec3(0.1, 0.2, 0.3);
+  arm.chain.link[2].mass = 1.0;  // a point mass: its pseudo-inertia has rank one
+  const ParameterVector truth = theta_of(arm.chain);
+  const PhysicalFit fit = physical_fit(base, estimate_of(base, truth, 1e-3), truth);
+  EXPECT_FALSE(fit.changed);
+  // Yet what comes out can be divided by.
+  const PseudoInertia P = pseudo_inertia(fit.theta.segment<kLinkParameters>(2 * kLinkParameters));
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<PseudoInertia>(P).eigenvalues()[0], 0.0);
+}
+
+TEST(PhysicalFit, ACovarianceThatIsNoneIsRefused) {
+  const RobotModel arm = test::ur10();
+  const BaseParameters base = base_parameters(arm);
+  const ParameterVector prior = theta_of(arm.chain);
+  Estimate e = estimate_of(base, prior, 0.01);
+  e.covariance(0, 1) = e.covariance(1, 0) = 10.0 * std::sqrt(e.covariance(0, 0) * e.covariance(1, 1));
+  EXPECT_THROW(physical_fit(base, e, prior), InputError);
 }
 
 }  // namespace
