@@ -10,6 +10,10 @@
 namespace armtune {
 namespace {
 
+constexpr int kMostDelay = 1000;
+/// Keeps the numbers of one group apart from those of another.
+constexpr std::uint64_t kMoreDraws = 0x9E3779B97F4A7C15U;
+
 /// Uniform numbers by our own arithmetic: the standard leaves its distributions to the library, and a
 /// sample's number must name the same arm everywhere.
 class Draw {
@@ -37,6 +41,8 @@ class Draw {
   std::mt19937_64 generator_;
 };
 
+constexpr int kCoordinates = 3;
+
 void multiply(JointVector& factors, const JointVector& by) {
   factors = factors.size() > 0 ? JointVector(factors.cwiseProduct(by)) : by;
 }
@@ -54,6 +60,11 @@ void validate(const Perturbation& p) {
   check("friction", p.friction, p.friction >= 0.0 && p.friction <= 1.0, "[0, 1]");
   check("payload_max", p.payload_max, std::isfinite(p.payload_max) && p.payload_max >= 0.0,
         "[0, infinity) kg");
+  check("center", p.center, std::isfinite(p.center) && p.center >= 0.0, "[0, infinity) m");
+  check("delay_max", p.delay_max, p.delay_max >= 0 && p.delay_max <= kMostDelay, "0 .. 1000 periods");
+  check("noise", p.noise, p.noise >= 0.0 && p.noise <= 1.0, "[0, 1]");
+  check("theta", p.theta, p.theta >= 0.0 && p.theta < 1.0, "[0, 1)");
+  check("target_speed", p.target_speed, p.target_speed >= 0.0 && p.target_speed < 1.0, "[0, 1)");
 }
 
 Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, std::uint64_t seed,
@@ -72,6 +83,22 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   if (plant.coulomb_friction.size() > 0) multiply(plant.coulomb_friction, friction);
   plant.payload = {draw.between(0.0, perturbation.payload_max), Vec3::Zero()};
   result.seed = draw.bits();
+  // Each of these from numbers of its own, so that a kind that was added later leaves the others as they
+  // were.
+  Draw more(seed ^ kMoreDraws, sample);
+  if (plant.center_offsets.cols() == 0) plant.center_offsets.setZero(kCoordinates, n);
+  for (double& offset : plant.center_offsets.reshaped()) {
+    offset += more.between(-perturbation.center, perturbation.center);
+  }
+  const double delay = more.between(0.0, perturbation.delay_max + 1.0);
+  plant.torque_delay_periods += static_cast<int>(delay);
+  const double noise = more.between(1.0 - perturbation.noise, 1.0 + perturbation.noise);
+  plant.position_noise *= noise;
+  plant.velocity_noise *= noise;
+  multiply(result.theta.factors, more.factors(n, perturbation.theta));
+  for (NamedPath& target : result.targets) {
+    target.path.frequency *= more.between(1.0 - perturbation.target_speed, 1.0 + perturbation.target_speed);
+  }
   for (auto* paths : {&result.targets, &result.obstacles}) {
     for (NamedPath& named : *paths) {
       const double phase = draw.between(0.0, 2.0 * M_PI);

@@ -9,22 +9,24 @@ namespace armtune {
 namespace {
 
 /// Denser by `mass_factor`, then spread wider about its centre of mass by `inertia_factor`: a body whose
-/// principal moments about its centre all grow alike stays one that can be built.
-LinkInertia scaled(const LinkInertia& body, double mass_factor, double inertia_factor) {
+/// principal moments about its centre all grow alike stays one that can be built, wherever its centre is.
+LinkInertia varied(const LinkInertia& body, double mass_factor, double inertia_factor, const Vec3& offset) {
   LinkInertia result{mass_factor * body.mass, mass_factor * body.first_moment, mass_factor * body.inertia};
-  if (inertia_factor == 1.0) return result;  // exactly the same body, without the rounding of the shifts
+  if (inertia_factor == 1.0 && offset.isZero(0.0))
+    return result;  // exactly the same body, without the rounding of the shifts
   const Vec3 c = result.first_moment / result.mass;
   LinkInertia centered = in_frame(result, Mat3::Identity(), -c);
   centered.first_moment.setZero();
   centered.inertia *= inertia_factor;
-  return in_frame(centered, Mat3::Identity(), c);
+  return in_frame(centered, Mat3::Identity(), c + offset);
 }
 
 void apply_factors(const PlantConditions& plant, Chain& chain) {
   const auto factor = [](const JointVector& factors, int i) { return factors.size() > 0 ? factors[i] : 1.0; };
   for (int i = 0; i < chain.n; ++i) {
     LinkInertia& link = chain.link[static_cast<std::size_t>(i)];
-    link = scaled(link, factor(plant.mass_factors, i), factor(plant.inertia_factors, i));
+    const Vec3 offset = plant.center_offsets.cols() > 0 ? Vec3(plant.center_offsets.col(i)) : Vec3::Zero();
+    link = varied(link, factor(plant.mass_factors, i), factor(plant.inertia_factors, i), offset);
     chain.rotor_inertia[i] *= factor(plant.rotor_factors, i);
   }
 }
@@ -55,8 +57,9 @@ RobotModel plant_model(const Scenario& scenario) {
   return plant;
 }
 
-ParameterVector start_theta(const Scenario& scenario) {
-  if (scenario.theta.file.empty()) return scenario.theta.model_scale * theta_of(scenario.robot->chain);
+namespace {
+
+ParameterVector theta_from_file(const Scenario& scenario) {
   const yaml::Node root = yaml::parse_file(scenario.theta.file);
   yaml::MapReader map(root);
   const auto names = theta_names(*scenario.robot);
@@ -67,8 +70,22 @@ ParameterVector start_theta(const Scenario& scenario) {
   return theta;
 }
 
+}  // namespace
+
+ParameterVector start_theta(const Scenario& scenario) {
+  ParameterVector theta = scenario.theta.file.empty()
+                              ? ParameterVector(scenario.theta.model_scale * theta_of(scenario.robot->chain))
+                              : theta_from_file(scenario);
+  for (Eigen::Index i = 0; i < scenario.theta.factors.size(); ++i) {
+    theta.segment<kLinkParameters>(i * kLinkParameters) *= scenario.theta.factors[i];
+    theta.segment<kJointParameters>(joint_parameter_index(scenario.robot->n(), static_cast<int>(i))) *=
+        scenario.theta.factors[i];
+  }
+  return theta;
+}
+
 void start_theta_from(const std::string& file, Scenario& scenario) {
-  scenario.theta = {0.0, file};
+  scenario.theta = {0.0, file, {}};
   start_theta(scenario);  // a mistake in it shows now rather than in the first rollout
   scenario.inputs.push_back(file);
 }

@@ -21,7 +21,8 @@ struct NamedPath {
 /// What theta starts from: scale * the controller's model (0: nothing known, 1: the model), or given values.
 struct ThetaStart {
   double model_scale = 0.0;
-  std::string file;  ///< theta by name in YAML; empty: model_scale counts
+  std::string file;     ///< theta by name in YAML; empty: model_scale counts
+  JointVector factors;  ///< then on each link's and its joint's parameters; n or empty (all 1)
 };
 
 /// How the plant differs from the controller's model, and what lies between them.
@@ -34,7 +35,8 @@ struct PlantConditions {
   JointVector coulomb_friction;
   JointVector mass_factors;     ///< on each link's mass, first moment and inertia alike; n or empty (all 1)
   JointVector inertia_factors;  ///< then on its inertia about the centre of mass; n or empty
-  JointVector rotor_factors;    ///< on each joint's rotor inertia; n or empty
+  Eigen::Matrix3Xd center_offsets;  ///< of each link's centre of mass, link frame [m]; 3 x n or empty (all 0)
+  JointVector rotor_factors;        ///< on each joint's rotor inertia; n or empty
 };
 
 /// How the controller sees the targets when it does not know their motion.

@@ -33,6 +33,7 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   EXPECT_THAT(help("tune"), AllOf(HasSubstr("ur10_gaze"), HasSubstr("COBYLA"), HasSubstr("ISRES"),
                                   HasSubstr("slerpDurationErrorGain"), HasSubstr("reacquisition/time"),
                                   HasSubstr("--max-evaluations"), HasSubstr("--seed")));
+  EXPECT_THAT(help("robustness"), AllOf(HasSubstr("--payload"), HasSubstr("--limit"), HasSubstr("1000")));
   EXPECT_THAT(help("compare"), AllOf(HasSubstr("--scenarios"), HasSubstr("midpoint")));
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/robot/theta.hpp"
@@ -156,6 +157,98 @@ TEST(Perturbed, StaysWithinItsRangesFillsThemAndIsAnArmThatCanBeBuilt) {
   EXPECT_LT(least_mass, 0.804);
   EXPECT_GT(most_friction, 1.49);
   EXPECT_GT(most_phase, 0.99 * 2.0 * M_PI);
+}
+
+TEST(Perturbed, WhatHasNoWidthStaysAndWhatIsAddedMovesNothingElse) {
+  const Scenario scenario = load_scenario("realistic_obstacle_pass");
+  Perturbation more;
+  more.center = 0.01;
+  more.delay_max = 2;
+  more.noise = 0.5;
+  more.theta = 0.1;
+  more.target_speed = 0.2;
+  const Scenario plain = perturbed(scenario, {}, 3, 8);
+  const Scenario drawn = perturbed(scenario, more, 3, 8);
+  EXPECT_EQ(plain.plant.center_offsets, Eigen::Matrix3Xd::Zero(3, 6));
+  EXPECT_EQ(plain.plant.position_noise, scenario.plant.position_noise);
+  EXPECT_EQ(plain.plant.torque_delay_periods, scenario.plant.torque_delay_periods);
+  EXPECT_EQ(start_theta(plain), start_theta(scenario));
+  EXPECT_EQ(plain.targets[0].path.frequency, scenario.targets[0].path.frequency);
+  EXPECT_EQ(drawn.plant.mass_factors, plain.plant.mass_factors);
+  EXPECT_EQ(drawn.plant.payload.mass, plain.plant.payload.mass);
+  EXPECT_EQ(drawn.seed, plain.seed);
+  EXPECT_EQ(drawn.obstacles[1].path.phase, plain.obstacles[1].path.phase);
+}
+
+TEST(Perturbed, MovesCentersDelayNoiseThetaAndTargetsWithinTheirRangesAndFillsThem) {
+  const Scenario scenario = load_scenario("realistic_obstacle_pass");
+  Perturbation range;
+  range.center = 0.02;
+  range.delay_max = 2;
+  range.noise = 0.5;
+  range.theta = 0.1;
+  range.target_speed = 0.2;
+  constexpr int kSamples = 300;
+  std::array<int, 3> delays{};
+  double far = 0.0;
+  double fast = 0.0;
+  double loud = 0.0;
+  double sure = 0.0;
+  for (std::uint64_t k = 0; k < kSamples; ++k) {
+    const Scenario drawn = perturbed(scenario, range, 7, k);
+    const RobotModel arm = plant_model(drawn);
+    validate(arm);
+    EXPECT_LE(drawn.plant.center_offsets.cwiseAbs().maxCoeff(), 0.02);
+    far = std::max(far, drawn.plant.center_offsets.cwiseAbs().maxCoeff());
+    const int delay = drawn.plant.torque_delay_periods - scenario.plant.torque_delay_periods;
+    ASSERT_GE(delay, 0);
+    ASSERT_LE(delay, 2);
+    ++delays[static_cast<std::size_t>(delay)];
+    const double noise = drawn.plant.velocity_noise / scenario.plant.velocity_noise;
+    EXPECT_NEAR(noise, drawn.plant.position_noise / scenario.plant.position_noise, kRounding);
+    EXPECT_LE(std::abs(noise - 1.0), 0.5);
+    loud = std::max(loud, noise);
+    const double speed = drawn.targets[0].path.frequency / scenario.targets[0].path.frequency;
+    EXPECT_LE(std::abs(speed - 1.0), 0.2 + kRounding);
+    fast = std::max(fast, speed);
+    EXPECT_LE(std::abs(drawn.theta.factors.maxCoeff() - 1.0), 0.1);
+    sure = std::max(sure, drawn.theta.factors.maxCoeff());
+  }
+  for (const int count : delays) EXPECT_NEAR(count, kSamples / 3, 45);  // five deviations
+  EXPECT_GT(far, 0.0199);
+  EXPECT_GT(loud, 1.47);  // 300 draws miss the outer 3 % with probability 1e-4
+  EXPECT_GT(fast, 1.19);
+  EXPECT_GT(sure, 1.099);
+}
+
+TEST(PlantFactors, AnOffsetMovesTheCenterAndKeepsTheInertiaAboutIt) {
+  Scenario scenario = load_scenario("moving_target");
+  const Chain before = plant_model(scenario).chain;
+  scenario.plant.center_offsets.setZero(3, 6);
+  const Vec3 offset(0.01, -0.02, 0.03);
+  scenario.plant.center_offsets.col(2) = offset;
+  const Chain after = plant_model(scenario).chain;
+  const auto about_center = [](const LinkInertia& link) {
+    const Vec3 c = link.first_moment / link.mass;
+    return Mat3(link.inertia - link.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose()));
+  };
+  EXPECT_EQ(after.link[2].mass, before.link[2].mass);
+  EXPECT_LT((after.link[2].first_moment - before.link[2].first_moment - before.link[2].mass * offset).norm(),
+            kRounding * before.link[2].mass);
+  EXPECT_LT((about_center(after.link[2]) - about_center(before.link[2])).norm(), kRounding);
+  EXPECT_EQ(after.link[1].inertia, before.link[1].inertia);
+}
+
+TEST(ThetaStart, FactorsMultiplyEachLinksAndItsJointsParameters) {
+  Scenario scenario = load_scenario("realistic_moving_target");
+  scenario.theta.model_scale = 1.0;
+  const ParameterVector plain = start_theta(scenario);
+  scenario.theta.factors = JointVector::LinSpaced(6, 0.5, 1.0);
+  const ParameterVector varied = start_theta(scenario);
+  EXPECT_EQ(varied.segment<kLinkParameters>(0), 0.5 * plain.segment<kLinkParameters>(0));
+  const int joint = joint_parameter_index(6, 2);
+  EXPECT_EQ(varied.segment<kJointParameters>(joint), 0.7 * plain.segment<kJointParameters>(joint));
+  EXPECT_EQ(varied.tail<kJointParameters>(), plain.tail<kJointParameters>());
 }
 
 TEST(Perturbed, RefusesRangesThatLeaveNoArm) {

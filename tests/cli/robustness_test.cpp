@@ -1,0 +1,74 @@
+// `armtune robustness` as a person runs it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Fourteen seconds of target_switch on the realistic arm.
+std::string short_scenario(const test::TemporaryFolder& folder) {
+  return folder.write("short.yaml", "base: realistic_target_switch\nduration: 14\n");
+}
+
+Finished robustness(const test::TemporaryFolder& folder, const std::string& scenario, const std::string& out,
+                    std::vector<std::string> more) {
+  std::vector<std::string> args = {"robustness", "extended_tuned", "--scenarios",
+                                   scenario,     "--out",          folder / out};
+  args.insert(args.end(), more.begin(), more.end());
+  return run_program(args);
+}
+
+TEST(Robustness, OneSeedGivesTheSameFilesAndASampleAloneItsRow) {
+  const test::TemporaryFolder folder;
+  const std::string scenario = short_scenario(folder);
+  const Finished one =
+      robustness(folder, scenario, "one", {"--samples", "3", "--center", "0.01", "--workers", "1"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.out, AllOf(HasSubstr("of 3 arms keep every limit"), HasSubstr("95 % confidence")));
+  const Finished two =
+      robustness(folder, scenario, "two", {"--samples", "3", "--center", "0.01", "--workers", "2"});
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  for (const char* file : {"/samples.csv", "/summary.csv"}) {
+    EXPECT_EQ(test::read_text(folder / "one" + file), test::read_text(folder / "two" + file)) << file;
+  }
+  const Finished alone = robustness(folder, scenario, "alone", {"--sample", "2", "--center", "0.01"});
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  const std::string row = test::read_text(folder / "alone/samples.csv");
+  EXPECT_THAT(test::read_text(folder / "one/samples.csv"), HasSubstr(row.substr(row.find('\n') + 1)));
+}
+
+TEST(Robustness, NamesTheLimitThatIsBroken) {
+  const test::TemporaryFolder folder;
+  const Finished strict = robustness(folder, short_scenario(folder), "strict",
+                                     {"--samples", "2", "--limit", "joint_velocity/max_ratio<=0.01"});
+  ASSERT_EQ(strict.exit_code, 0) << strict.err;
+  EXPECT_THAT(strict.out,
+              AllOf(HasSubstr("0.0 % of 2 arms"),
+                    HasSubstr("2 of 2 break 'joint_velocity/max_ratio <= 0.01'"), HasSubstr("samples 0 1")));
+}
+
+TEST(Robustness, BadInputEndsWithTwo) {
+  const test::TemporaryFolder folder;
+  const std::string scenario = short_scenario(folder);
+  const Finished mass = robustness(folder, scenario, "mass", {"--mass", "1.5"});
+  EXPECT_EQ(mass.exit_code, 2);
+  EXPECT_THAT(mass.err, AllOf(HasSubstr("mass is 1.5"), HasSubstr("[0, 1)")));
+  const Finished limit = robustness(folder, scenario, "limit", {"--limit", "speed<=1"});
+  EXPECT_EQ(limit.exit_code, 2);
+  EXPECT_THAT(limit.err, HasSubstr("no metric 'speed'"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "limit"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,116 @@
+#include "tuner/robustness/monte_carlo.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/scenario/gains_file.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::HasSubstr;
+
+const std::atomic<bool> kNever{false};
+
+class MonteCarlo : public ::testing::Test {
+ protected:
+  MonteCarlo() {
+    options_.samples = 4;
+    options_.perturbation.center = 0.01;
+    options_.perturbation.delay_max = 1;
+    options_.perturbation.noise = 0.5;
+    options_.perturbation.theta = 0.1;
+    options_.perturbation.target_speed = 0.2;
+    for (const char* name : {"identified_realistic_target_switch", "identified_moving_target"}) {
+      scenarios_.push_back(load_scenario(name));
+      scenarios_.back().duration = 14.0;
+    }
+    gains_ = load_gains("extended_tuned", joint_names(*scenarios_.front().robot));
+  }
+  std::string csv() const {
+    return samples_csv(scenarios_, monte_carlo(scenarios_, gains_, options_, kNever));
+  }
+
+  std::vector<Scenario> scenarios_;
+  Gains gains_;
+  MonteCarloOptions options_;
+};
+
+TEST_F(MonteCarlo, OneSeedGivesTheSameBytesWithAnyNumberOfWorkers) {
+  const std::string one = csv();
+  options_.workers = 3;
+  EXPECT_EQ(csv(), one);
+  options_.seed = 2;
+  EXPECT_NE(csv(), one);
+}
+
+TEST_F(MonteCarlo, ASampleAloneIsItsRow) {
+  const std::string all = csv();
+  options_.first = 2;
+  options_.samples = 1;
+  const std::string alone = csv();
+  const std::string rows = alone.substr(alone.find('\n') + 1);
+  EXPECT_THAT(rows, testing::StartsWith("2,identified_realistic_target_switch,completed,"));
+  EXPECT_THAT(all, HasSubstr(rows));
+}
+
+TEST_F(MonteCarlo, AStopLeavesWholeSamplesOnly) {
+  std::atomic<bool> stop{false};
+  options_.progress = [&stop](std::size_t done, std::size_t all) {
+    EXPECT_EQ(all, 8U);
+    stop = done == 5;
+  };
+  const auto samples = monte_carlo(scenarios_, gains_, options_, stop);
+  EXPECT_EQ(samples.size(), 2U);
+}
+
+TEST_F(MonteCarlo, TheSummaryNamesTheWorstSampleOfEveryMetric) {
+  const auto samples = monte_carlo(scenarios_, gains_, options_, kNever);
+  int seen = 0;
+  for (const MetricSpread& spread : spreads(samples, 0)) {
+    const bool large_is_good =
+        spread.metric == Metric::kJointPositionMinMargin || spread.metric == Metric::kSamples;
+    for (const MonteCarloSample& sample : samples) {
+      const double value = sample.results[0].metrics[spread.metric];
+      if (large_is_good) {
+        EXPECT_GE(value, spread.worst) << name(spread.metric);
+      } else {
+        EXPECT_LE(value, spread.worst) << name(spread.metric);
+      }
+      if (sample.number != spread.worst_sample) continue;
+      EXPECT_EQ(value, spread.worst) << name(spread.metric);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 20);
+}
+
+TEST(Limits, AreReadAndToldApart) {
+  const MetricLimit limit = parse_limit("joint_velocity/max_ratio<=0.9");
+  EXPECT_EQ(to_string(limit), "joint_velocity/max_ratio <= 0.9");
+  RolloutResult result;
+  result.metrics[Metric::kJointVelocityMaxRatio] = 0.91;
+  EXPECT_EQ(broken_limit(result, {limit}), "joint_velocity/max_ratio <= 0.9");
+  result.metrics[Metric::kJointVelocityMaxRatio] = 0.9;
+  EXPECT_EQ(broken_limit(result, {limit}), "");
+  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}), "") << "without obstacles";
+  result.metrics[Metric::kObstacleMinClearance] = 0.05;
+  EXPECT_EQ(broken_limit(result, {limit, parse_limit("obstacle/min_clearance>=0.1")}),
+            "obstacle/min_clearance >= 0.1");
+  result.status = RolloutStatus::kDiverged;
+  EXPECT_EQ(broken_limit(result, {limit}), "diverged");
+}
+
+TEST(Limits, WhatIsNoneIsRefused) {
+  EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_ratio"); }), HasSubstr("METRIC<=VALUE"));
+  EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_ratio<0.9"); }), HasSubstr("METRIC<=VALUE"));
+  EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_rato<=0.9"); }),
+              HasSubstr("joint_velocity/max_ratio"));
+  EXPECT_THAT(test::refusal([] { parse_limit("gaze/rms<=much"); }), HasSubstr("'much' is no finite number"));
+}
+
+}  // namespace
+}  // namespace armtune

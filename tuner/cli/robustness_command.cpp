@@ -1,0 +1,214 @@
+// armtune robustness: how many arms that differ from the model keep their limits under a gain set.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "core/common/error.hpp"
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/gains/study.hpp"
+#include "tuner/robustness/monte_carlo.hpp"
+#include "tuner/robustness/statistics.hpp"
+#include "tuner/run/comparison.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace armtune::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string set;
+  std::vector<std::string> scenarios;
+  std::vector<std::string> limits;
+  std::string folder;
+  std::string stepper = "midpoint";
+  long only = -1;
+  MonteCarloOptions options;
+};
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+std::string gains_name(const Arguments& args) {
+  return is_folder(args.set) ? (fs::path(args.set) / "gains.yaml").string() : args.set;
+}
+
+/// Those asked for; else those of the run folder's study; else the bundled ones that come near limits.
+std::vector<Scenario> scenarios_of(const Arguments& args) {
+  std::vector<std::string> names = args.scenarios;
+  if (names.empty()) {
+    std::error_code ignored;
+    const fs::path study = fs::path(args.set) / "study.yaml";
+    if (is_folder(args.set) && fs::exists(study, ignored)) return load_study(study.string()).scenarios;
+    names = {"realistic_target_switch", "realistic_obstacle_pass"};
+  }
+  std::vector<Scenario> scenarios;
+  scenarios.reserve(names.size());
+  for (const std::string& name : names) {
+    Scenario scenario = load_scenario(name);
+    for (const Scenario& other : scenarios) {
+      if (other.name == scenario.name)
+        throw InputError(fmt::format("two scenarios are called {}", other.name));
+    }
+    scenarios.push_back(std::move(scenario));
+  }
+  return scenarios;
+}
+
+void print_yield(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
+                 const std::vector<MetricLimit>& limits) {
+  const auto kept = static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
+  const auto [low, high] = wilson_interval(kept, samples.size());
+  fmt::print("{:.1f} % of {} arms keep every limit (95 % confidence: {:.1f} .. {:.1f} %):\n",
+             100.0 * static_cast<double>(kept) / static_cast<double>(samples.size()), samples.size(),
+             100.0 * low, 100.0 * high);
+  for (const MetricLimit& limit : limits) fmt::print("  {}\n", to_string(limit));
+  std::map<std::pair<std::string, std::string>, std::vector<std::uint64_t>> breaks;
+  for (const MonteCarloSample& sample : samples) {
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+      if (!sample.broken[s].empty()) breaks[{scenarios[s].name, sample.broken[s]}].push_back(sample.number);
+    }
+  }
+  constexpr std::size_t kShown = 8;
+  for (const auto& [what, numbers] : breaks) {
+    fmt::print(
+        "{}: {} of {} break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(), what.second,
+        fmt::join(numbers.begin(),
+                  numbers.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, numbers.size())), " "),
+        numbers.size() > kShown ? " ..." : "");
+  }
+}
+
+void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples) {
+  const auto& headline = headline_metrics();
+  for (std::size_t s = 0; s < scenarios.size(); ++s) {
+    fmt::print("\n{:<36}{:>12}{:>12}{:>12}{:>12}{:>10}\n", scenarios[s].name, "median", "95 %", "99 %",
+               "worst", "sample");
+    for (const MetricSpread& spread : spreads(samples, s)) {
+      if (std::find(headline.begin(), headline.end(), spread.metric) == headline.end()) continue;
+      const MetricField& f = field(spread.metric);
+      fmt::print("{:<36}{:>12.4g}{:>12.4g}{:>12.4g}{:>12.4g}{:>10}\n",
+                 fmt::format("  {} [{}]", f.name, f.unit), spread.median, spread.p95, spread.p99,
+                 spread.worst, spread.worst_sample);
+    }
+  }
+}
+
+int run(Arguments args) {
+  MonteCarloOptions& options = args.options;
+  options.stepper = stepper_from_name(args.stepper);
+  if (!args.limits.empty()) {
+    options.limits.clear();
+    for (const std::string& text : args.limits) options.limits.push_back(parse_limit(text));
+  }
+  if (args.only >= 0) {
+    options.first = static_cast<std::uint64_t>(args.only);
+    options.samples = 1;
+  }
+  const std::vector<Scenario> scenarios = scenarios_of(args);
+  const std::string gains_path = find_data_file("gains", gains_name(args));
+  const auto joints = joint_names(*scenarios.front().robot);
+  for (const Scenario& scenario : scenarios) load_gains(gains_path, joint_names(*scenario.robot));
+  const Gains gains = load_gains(gains_path, joints);
+  validate(options.perturbation);
+  if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
+  if (!args.folder.empty()) make_run_folder(args.folder);
+
+  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [began] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  ProgressLine line;
+  options.progress = [&](std::size_t done, std::size_t all) {
+    line.show(fmt::format("{} of {} rollouts, {:.0f} s left", done, all,
+                          seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
+  };
+  const auto samples = monte_carlo(scenarios, gains, options, stop_requested());
+  line.clear();
+  if (!samples.empty()) {
+    print_yield(scenarios, samples, options.limits);
+    print_spreads(scenarios, samples);
+  }
+  if (!args.folder.empty()) {
+    write_text_file(args.folder + "/samples.csv", samples_csv(scenarios, samples));
+    write_text_file(args.folder + "/summary.csv", summary_csv(scenarios, samples));
+    Provenance p;
+    p.command = command_line();
+    p.inputs = {gains_path};
+    add_inputs(scenarios, p.inputs);
+    p.seed = options.seed;
+    p.workers = options.workers;
+    p.wall_seconds = seconds();
+    p.extra = {{"samples", fmt::format("{}", samples.size())}, {"stepper", args.stepper}};
+    write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml\n", args.folder);
+  }
+  return stop_requested() ? kInterrupted : kDone;
+}
+
+}  // namespace
+
+void add_robustness_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  args->options.workers = default_workers();
+  Perturbation& p = args->options.perturbation;
+  CLI::App* command = app.add_subcommand(
+      "robustness", "Simulate gains on many arms that differ at random from the model: yield and quantiles");
+  command->add_option("RUN_OR_GAINS", args->set, "a run folder, bundled gains or a YAML file")->required();
+  command->add_option(
+      "--scenarios", args->scenarios,
+      "what every arm does; unless given, the run's study says, or realistic_target_switch and "
+      "realistic_obstacle_pass");
+  command->add_option("--samples", args->options.samples, "how many arms")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
+  command->add_option("--seed", args->options.seed, "of the draws")->capture_default_str();
+  command->add_option("--sample", args->only, "only this one, the same to the byte as among the others")
+      ->check(CLI::Range(0L, 1000000000L));
+  command->add_option("--limit", args->limits,
+                      "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
+                      "velocities and positions inside the arm's own");
+  const auto width = [command](const char* name, double& value, const char* text) {
+    command->add_option(name, value, text)->capture_default_str()->group("Uncertainty (uniform)");
+  };
+  width("--mass", p.mass, "+- share of each link's mass");
+  width("--center", p.center, "+- each coordinate of each link's centre of mass [m]");
+  width("--inertia", p.inertia, "+- share of each link's inertia about its centre");
+  width("--rotor", p.rotor, "+- share of each joint's rotor inertia");
+  width("--friction", p.friction, "+- share of each joint's friction");
+  width("--payload", p.payload_max, "0 .. this mass at the tool [kg]");
+  width("--noise", p.noise, "+- share of the sensors' noise");
+  width("--theta", p.theta, "+- share of theta at the start, one factor for each link");
+  width("--target-speed", p.target_speed, "+- share of the targets' speed");
+  command->add_option("--delay", p.delay_max, "0 .. so many further control periods of torque delay")
+      ->capture_default_str()
+      ->group("Uncertainty (uniform)");
+  command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
+      ->group("Uncertainty (uniform)");
+  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
+      ->capture_default_str();
+  command->add_option("--out", args->folder, "new folder for samples.csv, summary.csv and run.yaml");
+  command->add_option("--workers", args->options.workers, "threads")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->footer(
+      "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
+      "--limit 'joint_velocity/max_ratio<=0.9'\n");
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,56 @@
+#include "tuner/robustness/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+
+namespace armtune {
+
+std::vector<MetricLimit> arm_limits() {
+  return {{Metric::kJointVelocityMaxRatio, true, 1.0}, {Metric::kJointPositionMinMargin, false, 0.0}};
+}
+
+MetricLimit parse_limit(const std::string& text) {
+  const std::size_t place = text.find_first_of("<>");
+  if (place == std::string::npos || place + 1 >= text.size() || text[place + 1] != '=') {
+    throw InputError(
+        fmt::format("limit '{}': give METRIC<=VALUE or METRIC>=VALUE, such as "
+                    "joint_velocity/max_ratio<=0.9",
+                    text));
+  }
+  MetricLimit limit;
+  const std::string metric = text.substr(0, place);
+  const auto known = metric_from_name(metric);
+  if (!known) {
+    std::vector<std::string> names;
+    for (const MetricField& field : metric_fields()) names.emplace_back(field.name);
+    throw InputError(fmt::format("limit '{}': no metric '{}'{}", text, metric, suggestion(metric, names)));
+  }
+  limit.metric = *known;
+  limit.upper = text[place] == '<';
+  const std::string number = text.substr(place + 2);
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), limit.value);
+  if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(limit.value)) {
+    throw InputError(fmt::format("limit '{}': '{}' is no finite number", text, number));
+  }
+  return limit;
+}
+
+std::string to_string(const MetricLimit& limit) {
+  return fmt::format("{} {} {}", name(limit.metric), limit.upper ? "<=" : ">=", limit.value);
+}
+
+std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits) {
+  if (result.status != RolloutStatus::kCompleted) return name(result.status);
+  for (const MetricLimit& limit : limits) {
+    const double value = result.metrics[limit.metric];
+    if (limit.upper ? value > limit.value : value < limit.value) return to_string(limit);
+  }
+  return {};
+}
+
+}  // namespace armtune

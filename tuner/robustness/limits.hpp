@@ -1,0 +1,30 @@
+#pragma once
+// What a gain set must keep on every arm: bounds on metrics.
+
+#include <string>
+#include <vector>
+
+#include "sim/rollout/rollout.hpp"
+
+namespace armtune {
+
+struct MetricLimit {
+  Metric metric = Metric::kJointVelocityMaxRatio;
+  bool upper = true;  ///< at most, else at least
+  double value = 1.0;
+};
+
+/// The arm's own: joint velocities and positions inside their limits.
+std::vector<MetricLimit> arm_limits();
+
+/// From "joint_velocity/max_ratio<=0.9" or ">=". Throws InputError.
+MetricLimit parse_limit(const std::string& text);
+
+/// "joint_velocity/max_ratio <= 0.9"
+std::string to_string(const MetricLimit& limit);
+
+/// The first limit that a result breaks or, if it did not complete, its status; empty if it keeps them all. A
+/// metric without a value, such as clearance without obstacles, breaks nothing.
+std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits);
+
+}  // namespace armtune

@@ -1,0 +1,116 @@
+#include "tuner/robustness/monte_carlo.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "tuner/robustness/statistics.hpp"
+#include "tuner/run/parallel.hpp"
+
+namespace armtune {
+namespace {
+
+/// Of these the smallest value is the worst.
+bool should_be_large(Metric metric) {
+  return metric == Metric::kObstacleMinClearance || metric == Metric::kJointPositionMinMargin ||
+         metric == Metric::kSamples;
+}
+
+std::string cell(double value) {
+  return std::isnan(value) ? std::string() : fmt::format("{}", value);
+}
+
+}  // namespace
+
+bool MonteCarloSample::keeps_all() const {
+  return std::all_of(broken.begin(), broken.end(), [](const std::string& b) { return b.empty(); });
+}
+
+std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
+                                          const MonteCarloOptions& options, const std::atomic<bool>& stop) {
+  validate(options.perturbation);
+  std::vector<MonteCarloSample> samples(options.samples);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    samples[k].number = options.first + k;
+    samples[k].results.resize(scenarios.size());
+    samples[k].broken.resize(scenarios.size());
+  }
+  std::vector<std::size_t> done(samples.size(), 0);
+  std::mutex mutex;
+  std::size_t rollouts = 0;
+  const std::size_t jobs = samples.size() * scenarios.size();
+  parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
+    const std::size_t k = job / scenarios.size();
+    const std::size_t s = job % scenarios.size();
+    const Scenario arm = perturbed(scenarios[s], options.perturbation, options.seed, samples[k].number);
+    RolloutResult result =
+        Rollout(arm, options.stepper).run(gains, [&stop](const Observation&) { return !stop; });
+    const std::lock_guard lock(mutex);
+    if (result.status == RolloutStatus::kInterrupted) return;
+    samples[k].broken[s] = broken_limit(result, options.limits);
+    samples[k].results[s] = std::move(result);
+    ++done[k];
+    if (options.progress) options.progress(++rollouts, jobs);
+  });
+  std::vector<MonteCarloSample> whole;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (done[k] == scenarios.size()) whole.push_back(std::move(samples[k]));
+  }
+  return whole;
+}
+
+std::string samples_csv(const std::vector<Scenario>& scenarios,
+                        const std::vector<MonteCarloSample>& samples) {
+  std::string text = "sample,scenario,status,broken_limit,joint_velocity/max_ratio_joint";
+  for (const Metric metric : all_metrics()) text += fmt::format(",{}", name(metric));
+  text += '\n';
+  for (const MonteCarloSample& sample : samples) {
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+      const RolloutResult& result = sample.results[s];
+      text += fmt::format("{},{},{},{},{}", sample.number, scenarios[s].name, name(result.status),
+                          sample.broken[s], result.metrics.max_ratio_joint);
+      for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, std::size_t s) {
+  std::vector<MetricSpread> found;
+  for (const Metric metric : all_metrics()) {
+    const double sign = should_be_large(metric) ? -1.0 : 1.0;
+    std::vector<std::pair<double, std::uint64_t>> values;
+    values.reserve(samples.size());
+    for (const MonteCarloSample& sample : samples) {
+      const double value = sample.results[s].metrics[metric];
+      const bool completed = sample.results[s].status == RolloutStatus::kCompleted;
+      if (completed && !std::isnan(value)) values.emplace_back(sign * value, sample.number);
+    }
+    if (values.empty()) continue;
+    std::sort(values.begin(), values.end());
+    std::vector<double> sorted;
+    sorted.reserve(values.size());
+    for (const auto& [value, number] : values) sorted.push_back(value);
+    found.push_back({metric, sign * quantile(sorted, 0.5), sign * quantile(sorted, 0.95),
+                     sign * quantile(sorted, 0.99), sign * sorted.back(), values.back().second});
+  }
+  return found;
+}
+
+std::string summary_csv(const std::vector<Scenario>& scenarios,
+                        const std::vector<MonteCarloSample>& samples) {
+  std::string text = "scenario,metric,unit,median,p95,p99,worst,worst_sample\n";
+  for (std::size_t s = 0; s < scenarios.size(); ++s) {
+    for (const MetricSpread& spread : spreads(samples, s)) {
+      text += fmt::format("{},{},{},{},{},{},{},{}\n", scenarios[s].name, name(spread.metric),
+                          field(spread.metric).unit, spread.median, spread.p95, spread.p99, spread.worst,
+                          spread.worst_sample);
+    }
+  }
+  return text;
+}
+
+}  // namespace armtune

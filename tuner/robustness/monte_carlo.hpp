@@ -1,0 +1,56 @@
+#pragma once
+// Gains on many arms that differ at random from the one they were made for.
+
+#include <atomic>
+#include <functional>
+#include <vector>
+
+#include "sim/scenario/perturbation.hpp"
+#include "tuner/robustness/limits.hpp"
+
+namespace armtune {
+
+struct MonteCarloOptions {
+  Perturbation perturbation;
+  std::uint64_t seed = 1;
+  std::uint64_t first = 0;  ///< number of the first sample
+  std::uint64_t samples = 1000;
+  std::vector<MetricLimit> limits = arm_limits();
+  Stepper stepper = Stepper::kMidpoint;
+  int workers = 1;
+  std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
+};
+
+/// One arm in every scenario.
+struct MonteCarloSample {
+  std::uint64_t number = 0;
+  std::vector<RolloutResult> results;  ///< one per scenario
+  std::vector<std::string> broken;     ///< one per scenario, empty where every limit is kept
+
+  bool keeps_all() const;
+};
+
+/// Samples in the order of their numbers; those that were not done when `stop` became true are missing. A
+/// sample is a function of scenarios, gains, perturbation, seed and its number alone.
+std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
+                                          const MonteCarloOptions& options, const std::atomic<bool>& stop);
+
+/// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric.
+/// Numbers read back to the same bits.
+std::string samples_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
+
+/// A metric over the samples that completed a scenario, worst last: largest, or smallest for what should be
+/// large.
+struct MetricSpread {
+  Metric metric = Metric::kPositionMax;
+  double median = 0.0, p95 = 0.0, p99 = 0.0, worst = 0.0;
+  std::uint64_t worst_sample = 0;
+};
+
+/// All metrics that have a value in scenario s.
+std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, std::size_t s);
+
+/// summary.csv: scenario,metric,unit,median,p95,p99,worst,worst_sample.
+std::string summary_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
+
+}  // namespace armtune

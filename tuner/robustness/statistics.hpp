@@ -1,0 +1,22 @@
+#pragma once
+// What a sample of runs says of all of them.
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace armtune {
+
+/// Value below which a share p in [0, 1] of the values lies, interpolated between neighbours (Hyndman and
+/// Fan, Sample quantiles in statistical packages, 1996, definition 7). sorted: ascending, at least one.
+double quantile(std::span<const double> sorted, double p);
+
+/// Mean of the worst (largest) share 1 - p of the values, p in [0, 1): the conditional value at risk. The
+/// value at the edge counts with the part of it that belongs to the share. sorted: ascending, at least one.
+double conditional_value_at_risk(std::span<const double> sorted, double p);
+
+/// 95 % confidence interval of a probability of which `successes` of `trials` (>= 1) were seen (Wilson,
+/// 1927): unlike the normal approximation's it holds for yields near 1.
+std::pair<double, double> wilson_interval(std::size_t successes, std::size_t trials);
+
+}  // namespace armtune
