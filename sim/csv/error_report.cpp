@@ -23,11 +23,8 @@ std::string quoted(const std::string& text) {
 std::string errors_csv(const std::vector<ScenarioResult>& results) {
   const auto& fields = metric_fields();
   const auto ratio = static_cast<std::size_t>(Metric::kJointVelocityMaxRatio);
-  std::string text = "scenario,status";
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    text += fmt::format(",{}", fields[i].name);
-    if (i == ratio) text += fmt::format(",{}", kJointColumn);
-  }
+  std::string text;
+  for (const Column& column : error_columns()) text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
   for (const ScenarioResult& row : results) {
     text += fmt::format("{},{}", row.scenario, name(row.result.status));
@@ -41,26 +38,22 @@ std::string errors_csv(const std::vector<ScenarioResult>& results) {
   return text;
 }
 
-std::string columns_csv(const std::vector<Column>& rollout_columns,
-                        const std::vector<Column>& journal_columns) {
+std::vector<Column> error_columns() {
+  std::vector<Column> columns = {{"scenario", "", "name of the scenario", {}},
+                                 {"status", "", "completed, diverged, no_samples or interrupted", {}}};
+  for (const Metric m : all_metrics()) {
+    columns.push_back({name(m), field(m).unit, field(m).meaning, {}});
+    if (m == Metric::kJointVelocityMaxRatio) columns.push_back({kJointColumn, "", "joint of that ratio", {}});
+  }
+  return columns;
+}
+
+std::string columns_csv(const std::vector<FileColumns>& files) {
   std::string text = "file,name,unit,meaning\n";
-  const auto add = [&text](const char* file, const std::string& name, const std::string& unit,
-                           const std::string& meaning) {
-    text += fmt::format("{},{},{},{}\n", file, name, unit, quoted(meaning));
-  };
-  add("errors.csv", "scenario", "", "name of the scenario");
-  add("errors.csv", "status", "", "completed, diverged, no_samples or interrupted");
-  for (const MetricField& field : metric_fields()) {
-    add("errors.csv", field.name, field.unit, field.meaning);
-    if (&field == &metric_fields()[static_cast<std::size_t>(Metric::kJointVelocityMaxRatio)]) {
-      add("errors.csv", kJointColumn, "", "joint of that ratio");
+  for (const FileColumns& f : files) {
+    for (const Column& c : f.columns) {
+      text += fmt::format("{},{},{},{}\n", f.file, c.name, c.unit, quoted(c.meaning));
     }
-  }
-  for (const Column& column : rollout_columns) {
-    add("rollout_*.csv", column.name, column.unit, column.meaning);
-  }
-  for (const Column& column : journal_columns) {
-    add("evaluations.csv", column.name, column.unit, column.meaning);
   }
   return text;
 }

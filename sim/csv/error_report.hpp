@@ -17,8 +17,16 @@ struct ScenarioResult {
 /// Text of errors.csv. Numbers read back to the same bits; metrics without a value are empty cells.
 std::string errors_csv(const std::vector<ScenarioResult>& results);
 
-/// Text of columns.csv for errors.csv, the rollout files' columns and, where given, evaluations.csv's.
-std::string columns_csv(const std::vector<Column>& rollout_columns,
-                        const std::vector<Column>& journal_columns = {});
+/// Name, unit and meaning of the columns of errors.csv.
+std::vector<Column> error_columns();
+
+/// The columns of one CSV file of a run.
+struct FileColumns {
+  std::string file;
+  std::vector<Column> columns;
+};
+
+/// Text of columns.csv: file,name,unit,meaning.
+std::string columns_csv(const std::vector<FileColumns>& files);
 
 }  // namespace armtune

@@ -59,4 +59,8 @@ std::optional<Metric> metric_from_name(std::string_view name) {
   return std::nullopt;
 }
 
+bool larger_is_better(Metric m) {
+  return m == Metric::kObstacleMinClearance || m == Metric::kJointPositionMinMargin || m == Metric::kSamples;
+}
+
 }  // namespace armtune

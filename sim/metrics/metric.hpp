@@ -62,6 +62,8 @@ inline const char* name(Metric m) {
 /// Every metric, in order.
 std::vector<Metric> all_metrics();
 std::optional<Metric> metric_from_name(std::string_view name);
+/// True for the few of which more is better, such as clearance; of all others less is.
+bool larger_is_better(Metric m);
 
 /// Values of one rollout. A metric that had nothing to judge is NaN in memory and an empty cell in files.
 struct Metrics {

@@ -10,7 +10,7 @@
 namespace armtune {
 namespace {
 
-constexpr int kMostDelay = 1000;
+constexpr double kMostDelay = 1000.0;
 /// Keeps the numbers of one group apart from those of another.
 constexpr std::uint64_t kMoreDraws = 0x9E3779B97F4A7C15U;
 
@@ -49,22 +49,44 @@ void multiply(JointVector& factors, const JointVector& by) {
 
 }  // namespace
 
-void validate(const Perturbation& p) {
-  const auto check = [](const char* field, double value, bool in_range, const char* range) {
-    if (in_range) return;
-    throw InputError(fmt::format("perturbation: {} is {}; it must lie in {}", field, value, range));
+std::span<const PerturbationField> perturbation_fields() {
+  using P = Perturbation;
+  constexpr double kAny = 1e6;
+  static constexpr PerturbationField fields[] = {
+      {"mass", "1", "+- share of each link's mass, first moment and inertia together", &P::mass, 1.0, false},
+      {"center", "m", "+- each coordinate of each link's centre of mass", &P::center, kAny, true},
+      {"inertia", "1", "+- share of each link's inertia about its centre of mass", &P::inertia, 1.0, false},
+      {"rotor", "1", "+- share of each joint's rotor inertia", &P::rotor, 1.0, false},
+      {"friction", "1", "+- share of each joint's friction in the scenario", &P::friction, 1.0, true},
+      {"payload", "kg", "0 .. this point mass at the tool, in place of the scenario's", &P::payload, kAny,
+       true},
+      {"delay", "periods", "0 .. so many control periods of torque delay on top", &P::delay, kMostDelay,
+       true},
+      {"noise", "1", "+- share of the sensors' noise", &P::noise, 1.0, true},
+      {"theta", "1", "+- share of each link's part of theta at the start", &P::theta, 1.0, false},
+      {"target_speed", "1", "+- share of each target's speed on its path", &P::target_speed, 1.0, false},
   };
-  check("mass", p.mass, p.mass >= 0.0 && p.mass < 1.0, "[0, 1)");
-  check("inertia", p.inertia, p.inertia >= 0.0 && p.inertia < 1.0, "[0, 1)");
-  check("rotor", p.rotor, p.rotor >= 0.0 && p.rotor < 1.0, "[0, 1)");
-  check("friction", p.friction, p.friction >= 0.0 && p.friction <= 1.0, "[0, 1]");
-  check("payload_max", p.payload_max, std::isfinite(p.payload_max) && p.payload_max >= 0.0,
-        "[0, infinity) kg");
-  check("center", p.center, std::isfinite(p.center) && p.center >= 0.0, "[0, infinity) m");
-  check("delay_max", p.delay_max, p.delay_max >= 0 && p.delay_max <= kMostDelay, "0 .. 1000 periods");
-  check("noise", p.noise, p.noise >= 0.0 && p.noise <= 1.0, "[0, 1]");
-  check("theta", p.theta, p.theta >= 0.0 && p.theta < 1.0, "[0, 1)");
-  check("target_speed", p.target_speed, p.target_speed >= 0.0 && p.target_speed < 1.0, "[0, 1)");
+  return fields;
+}
+
+Perturbation no_perturbation() {
+  Perturbation none;
+  for (const PerturbationField& field : perturbation_fields()) none.*field.width = 0.0;
+  none.phases = false;
+  return none;
+}
+
+void validate(const Perturbation& perturbation, const std::string& where) {
+  for (const PerturbationField& f : perturbation_fields()) {
+    const double width = perturbation.*f.width;
+    if (width >= 0.0 && (width < f.most || (f.most_included && width == f.most))) continue;
+    throw InputError(fmt::format("{}: {} is {}; it must lie in [0, {}{} [{}]: {}", where, f.name, width,
+                                 f.most, f.most_included ? "]" : ")", f.unit, f.meaning));
+  }
+  if (perturbation.delay != std::floor(perturbation.delay)) {
+    throw InputError(fmt::format("{}: delay is {}; it must be a whole number of control periods", where,
+                                 perturbation.delay));
+  }
 }
 
 Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, std::uint64_t seed,
@@ -81,7 +103,7 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   const JointVector friction = draw.factors(n, perturbation.friction);
   if (plant.viscous_friction.size() > 0) multiply(plant.viscous_friction, friction);
   if (plant.coulomb_friction.size() > 0) multiply(plant.coulomb_friction, friction);
-  plant.payload = {draw.between(0.0, perturbation.payload_max), Vec3::Zero()};
+  plant.payload = {draw.between(0.0, perturbation.payload), Vec3::Zero()};
   result.seed = draw.bits();
   // Each of these from numbers of its own, so that a kind that was added later leaves the others as they
   // were.
@@ -90,7 +112,7 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   for (double& offset : plant.center_offsets.reshaped()) {
     offset += more.between(-perturbation.center, perturbation.center);
   }
-  const double delay = more.between(0.0, perturbation.delay_max + 1.0);
+  const double delay = more.between(0.0, perturbation.delay + 1.0);
   plant.torque_delay_periods += static_cast<int>(delay);
   const double noise = more.between(1.0 - perturbation.noise, 1.0 + perturbation.noise);
   plant.position_noise *= noise;

@@ -3,28 +3,47 @@
 // tuned. Sample k of a seed is always the same one, whichever others are drawn.
 
 #include <cstdint>
+#include <span>
+#include <string>
 
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune {
 
-/// Widths of uniform distributions about the scenario's own values, relative where no unit is given.
+/// Widths of uniform distributions about the scenario's own values. perturbation_fields() says what each one
+/// means.
 struct Perturbation {
-  double mass = 0.2;          ///< of each link's mass, first moment and inertia together, in [0, 1)
-  double inertia = 0.2;       ///< of each link's inertia about its centre of mass, in [0, 1)
-  double rotor = 0.2;         ///< of each joint's rotor inertia, in [0, 1)
-  double friction = 0.5;      ///< of each joint's viscous and Coulomb friction in the scenario, in [0, 1]
-  double payload_max = 3.0;   ///< a point mass at the tool in [0, payload_max], the scenario's no more [kg]
-  bool phases = true;         ///< each target and each obstacle starts anywhere on its path
-  double center = 0.0;        ///< of each coordinate of each link's centre of mass [m]
-  int delay_max = 0;          ///< 0 .. delay_max control periods of torque delay on top of the scenario's
-  double noise = 0.0;         ///< of the sensors' noise, in [0, 1]
-  double theta = 0.0;         ///< of each link's share of theta at the start, in [0, 1)
-  double target_speed = 0.0;  ///< of the frequency of each target's path, in [0, 1)
+  double mass = 0.2;
+  double center = 0.01;  ///< [m]
+  double inertia = 0.2;
+  double rotor = 0.2;
+  double friction = 0.5;
+  double payload = 3.0;  ///< [kg]
+  double delay = 1.0;    ///< control periods, a whole number
+  double noise = 0.5;
+  double theta = 0.1;
+  double target_speed = 0.2;
+  bool phases = true;  ///< each target and each obstacle starts anywhere on its path
 };
 
-/// Throws InputError naming field, value and limit.
-void validate(const Perturbation& perturbation);
+/// A width by name, as YAML and the command line spell it.
+struct PerturbationField {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  double Perturbation::*width;
+  double most;  ///< largest width; 1 itself is refused where it would leave nothing
+  bool most_included;
+};
+
+/// Every width, in order.
+std::span<const PerturbationField> perturbation_fields();
+
+/// Nothing differs: widths of zero, phases as they are.
+Perturbation no_perturbation();
+
+/// Throws InputError, with `where` in front, naming field, value and limit.
+void validate(const Perturbation& perturbation, const std::string& where = "perturbation");
 
 /// The scenario with another plant, other phases and other noise. Drawn by mt19937_64 from (seed, sample)
 /// alone. Factors the scenario already has are multiplied; the controller's model stays as it is.

@@ -32,17 +32,15 @@ Finished robustness(const test::TemporaryFolder& folder, const std::string& scen
 TEST(Robustness, OneSeedGivesTheSameFilesAndASampleAloneItsRow) {
   const test::TemporaryFolder folder;
   const std::string scenario = short_scenario(folder);
-  const Finished one =
-      robustness(folder, scenario, "one", {"--samples", "3", "--center", "0.01", "--workers", "1"});
+  const Finished one = robustness(folder, scenario, "one", {"--samples", "3", "--workers", "1"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_THAT(one.out, AllOf(HasSubstr("of 3 arms keep every limit"), HasSubstr("95 % confidence")));
-  const Finished two =
-      robustness(folder, scenario, "two", {"--samples", "3", "--center", "0.01", "--workers", "2"});
+  const Finished two = robustness(folder, scenario, "two", {"--samples", "3", "--workers", "2"});
   ASSERT_EQ(two.exit_code, 0) << two.err;
   for (const char* file : {"/samples.csv", "/summary.csv"}) {
     EXPECT_EQ(test::read_text(folder / "one" + file), test::read_text(folder / "two" + file)) << file;
   }
-  const Finished alone = robustness(folder, scenario, "alone", {"--sample", "2", "--center", "0.01"});
+  const Finished alone = robustness(folder, scenario, "alone", {"--sample", "2"});
   ASSERT_EQ(alone.exit_code, 0) << alone.err;
   const std::string row = test::read_text(folder / "alone/samples.csv");
   EXPECT_THAT(test::read_text(folder / "one/samples.csv"), HasSubstr(row.substr(row.find('\n') + 1)));

@@ -17,6 +17,7 @@ inline constexpr int kInterrupted = 130;
 void add_robot_command(CLI::App& app, int& exit_code);
 void add_simulate_command(CLI::App& app, int& exit_code);
 void add_tune_command(CLI::App& app, int& exit_code);
+void add_pareto_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_robustness_command(CLI::App& app, int& exit_code);
 void add_excite_command(CLI::App& app, int& exit_code);

@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   cli::add_robot_command(app, exit_code);
   cli::add_simulate_command(app, exit_code);
   cli::add_tune_command(app, exit_code);
+  cli::add_pareto_command(app, exit_code);
   cli::add_compare_command(app, exit_code);
   cli::add_robustness_command(app, exit_code);
 #ifdef ARMTUNE_IDENTIFICATION

@@ -182,21 +182,13 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--limit", args->limits,
                       "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
                       "velocities and positions inside the arm's own");
-  const auto width = [command](const char* name, double& value, const char* text) {
-    command->add_option(name, value, text)->capture_default_str()->group("Uncertainty (uniform)");
-  };
-  width("--mass", p.mass, "+- share of each link's mass");
-  width("--center", p.center, "+- each coordinate of each link's centre of mass [m]");
-  width("--inertia", p.inertia, "+- share of each link's inertia about its centre");
-  width("--rotor", p.rotor, "+- share of each joint's rotor inertia");
-  width("--friction", p.friction, "+- share of each joint's friction");
-  width("--payload", p.payload_max, "0 .. this mass at the tool [kg]");
-  width("--noise", p.noise, "+- share of the sensors' noise");
-  width("--theta", p.theta, "+- share of theta at the start, one factor for each link");
-  width("--target-speed", p.target_speed, "+- share of the targets' speed");
-  command->add_option("--delay", p.delay_max, "0 .. so many further control periods of torque delay")
-      ->capture_default_str()
-      ->group("Uncertainty (uniform)");
+  for (const PerturbationField& f : perturbation_fields()) {
+    std::string option = fmt::format("--{}", f.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    command->add_option(option, p.*f.width, fmt::format("{} [{}]", f.meaning, f.unit))
+        ->capture_default_str()
+        ->group("Uncertainty (uniform)");
+  }
   command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
       ->group("Uncertainty (uniform)");
   command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")

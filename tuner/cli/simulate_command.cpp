@@ -36,7 +36,8 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
   const auto joints = joint_names(*scenarios.front().robot);
   const std::string gains_path = find_data_file("gains", args.gains);
   write_text_file(folder + "/errors.csv", errors_csv(results));
-  write_text_file(folder + "/columns.csv", columns_csv(rollout_columns(scenarios)));
+  write_text_file(folder + "/columns.csv", columns_csv({{"errors.csv", error_columns()},
+                                                        {"rollout_*.csv", rollout_columns(scenarios)}}));
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(load_gains(args.gains, joints), {"from " + shown_path(gains_path)}));
   Provenance p;

@@ -94,8 +94,9 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   const std::string& folder = args.folder;
   write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
-  write_text_file(folder + "/columns.csv",
-                  columns_csv(rollout_columns(study.scenarios), journal_columns(study)));
+  write_text_file(folder + "/columns.csv", columns_csv({{"errors.csv", error_columns()},
+                                                        {"rollout_*.csv", rollout_columns(study.scenarios)},
+                                                        {"evaluations.csv", journal_columns(study)}}));
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
@@ -149,7 +150,7 @@ int run(Arguments args) {
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
   refuse_used_folder(args.folder);
 
-  Workers workers(study.scenarios, study.stepper, args.workers);
+  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
   std::unique_ptr<Journal> journal;
   std::optional<Objective> objective;
   ProgressLine line;

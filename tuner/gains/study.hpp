@@ -1,12 +1,14 @@
 #pragma once
 // A study: what is tuned, over which scenarios, for which metrics, under which constraints, and how.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tuner/gains/objective.hpp"
 #include "tuner/gains/parameter.hpp"
 #include "tuner/gains/solver.hpp"
+#include "tuner/robustness/sample_set.hpp"
 
 namespace armtune {
 
@@ -26,7 +28,8 @@ struct Study {
   ParameterSpace space;
   std::vector<ObjectiveTerm> terms;
   std::vector<Constraint> constraints;
-  std::vector<SweepAxis> sweep;  ///< may be empty
+  std::vector<SweepAxis> sweep;     ///< may be empty
+  std::optional<SampleSet> robust;  ///< none: the scenarios' own arms
   SolverOptions solver;
   long max_evaluations = 300;  ///< start and sweep included
   double max_minutes = 0.0;    ///< 0: no limit

@@ -211,6 +211,42 @@ std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<Gain
   return axes;
 }
 
+SampleSet read_samples(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  SampleSet set;
+  constexpr double kMostSamples = 10000.0;
+  set.samples =
+      static_cast<std::size_t>(map.number_in("samples", static_cast<double>(set.samples), 1.0, kMostSamples));
+  const long seed = map.integer("seed", 1);
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  set.seed = static_cast<std::uint64_t>(seed);
+  const auto names = risk_measure_names();
+  const std::string measure = map.string("measure", names[static_cast<std::size_t>(set.measure)]);
+  const auto found = std::find(names.begin(), names.end(), measure);
+  if (found == names.end()) {
+    map.required("measure").fail(fmt::format("'{}' is not one of: {}", measure, fmt::join(names, ", ")));
+  }
+  set.measure = static_cast<RiskMeasure>(found - names.begin());
+  set.level = map.number_in("level", set.level, 0.0, 1.0);
+  if (set.level <= 0.0 || set.level >= 1.0)
+    map.required("level").fail("must lie between 0 and 1, ends excluded");
+  if (const yaml::Node* widths = map.optional("uncertainty")) {
+    yaml::MapReader uncertainty(*widths);
+    for (const PerturbationField& f : perturbation_fields()) {
+      set.perturbation.*f.width = uncertainty.number(f.name, set.perturbation.*f.width);
+    }
+    set.perturbation.phases = uncertainty.boolean("phases", set.perturbation.phases);
+    uncertainty.finish();
+    try {
+      validate(set.perturbation, "uncertainty");
+    } catch (const InputError& e) {
+      widths->fail(e.what());
+    }
+  }
+  map.finish();
+  return set;
+}
+
 void read_search(const yaml::Node& node, Study& study) {
   yaml::MapReader map(node);
   study.solver.algorithm = map.string("algorithm", study.solver.algorithm);
@@ -266,6 +302,7 @@ Study load_study(const std::string& name_or_path) {
   if (const yaml::Node* node = map.optional("sweep")) {
     study.sweep = read_sweep(*node, gain_entries(joints), study.space);
   }
+  if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node);
   if (const yaml::Node* node = map.optional("search")) read_search(*node, study);
   map.finish();
   return study;

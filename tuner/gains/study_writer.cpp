@@ -63,6 +63,16 @@ std::string study_yaml(const Study& study, const std::string& gains_file) {
     text += fmt::format("  - {{parameters: [{}], factors: [{}]}}\n", fmt::join(names, ", "),
                         fmt::join(axis.factors, ", "));
   }
+  if (study.robust) {
+    text += fmt::format("robust:\n  samples: {}\n  seed: {}\n  measure: {}\n  level: {}\n  uncertainty:\n",
+                        study.robust->samples, study.robust->seed,
+                        risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
+                        study.robust->level);
+    for (const PerturbationField& f : perturbation_fields()) {
+      text += fmt::format("    {}: {}\n", f.name, study.robust->perturbation.*f.width);
+    }
+    text += fmt::format("    phases: {}\n", study.robust->perturbation.phases);
+  }
   text += fmt::format(
       "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
       "initial_step: {}, x_tolerance: {}, "

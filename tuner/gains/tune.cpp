@@ -5,6 +5,8 @@
 #include <chrono>
 #include <map>
 
+#include "tuner/gains/simulate_points.hpp"
+
 namespace armtune {
 namespace {
 
@@ -46,16 +48,9 @@ bool Run::budget_left() const {
 }
 
 bool Run::evaluate(const char* phase, const std::vector<std::vector<double>>& points) {
-  std::vector<Gains> gains;
-  gains.reserve(points.size());
-  for (const auto& x : points) gains.push_back(study_.space.gains_at(x));
-  auto results = workers_.run(gains, stop_);
-  if (!results) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Evaluation e;
-    e.x = points[i];
-    e.gains = gains[i];
-    e.results = std::move((*results)[i]);
+  auto evaluations = simulate_points(study_, points, workers_, stop_);
+  if (!evaluations) return false;
+  for (Evaluation& e : *evaluations) {
     if (!objective_) {
       objective_.emplace(study_.terms, study_.constraints, study_.scenarios, e.results, study_.source);
       if (callbacks_.begin) callbacks_.begin(*objective_);

@@ -7,8 +7,12 @@
 
 namespace armtune {
 
-Workers::Workers(std::vector<Scenario> scenarios, Stepper stepper, int count)
-    : scenarios_(std::move(scenarios)), stepper_(stepper), longest_first_(scenarios_.size()) {
+Workers::Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
+                 std::optional<SampleSet> samples)
+    : samples_(std::move(samples)),
+      scenarios_(samples_ ? drawn(scenarios, *samples_) : scenarios),
+      stepper_(stepper),
+      longest_first_(scenarios_.size()) {
   for (int w = 0; w < count; ++w) rollouts_.emplace_back(scenarios_.size());
   std::iota(longest_first_.begin(), longest_first_.end(), std::size_t{0});
   std::stable_sort(longest_first_.begin(), longest_first_.end(), [this](std::size_t a, std::size_t b) {
@@ -40,6 +44,15 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
                  ++done_;
                });
   if (stop) return std::nullopt;
+  if (samples_) {
+    for (auto& of_candidate : results) {
+      std::vector<RolloutResult> scenarios;
+      for (std::size_t first = 0; first < of_candidate.size(); first += samples_->samples) {
+        scenarios.push_back(folded(*samples_, std::span(of_candidate).subspan(first, samples_->samples)));
+      }
+      of_candidate = std::move(scenarios);
+    }
+  }
   return results;
 }
 

@@ -9,28 +9,32 @@
 #include <vector>
 
 #include "sim/rollout/rollout.hpp"
+#include "tuner/robustness/sample_set.hpp"
 
 namespace armtune {
 
 class Workers {
  public:
-  /// count: threads (>= 1).
-  Workers(std::vector<Scenario> scenarios, Stepper stepper, int count);
+  /// count: threads (>= 1). With a sample set every scenario is run as each of its arms, and results are
+  /// folded to one per scenario.
+  Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
+          std::optional<SampleSet> samples = std::nullopt);
   ~Workers();
 
-  const std::vector<Scenario>& scenarios() const { return scenarios_; }
   int count() const { return static_cast<int>(rollouts_.size()); }
   long rollouts_done() const { return done_; }
 
-  /// All scenarios for every candidate: results[candidate][scenario]. Nothing if `stop` became true before
-  /// all were done.
+  /// All scenarios for every candidate: results[candidate][scenario], the scenarios as given. Nothing if
+  /// `stop` became true before all were done.
   std::optional<std::vector<std::vector<RolloutResult>>> run(std::span<const Gains> candidates,
                                                              const std::atomic<bool>& stop);
 
  private:
   Rollout& rollout(std::size_t worker, std::size_t scenario);
 
-  std::vector<Scenario> scenarios_;
+  std::optional<SampleSet> samples_;
+  std::vector<Scenario>
+      scenarios_;  ///< as they are run: with samples, scenario s of sample k at s * samples + k
   Stepper stepper_;
   std::vector<std::vector<std::unique_ptr<Rollout>>> rollouts_;  ///< [worker][scenario], made when first used
   std::vector<std::size_t> longest_first_;

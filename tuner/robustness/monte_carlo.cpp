@@ -12,12 +12,6 @@
 namespace armtune {
 namespace {
 
-/// Of these the smallest value is the worst.
-bool should_be_large(Metric metric) {
-  return metric == Metric::kObstacleMinClearance || metric == Metric::kJointPositionMinMargin ||
-         metric == Metric::kSamples;
-}
-
 std::string cell(double value) {
   return std::isnan(value) ? std::string() : fmt::format("{}", value);
 }
@@ -81,7 +75,7 @@ std::string samples_csv(const std::vector<Scenario>& scenarios,
 std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, std::size_t s) {
   std::vector<MetricSpread> found;
   for (const Metric metric : all_metrics()) {
-    const double sign = should_be_large(metric) ? -1.0 : 1.0;
+    const double sign = larger_is_better(metric) ? -1.0 : 1.0;
     std::vector<std::pair<double, std::uint64_t>> values;
     values.reserve(samples.size());
     for (const MonteCarloSample& sample : samples) {

@@ -63,7 +63,7 @@ TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {
 
 TEST(ColumnsCsv, ExplainsEveryColumnOfBothFiles) {
   const auto columns = rollout_columns(test::scenario_of("obstacle_pass"));
-  const std::string text = columns_csv(columns);
+  const std::string text = columns_csv({{"errors.csv", error_columns()}, {"rollout_*.csv", columns}});
   EXPECT_THAT(text, testing::StartsWith("file,name,unit,meaning\n"));
   for (const std::string& name : test::Csv(errors_csv({})).header) {
     EXPECT_THAT(text, testing::HasSubstr("errors.csv," + name + ",")) << name;

@@ -96,6 +96,13 @@ std::vector<double> everything(const Scenario& s) {
   return all;
 }
 
+/// Masses, inertias, friction, payload and phases alone.
+Perturbation of_the_arm() {
+  Perturbation p;
+  p.center = p.delay = p.noise = p.theta = p.target_speed = 0.0;
+  return p;
+}
+
 TEST(Perturbed, ASampleIsTheSameOneWhateverElseIsDrawn) {
   const Scenario scenario = load_scenario("realistic_obstacle_pass");
   const auto alone = everything(perturbed(scenario, {}, 1, 41));
@@ -114,7 +121,7 @@ TEST(Perturbed, ASampleIsOneArmInEveryScenario) {
 
 TEST(Perturbed, StaysWithinItsRangesFillsThemAndIsAnArmThatCanBeBuilt) {
   const Scenario scenario = load_scenario("realistic_obstacle_pass");
-  const Perturbation range;
+  const Perturbation range = of_the_arm();
   constexpr int kSamples = 400;
   double payload_sum = 0.0;
   double least_mass = 2.0;
@@ -163,11 +170,11 @@ TEST(Perturbed, WhatHasNoWidthStaysAndWhatIsAddedMovesNothingElse) {
   const Scenario scenario = load_scenario("realistic_obstacle_pass");
   Perturbation more;
   more.center = 0.01;
-  more.delay_max = 2;
+  more.delay = 2;
   more.noise = 0.5;
   more.theta = 0.1;
   more.target_speed = 0.2;
-  const Scenario plain = perturbed(scenario, {}, 3, 8);
+  const Scenario plain = perturbed(scenario, of_the_arm(), 3, 8);
   const Scenario drawn = perturbed(scenario, more, 3, 8);
   EXPECT_EQ(plain.plant.center_offsets, Eigen::Matrix3Xd::Zero(3, 6));
   EXPECT_EQ(plain.plant.position_noise, scenario.plant.position_noise);
@@ -184,7 +191,7 @@ TEST(Perturbed, MovesCentersDelayNoiseThetaAndTargetsWithinTheirRangesAndFillsTh
   const Scenario scenario = load_scenario("realistic_obstacle_pass");
   Perturbation range;
   range.center = 0.02;
-  range.delay_max = 2;
+  range.delay = 2;
   range.noise = 0.5;
   range.theta = 0.1;
   range.target_speed = 0.2;
@@ -258,8 +265,39 @@ TEST(Perturbed, RefusesRangesThatLeaveNoArm) {
   EXPECT_THAT(test::refusal([&] { perturbed(scenario, wide, 1, 0); }),
               AllOf(HasSubstr("mass is 1"), HasSubstr("[0, 1)")));
   Perturbation heavy;
-  heavy.payload_max = -1.0;
-  EXPECT_THAT(test::refusal([&] { perturbed(scenario, heavy, 1, 0); }), HasSubstr("payload_max is -1"));
+  heavy.payload = -1.0;
+  EXPECT_THAT(test::refusal([&] { perturbed(scenario, heavy, 1, 0); }), HasSubstr("payload is -1"));
+}
+
+TEST(Perturbed, RefusesEveryWidthThatIsOutOfRangeByName) {
+  for (const PerturbationField& field : perturbation_fields()) {
+    for (const double wrong : {-0.1, field.most + 1.0, double{NAN}}) {
+      Perturbation p;
+      p.*field.width = wrong;
+      EXPECT_THAT(test::refusal([&] { validate(p); }), HasSubstr(std::string(field.name) + " is ")) << wrong;
+    }
+    Perturbation edge;
+    edge.*field.width = field.most;
+    if (field.most_included) {
+      EXPECT_NO_THROW(validate(edge)) << field.name;
+    } else {
+      EXPECT_THAT(test::refusal([&] { validate(edge); }), HasSubstr("1)"));
+    }
+  }
+  Perturbation half;
+  half.delay = 0.5;
+  EXPECT_THAT(test::refusal([&] { validate(half); }), HasSubstr("whole number"));
+}
+
+TEST(Perturbed, ByNothingIsTheScenarioButForItsSeed) {
+  const Scenario scenario = load_scenario("realistic_obstacle_pass");
+  Scenario same = perturbed(scenario, no_perturbation(), 1, 3);
+  // The payload is drawn in place of the scenario's, from 0 .. 0 here.
+  EXPECT_EQ(same.plant.payload.mass, 0.0);
+  same.plant.payload = scenario.plant.payload;
+  EXPECT_EQ(theta_of(plant_model(same).chain), theta_of(plant_model(scenario).chain));
+  EXPECT_EQ(start_theta(same), start_theta(scenario));
+  EXPECT_EQ(same.obstacles[0].path.phase, scenario.obstacles[0].path.phase);
 }
 
 }  // namespace

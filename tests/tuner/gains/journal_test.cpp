@@ -79,7 +79,8 @@ TEST_F(Journalled, NeverWritesOverAnotherJournal) {
 
 TEST(Columns, OfTheBundledStudyAreAllExplained) {
   const Study study = load_study("ur10_gaze");
-  const std::string columns = columns_csv(rollout_columns(study.scenarios), journal_columns(study));
+  const std::string columns = columns_csv(
+      {{"rollout_*.csv", rollout_columns(study.scenarios)}, {"evaluations.csv", journal_columns(study)}});
   for (const Scenario& scenario : study.scenarios) {
     for (const Column& c : rollout_columns(scenario)) {
       EXPECT_THAT(columns, testing::HasSubstr("rollout_*.csv," + c.name + ",")) << scenario.name;

@@ -19,11 +19,6 @@ class MonteCarlo : public ::testing::Test {
  protected:
   MonteCarlo() {
     options_.samples = 4;
-    options_.perturbation.center = 0.01;
-    options_.perturbation.delay_max = 1;
-    options_.perturbation.noise = 0.5;
-    options_.perturbation.theta = 0.1;
-    options_.perturbation.target_speed = 0.2;
     for (const char* name : {"identified_realistic_target_switch", "identified_moving_target"}) {
       scenarios_.push_back(load_scenario(name));
       scenarios_.back().duration = 14.0;

@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using testing::HasSubstr;
+
+const test::ShortStudy& files() {
+  static const test::ShortStudy study(test::kShortParameters, test::kShortObjective,
+                                      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n");
+  return study;
+}
+
+TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
+  const std::string folder = files() / "front";
+  const Finished done =
+      run_program({"pareto", files().path(), "--criteria", "objective", "effort_rate/rms", "--levels", "3",
+                   "--max-evaluations", "24", "--out", folder, "--workers", "2"});
+  ASSERT_EQ(done.exit_code, 0) << done.err << done.out;
+  EXPECT_EQ(done.err, "");
+  EXPECT_THAT(done.out, testing::AllOf(HasSubstr("start (gains)"), HasSubstr("hypervolume 0."),
+                                       HasSubstr("every point was simulated again, with the same figures")));
+  const auto csv = test::read_csv(folder + "/pareto.csv");
+  const auto journal = test::read_csv(folder + "/evaluations.csv");
+  EXPECT_EQ(journal.rows.size(), 24U);
+  ASSERT_GE(csv.rows.size(), 3U);
+  const std::string number = csv.at(0, "evaluation");
+  EXPECT_EQ(journal.at(std::stoul(number), "objective"), csv.at(0, "objective"));
+  EXPECT_THAT(test::read_text(folder + "/columns.csv"), HasSubstr("pareto.csv,dominates_start,"));
+  EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("verified: \"true\""));
+
+  const Finished again = run_program({"simulate", files() / "short.yaml", files() / "short_realistic.yaml",
+                                      "--gains", folder + "/points/01.yaml", "--out", files() / "again"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto errors = test::read_csv(files() / "again/errors.csv");
+  const double worst =
+      std::max(std::stod(errors.at(0, "effort_rate/rms")), std::stod(errors.at(1, "effort_rate/rms")));
+  EXPECT_EQ(worst, std::stod(csv.at(0, "effort_rate/rms"))) << "the point's gains give the point's figures";
+}
+
+TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
+  const Finished twice =
+      run_program({"pareto", files().path(), "--criteria", "gaze/rms", "gaze/rms", "--out", files() / "x"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("gaze/rms stands twice"));
+  const Finished unknown =
+      run_program({"pareto", files().path(), "--criteria", "gaze/rms", "speed", "--out", files() / "x"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("'speed' is neither 'objective' nor a metric"));
+  const Finished one = run_program({"pareto", files().path(), "--criteria", "gaze/rms"});
+  EXPECT_EQ(one.exit_code, 2);
+}
+
+}  // namespace
+}  // namespace armtune

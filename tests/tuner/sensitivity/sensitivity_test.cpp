@@ -1,0 +1,171 @@
+#include "tuner/sensitivity/sensitivity.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/gains/tune.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const std::atomic<bool> kNever{false};
+
+TEST(RankCorrelation, IsOneForWhatRisesTogetherHoweverCurved) {
+  std::vector<double> x;
+  std::vector<double> up;
+  std::vector<double> down;
+  for (int i = 0; i < 20; ++i) {
+    x.push_back(i * 0.3);
+    up.push_back(std::exp(x.back()));
+    down.push_back(-std::pow(x.back(), 3));
+  }
+  EXPECT_DOUBLE_EQ(rank_correlation(x, up), 1.0);
+  EXPECT_DOUBLE_EQ(rank_correlation(x, down), -1.0);
+  EXPECT_TRUE(std::isnan(rank_correlation(x, std::vector<double>(20, 4.0)))) << "never moved";
+  EXPECT_TRUE(std::isnan(rank_correlation({1, 2}, {1, 2})));
+}
+
+TEST(RankCorrelation, WithoutTiesIsSpearmansFormula) {
+  const std::vector<double> a = {1, 2, 3, 4, 5};
+  const std::vector<double> b = {2, 1, 4, 3, 5};
+  EXPECT_DOUBLE_EQ(rank_correlation(a, b), 1.0 - 6.0 * 4.0 / (5.0 * 24.0));
+  EXPECT_DOUBLE_EQ(rank_correlation({1, 1, 2}, {1, 1, 2}), 1.0) << "ties at their mean rank";
+  std::mt19937 generator(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> x(4000);
+  std::vector<double> y(4000);
+  for (double& v : x) v = normal(generator);
+  for (double& v : y) v = normal(generator);
+  EXPECT_NEAR(rank_correlation(x, y), 0.0, 4.0 / std::sqrt(4000.0));
+}
+
+/// Two gains that matter and one that acts only where there are obstacles.
+class Sensitive : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    files_.emplace(
+        "parameters:\n"
+        "  - {name: task_space_gains_p/rx, lower: 10, upper: 60}\n"
+        "  - {name: task_space_gains_p/x, lower: 20, upper: 120, scale: linear}\n"
+        "  - {name: obstacleInfluenceRadius, lower: 0.1, upper: 1}\n",
+        test::kShortObjective, "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n");
+    study_.emplace(load_study(files_->path()));
+    workers_.emplace(study_->scenarios, study_->stepper, 2);
+    best_ = study_->space.start;
+    best_.task_space_gains_p[0] = 110.0;
+    best_.task_space_gains_p[3] = 60.0;  // its upper bound
+    const std::vector<Gains> starts = {study_->space.start};
+    const auto results = workers_->run(starts, kNever);
+    objective_.emplace(study_->terms, study_->constraints, study_->scenarios, (*results)[0], "test");
+  }
+  Sensitivity of(const std::vector<JournalRow>& journal = {}) {
+    return *sensitivity(*study_, *objective_, best_, journal, *workers_, kNever);
+  }
+  double merit(const Gains& gains) {
+    const std::vector<Gains> candidates = {gains};
+    Evaluation e;
+    e.results = (*workers_->run(candidates, kNever))[0];
+    objective_->judge(e);
+    return e.objective + study_->solver.penalty * e.violation;
+  }
+  static const ParameterSensitivity& find(const Sensitivity& s, std::size_t parameter) {
+    return *std::find_if(s.parameters.begin(), s.parameters.end(),
+                         [&](const ParameterSensitivity& p) { return p.parameter == parameter; });
+  }
+
+  std::optional<test::ShortStudy> files_;
+  std::optional<Study> study_;
+  std::optional<Workers> workers_;
+  std::optional<Objective> objective_;
+  Gains best_;
+};
+
+TEST_F(Sensitive, IsWhatRolloutsOfChangedGainsSay) {
+  const Sensitivity s = of();
+  EXPECT_DOUBLE_EQ(s.merit, merit(best_));
+  // Linear scale, 20 .. 120: a fiftieth of the range is 2.
+  Gains low = best_;
+  Gains high = best_;
+  low.task_space_gains_p[0] -= 2.0;
+  high.task_space_gains_p[0] += 2.0;
+  const double m_low = merit(low);
+  const double m_high = merit(high);
+  const ParameterSensitivity& px = find(s, 1);
+  EXPECT_NEAR(px.elasticity, (m_high - m_low) / s.merit / (4.0 / 110.0), 1e-6 * std::abs(px.elasticity) + 1e-9);
+  EXPECT_NEAR(px.local, std::max(std::abs(m_high - s.merit), std::abs(m_low - s.merit)) / s.merit, 1e-9);
+  Gains reset = best_;
+  reset.task_space_gains_p[0] = study_->space.start.task_space_gains_p[0];
+  EXPECT_NEAR(px.importance, merit(reset) - s.merit, 1e-12);
+  for (std::size_t i = 1; i < s.parameters.size(); ++i) {
+    EXPECT_GE(s.parameters[i - 1].importance, s.parameters[i].importance);
+  }
+}
+
+TEST_F(Sensitive, NamesGainsWithoutEffectAndBoundsThatWereHit) {
+  const auto lines = advice(*study_, of());
+  EXPECT_THAT(lines, Contains(testing::AllOf(HasSubstr("obstacleInfluenceRadius has no effect"),
+                                             HasSubstr("fixed: "))));
+  EXPECT_THAT(lines, Contains(HasSubstr("task_space_gains_p/rx ended at its upper bound 60")));
+  EXPECT_EQ(lines.size(), 2U) << testing::PrintToString(lines);
+}
+
+TEST_F(Sensitive, TheReducedStudyTunesTheMoreImportantHalf) {
+  const Sensitivity s = of();
+  const Study reduced = without_less_important_half(*study_, s);
+  ASSERT_EQ(reduced.space.free.size(), 2U);
+  for (const Parameter& p : reduced.space.free) EXPECT_NE(p.entry.name, "obstacleInfluenceRadius");
+  files_->write("reduced.yaml", study_yaml(reduced, "gains.yaml"));
+  const Study again = load_study(*files_ / "reduced.yaml");
+  EXPECT_EQ(again.space.free.size(), 2U);
+  EXPECT_EQ(again.space.start.task_space_gains_p, study_->space.start.task_space_gains_p);
+}
+
+TEST_F(Sensitive, TheGlobalPartIsTheJournalsRankCorrelation) {
+  std::vector<JournalRow> journal;
+  for (int i = 0; i < 10; ++i) journal.push_back({{0.1 * i, 0.5, 1.0 - 0.1 * i}, 0.1 * i, 0.0});
+  const Sensitivity s = of(journal);
+  EXPECT_DOUBLE_EQ(find(s, 0).rank_correlation, 1.0);
+  EXPECT_TRUE(std::isnan(find(s, 1).rank_correlation));
+  EXPECT_DOUBLE_EQ(find(s, 2).rank_correlation, -1.0);
+  const test::Csv csv(sensitivity_csv(*study_, s));
+  EXPECT_EQ(csv.rows.size(), 3U);
+  EXPECT_EQ(std::stod(csv.at(0, "importance")), s.parameters[0].importance);
+}
+
+TEST(ReducedStudy, KeepsLinksAndSweepsOfWhatIsStillTuned) {
+  const test::ShortStudy files(
+      "parameters:\n"
+      "  - {name: task_space_gains_p/x}\n"
+      "  - {name: task_space_gains_p/y}\n"
+      "  - {name: task_space_gains_p/z, link: task_space_gains_p/y, factor: 2}\n"
+      "  - {name: task_space_gains_p/rx, link: task_space_gains_p/x, factor: 3}\n",
+      test::kShortObjective,
+      "sweep:\n"
+      "  - {parameters: [task_space_gains_p/x, task_space_gains_p/y], factors: [1, 2]}\n"
+      "  - {parameters: [task_space_gains_p/x], factors: [1, 2]}\n");
+  const Study study = load_study(files.path());
+  Sensitivity s;
+  s.parameters.resize(2);
+  s.parameters[0].parameter = 1;
+  s.parameters[1].parameter = 0;
+  const Study reduced = without_less_important_half(study, s);
+  ASSERT_EQ(reduced.space.free.size(), 1U);
+  EXPECT_EQ(reduced.space.free[0].entry.name, "task_space_gains_p/y");
+  ASSERT_EQ(reduced.space.links.size(), 1U);
+  EXPECT_EQ(reduced.space.links[0].parameter, 0U);
+  ASSERT_EQ(reduced.sweep.size(), 1U);
+  EXPECT_EQ(reduced.sweep[0].parameters, std::vector<std::size_t>{0});
+  EXPECT_EQ(reduced.space.gains_at({1.0}).task_space_gains_p[3], study.space.start.task_space_gains_p[3]);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,42 @@
+#include "tuner/trade_off/criterion.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+Evaluation evaluation(std::vector<double> values, Metric metric) {
+  Evaluation e;
+  e.objective = 0.7;
+  for (const double v : values) {
+    e.results.emplace_back();
+    e.results.back().metrics[metric] = v;
+  }
+  return e;
+}
+
+TEST(Criterion, IsTheObjectiveOrAMetricsWorstOverTheScenarios) {
+  const Criterion objective = criterion_from_name("objective");
+  EXPECT_EQ(value(objective, evaluation({1, 2}, Metric::kGazeRms)), 0.7);
+  const Criterion error = criterion_from_name("gaze/rms");
+  const Evaluation e = evaluation({0.1, 0.3, NAN}, Metric::kGazeRms);
+  EXPECT_EQ(value(error, e), 0.3);
+  EXPECT_EQ(cost(error, e), 0.3);
+  const Criterion clearance = criterion_from_name("obstacle/min_clearance");
+  const Evaluation near = evaluation({NAN, 0.2, 0.1}, Metric::kObstacleMinClearance);
+  EXPECT_EQ(value(clearance, near), 0.1) << "of clearance less is worse";
+  EXPECT_EQ(cost(clearance, near), -0.1);
+  EXPECT_TRUE(std::isnan(value(error, near)));
+}
+
+TEST(Criterion, OfAnotherNameIsRefusedWithAGuess) {
+  EXPECT_THAT(test::refusal([] { criterion_from_name("gaze/rmz"); }), testing::HasSubstr("gaze/rms"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,122 @@
+#include "tuner/trade_off/pareto.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/trade_off/pareto_file.hpp"
+
+namespace armtune {
+namespace {
+
+const std::atomic<bool> kNever{false};
+
+class Pareto : public ::testing::Test {
+ protected:
+  Pareto() : study_(load_study(files_.path())) {
+    options_.criteria = {criterion_from_name("objective"), criterion_from_name("gaze/rms")};
+    options_.levels = 3;
+    options_.max_evaluations = 24;
+  }
+  ParetoResult run(int workers, const std::atomic<bool>& stop = kNever) {
+    Workers pool(study_.scenarios, study_.stepper, workers);
+    ParetoCallbacks callbacks;
+    callbacks.begin = [this](const Objective& o) { objective_ = o; };
+    callbacks.evaluated = [this](const char*, const Evaluation& e) {
+      evaluations_.push_back(e);
+      if (after_) after_();
+    };
+    return pareto(study_, options_, pool, stop, callbacks);
+  }
+
+  // Loose enough that some points keep the constraints.
+  test::ShortStudy files_{test::kShortParameters, test::kShortObjective,
+                          "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n"};
+  Study study_;
+  ParetoOptions options_;
+  std::optional<Objective> objective_;
+  std::vector<Evaluation> evaluations_;
+  std::function<void()> after_;
+};
+
+TEST_F(Pareto, IsWhatNoFeasibleEvaluationOfTheRunDominates) {
+  const ParetoResult result = run(2);
+  EXPECT_LE(result.evaluations, 24);
+  EXPECT_EQ(static_cast<std::size_t>(result.evaluations), evaluations_.size());
+  ASSERT_GE(result.front.size(), 3U);
+  for (const ParetoPoint& p : result.front) {
+    EXPECT_TRUE(p.e.feasible);
+    EXPECT_EQ(p.e.x, evaluations_[static_cast<std::size_t>(p.evaluation)].x) << "its number in the journal";
+    for (const Evaluation& e : evaluations_) {
+      const Costs costs = {cost(options_.criteria[0], e), cost(options_.criteria[1], e)};
+      EXPECT_FALSE(e.feasible && dominates(costs, p.costs));
+    }
+  }
+  EXPECT_GT(result.hypervolume, 0.0);
+  EXPECT_LT(result.hypervolume, 1.0);
+  EXPECT_GT(result.dominating_start(), 0U);
+  ASSERT_GE(result.levels.size(), 2U);
+  for (const ParetoLevel& level : result.levels)
+    EXPECT_LE(result.front[level.best].costs[1], level.levels[1]);
+}
+
+TEST_F(Pareto, IsTheSameForAnyNumberOfWorkersAndAgainInFreshRollouts) {
+  ParetoResult one = run(1);
+  const std::string text = pareto_csv(study_, options_, one);
+  EXPECT_EQ(pareto_csv(study_, options_, run(3)), text);
+  Workers fresh(study_.scenarios, study_.stepper, 2);
+  EXPECT_TRUE(verify(study_, *objective_, options_, one, fresh, kNever));
+  EXPECT_EQ(pareto_csv(study_, options_, one), text);
+  one.front.back().costs[1] *= 1.0 + 1e-12;
+  EXPECT_THROW(verify(study_, *objective_, options_, one, fresh, kNever), std::runtime_error);
+}
+
+TEST_F(Pareto, ItsCsvGivesTheGainsOfEveryPointAndMarksTheStart) {
+  const ParetoResult result = run(2);
+  const test::Csv csv(pareto_csv(study_, options_, result));
+  ASSERT_EQ(csv.rows.size(), result.front.size() + 1);
+  for (std::size_t i = 0; i < result.front.size(); ++i) {
+    EXPECT_EQ(csv.at(i, "kind"), "front");
+    EXPECT_EQ(std::stod(csv.at(i, "gaze/rms")), result.front[i].costs[1]);
+    for (const Parameter& p : study_.space.free) {
+      EXPECT_EQ(std::stod(csv.at(i, p.entry.name)), value(result.front[i].e.gains, p.entry));
+    }
+  }
+  EXPECT_EQ(csv.at(result.front.size(), "kind"), "start");
+  EXPECT_EQ(csv.at(result.front.size(), "objective"), "1");
+  std::vector<std::string> explained;
+  for (const Column& c : pareto_columns(study_, options_)) explained.push_back(c.name);
+  EXPECT_EQ(explained, csv.header);
+}
+
+TEST_F(Pareto, TakesThreeCriteria) {
+  options_.criteria.push_back(criterion_from_name("effort_rate/rms"));
+  options_.levels = 2;
+  const ParetoResult result = run(2);
+  ASSERT_FALSE(result.front.empty());
+  EXPECT_EQ(result.front[0].costs.size(), 3U);
+  for (const ParetoLevel& level : result.levels) {
+    for (std::size_t k = 1; k < 3; ++k) EXPECT_LE(result.front[level.best].costs[k], level.levels[k]);
+  }
+}
+
+TEST_F(Pareto, AStopLeavesTheFrontSoFar) {
+  std::atomic<bool> stop{false};
+  after_ = [this, &stop] { stop = evaluations_.size() == 9; };
+  const ParetoResult result = run(2, stop);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_EQ(result.evaluations, 9);
+  EXPECT_FALSE(result.front.empty());
+}
+
+TEST_F(Pareto, ACriterionThatTheStartDoesNotGiveIsRefused) {
+  options_.criteria[1] = criterion_from_name("obstacle/min_clearance");
+  EXPECT_THAT(test::refusal([this] { run(2); }),
+              testing::HasSubstr("obstacle/min_clearance of the start gains is nan"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,172 @@
+// armtune pareto: the front of a study, point by point, each with gains that a robot can load.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "core/common/error.hpp"
+#include "sim/csv/error_report.hpp"
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/gains/journal.hpp"
+#include "tuner/run/run_folder.hpp"
+#include "tuner/trade_off/pareto_file.hpp"
+
+namespace armtune::cli {
+namespace {
+
+struct Arguments {
+  std::string study = "ur10_gaze";
+  std::vector<std::string> criteria = {"objective", "joint_velocity/max_ratio"};
+  std::size_t levels = 14;
+  long max_evaluations = 0;
+  long seed = -1;
+  std::string folder;
+  int workers = default_workers();
+};
+
+ParetoOptions options_of(const Arguments& args, const Study& study) {
+  ParetoOptions options;
+  for (const std::string& name : args.criteria) {
+    options.criteria.push_back(criterion_from_name(name));
+    for (std::size_t k = 0; k + 1 < options.criteria.size(); ++k) {
+      if (options.criteria[k].name() == name) throw InputError("criterion " + name + " stands twice");
+    }
+  }
+  options.levels = args.levels;
+  options.max_evaluations = args.max_evaluations > 0 ? args.max_evaluations : 4 * study.max_evaluations;
+  return options;
+}
+
+void write_front(const Study& study, const ParetoOptions& options, const ParetoResult& result,
+                 const std::string& folder) {
+  write_text_file(folder + "/pareto.csv", pareto_csv(study, options, result));
+  make_folder(folder + "/points");
+  for (std::size_t i = 0; i < result.front.size(); ++i) {
+    const ParetoPoint& p = result.front[i];
+    std::vector<std::string> header = {
+        fmt::format("point {} of {}'s front by armtune, seed {}", i + 1, study.name, study.solver.seed)};
+    for (const Criterion& c : options.criteria) {
+      header.push_back(
+          fmt::format("{} {:.6g} (start {:.6g})", c.name(), value(c, p.e), value(c, result.start.e)));
+    }
+    write_text_file(folder + "/" + point_file(i), gains_yaml(p.e.gains, header));
+  }
+}
+
+int run(Arguments args) {
+  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [began] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  Study study = load_study(args.study);
+  if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  const ParetoOptions options = options_of(args, study);
+  if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
+  refuse_used_folder(args.folder);
+
+  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  std::optional<Journal> journal;
+  std::optional<Objective> objective;
+  ProgressLine line;
+  ParetoCallbacks callbacks;
+  callbacks.begin = [&](const Objective& o) {
+    objective = o;
+    fmt::print("front of {}: {}; {} gains over {} scenarios, {} evaluations at most; results go to {}\n",
+               study.name, fmt::join(args.criteria, " against "), study.space.free.size(),
+               study.scenarios.size(), options.max_evaluations, args.folder);
+    std::fflush(stdout);
+    make_run_folder(args.folder);
+    make_folder(args.folder + "/start");
+    write_text_file(args.folder + "/start/gains.yaml",
+                    gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
+    write_text_file(args.folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
+    journal.emplace(args.folder + "/evaluations.csv", study);
+  };
+  callbacks.evaluated = [&](const char* phase, const Evaluation& e) { journal->append(phase, e, seconds()); };
+  callbacks.progress = [&](const ParetoProgress& p) {
+    const double left = seconds() / static_cast<double>(p.evaluations) *
+                        static_cast<double>(p.max_evaluations - p.evaluations);
+    line.show(fmt::format("{}/{}  {} points  {:.0f} s left  {}", p.evaluations, p.max_evaluations, p.front,
+                          left, p.phase));
+  };
+  ParetoResult result = pareto(study, options, workers, stop_requested(), callbacks);
+  line.clear();
+  if (result.evaluations == 0) {
+    fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
+    return kInterrupted;
+  }
+  line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
+  // An interrupted search still ends with its files, each point as the search saw it.
+  Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
+  const bool verified =
+      !result.interrupted && verify(study, *objective, options, result, fresh, stop_requested());
+  line.clear();
+  write_front(study, options, result, args.folder);
+  write_text_file(args.folder + "/columns.csv", columns_csv({{"pareto.csv", pareto_columns(study, options)},
+                                                             {"evaluations.csv", journal_columns(study)}}));
+  Provenance p;
+  p.command = command_line();
+  p.inputs = {study.source, study.gains};
+  add_inputs(study.scenarios, p.inputs);
+  p.seed = study.solver.seed;
+  p.workers = args.workers;
+  p.wall_seconds = seconds();
+  p.extra = {{"study", shown_path(study.source)},
+             {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
+             {"evaluations", fmt::format("{}", result.evaluations)},
+             {"stepper", name(study.stepper)},
+             {"points", fmt::format("{}", result.front.size())},
+             {"verified", verified ? "true" : "false"},
+             {"hypervolume", fmt::format("{}", result.hypervolume)}};
+  write_text_file(args.folder + "/run.yaml", run_yaml(p));
+
+  fmt::print("{}", pareto_table(study, options, result));
+  fmt::print(
+      "{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, run.yaml\n",
+      verified ? "every point was simulated again, with the same figures"
+               : "interrupted: the points were not simulated again",
+      args.folder, seconds());
+  if (!verified) return kInterrupted;
+  return result.front.empty() ? kNoFeasiblePoint : kDone;
+}
+
+}  // namespace
+
+void add_pareto_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("pareto", "Find a study's front: what each bit of accuracy costs in joint velocity");
+  command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
+      ->capture_default_str();
+  command
+      ->add_option("--criteria", args->criteria,
+                   "two or three of: 'objective' (the study's) and any metric (its worst over the scenarios)")
+      ->expected(2, 3)
+      ->capture_default_str();
+  command->add_option("--levels", args->levels, "searches along each criterion but the first")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  command->add_option("--max-evaluations", args->max_evaluations, "budget (default: four times the study's)")
+      ->check(CLI::Range(1L, 1000000000L));
+  command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
+      ->check(CLI::Range(0L, 1000000000000L));
+  command->add_option("--out", args->folder, "new folder (default: runs/pareto_<study>_<time>)");
+  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->footer(
+      "The study's constraints hold for every point. The front ends where a criterion cannot fall further "
+      "without "
+      "another one being worse than with the start gains.\n\nExample:\n  armtune pareto ur10_gaze --criteria "
+      "gaze/rms joint_velocity/max_ratio effort_rate/rms --levels 5\n");
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

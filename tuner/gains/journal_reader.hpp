@@ -1,0 +1,21 @@
+#pragma once
+// evaluations.csv read back.
+
+#include <string>
+#include <vector>
+
+#include "tuner/gains/study.hpp"
+
+namespace armtune {
+
+struct JournalRow {
+  std::vector<double> x;  ///< search coordinates
+  double objective = 0.0;
+  double violation = 0.0;
+};
+
+/// Every row of a study's journal. Throws InputError naming file, line and column if it is none of this
+/// study's or a number cannot be read.
+std::vector<JournalRow> read_journal(const std::string& path, const Study& study);
+
+}  // namespace armtune

@@ -1,0 +1,73 @@
+#include "tuner/robustness/sample_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tuner/robustness/statistics.hpp"
+
+namespace armtune {
+
+std::span<const char* const> risk_measure_names() {
+  static constexpr const char* names[] = {"mean", "quantile", "worst", "cvar"};
+  return names;
+}
+
+std::vector<Scenario> drawn(const std::vector<Scenario>& scenarios, const SampleSet& set) {
+  std::vector<Scenario> all;
+  all.reserve(scenarios.size() * set.samples);
+  for (const Scenario& scenario : scenarios) {
+    for (std::size_t k = 0; k < set.samples; ++k) {
+      all.push_back(perturbed(scenario, set.perturbation, set.seed, k));
+    }
+  }
+  return all;
+}
+
+double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values) {
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  if (values.empty()) return NAN;
+  if (set.measure == RiskMeasure::kMean) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  }
+  const double sign = larger_is_better ? -1.0 : 1.0;
+  for (double& v : values) v *= sign;
+  std::sort(values.begin(), values.end());
+  switch (set.measure) {
+    case RiskMeasure::kQuantile:
+      return sign * quantile(values, set.level);
+    case RiskMeasure::kConditionalValueAtRisk:
+      return sign * conditional_value_at_risk(values, set.level);
+    default:
+      return sign * values.back();
+  }
+}
+
+RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples) {
+  RolloutResult result;
+  result.end_time = HUGE_VAL;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    result.end_time = std::min(result.end_time, samples[k].end_time);
+    if (samples[k].status != RolloutStatus::kCompleted && result.status == RolloutStatus::kCompleted) {
+      result.status = samples[k].status;
+      result.reason = fmt::format("sample {}: {}", k, samples[k].reason);
+    }
+  }
+  double largest = -1.0;
+  for (const RolloutResult& sample : samples) {
+    const double ratio = sample.metrics[Metric::kJointVelocityMaxRatio];
+    if (ratio > largest) result.metrics.max_ratio_joint = sample.metrics.max_ratio_joint;
+    largest = std::max(largest, ratio);
+  }
+  for (const Metric m : all_metrics()) {
+    std::vector<double> values;
+    values.reserve(samples.size());
+    for (const RolloutResult& sample : samples) values.push_back(sample.metrics[m]);
+    result.metrics[m] = measured(set, larger_is_better(m), std::move(values));
+  }
+  return result;
+}
+
+}  // namespace armtune

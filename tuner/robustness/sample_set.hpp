@@ -1,0 +1,43 @@
+#pragma once
+// A fixed set of arms that a study tunes on, and what counts of a metric over them.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/perturbation.hpp"
+
+namespace armtune {
+
+/// What a metric's values over the samples are folded into. Of metrics of which more is better the small
+/// values are the bad ones.
+enum class RiskMeasure {
+  kMean,
+  kQuantile,               ///< the value that a share `level` of the samples keeps
+  kWorst,                  ///< of all samples
+  kConditionalValueAtRisk  ///< mean of the worst share 1 - level
+};
+
+/// Names in study files, in the order of the enumeration.
+std::span<const char* const> risk_measure_names();
+
+struct SampleSet {
+  std::size_t samples = 8;
+  std::uint64_t seed = 1;
+  RiskMeasure measure = RiskMeasure::kConditionalValueAtRisk;
+  double level = 0.8;  ///< in (0, 1); of the quantile and of CVaR
+  Perturbation perturbation;
+};
+
+/// Every scenario as each sample's arm meets it: scenario s of sample k at s * samples + k.
+std::vector<Scenario> drawn(const std::vector<Scenario>& scenarios, const SampleSet& set);
+
+/// The measure of the values; NaN values do not count, NaN if there are no others.
+double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values);
+
+/// One scenario's results over the samples as one: every metric measured; completed if all are, else the
+/// first failure (its sample named) and the earliest end.
+RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples);
+
+}  // namespace armtune

@@ -1,0 +1,183 @@
+#include "tuner/sensitivity/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tuner/gains/simulate_points.hpp"
+
+namespace armtune {
+namespace {
+
+/// A relative change of the merit below this is no effect.
+constexpr double kNoEffect = 1e-3;
+
+std::vector<double> ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return values[i] < values[k]; });
+  std::vector<double> rank(values.size());
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i;
+    while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
+    for (std::size_t k = i; k < end; ++k) rank[order[k]] = 0.5 * static_cast<double>(i + end - 1);
+    i = end;
+  }
+  return rank;
+}
+
+double clamp_to_box(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
+
+}  // namespace
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < 3) return NAN;
+  const auto ra = ranks(a);
+  const auto rb = ranks(b);
+  const double mean = 0.5 * static_cast<double>(a.size() - 1);
+  double ab = 0.0;
+  double aa = 0.0;
+  double bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (ra[i] - mean) * (rb[i] - mean);
+    aa += (ra[i] - mean) * (ra[i] - mean);
+    bb += (rb[i] - mean) * (rb[i] - mean);
+  }
+  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : NAN;
+}
+
+std::optional<Sensitivity> sensitivity(
+    const Study& study, const Objective& objective, const Gains& best, const std::vector<JournalRow>& journal,
+    Workers& workers, const std::atomic<bool>& stop,
+    const std::function<void(std::size_t done, std::size_t all)>& progress) {
+  const std::size_t n = study.space.free.size();
+  const std::vector<double> x = study.space.point_of(best);
+  const std::vector<double> start = study.space.start_point();
+  const double penalty = study.solver.penalty;
+
+  // The best, then below, above and reset of each parameter.
+  std::vector<std::vector<double>> points(1 + 3 * n, x);
+  for (std::size_t i = 0; i < n; ++i) {
+    points[1 + 3 * i][i] = clamp_to_box(x[i] - kSensitivityStep);
+    points[2 + 3 * i][i] = clamp_to_box(x[i] + kSensitivityStep);
+    points[3 + 3 * i][i] = start[i];
+  }
+  std::vector<Evaluation> evaluations;
+  evaluations.reserve(points.size());
+  const auto portion = static_cast<std::size_t>(workers.count());
+  for (std::size_t first = 0; first < points.size(); first += portion) {
+    const auto end = std::min(points.size(), first + portion);
+    auto done = simulate_points(study,
+                                {points.begin() + static_cast<std::ptrdiff_t>(first),
+                                 points.begin() + static_cast<std::ptrdiff_t>(end)},
+                                workers, stop);
+    if (!done) return std::nullopt;
+    for (Evaluation& e : *done) {
+      objective.judge(e);
+      evaluations.push_back(std::move(e));
+    }
+    if (progress) progress(end, points.size());
+  }
+  const auto merit = [&](std::size_t p) {
+    return evaluations[p].objective + penalty * evaluations[p].violation;
+  };
+
+  std::vector<double> merits;
+  merits.reserve(journal.size());
+  for (const JournalRow& row : journal) merits.push_back(row.objective + penalty * row.violation);
+  Sensitivity result;
+  result.merit = merit(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    ParameterSensitivity& s = result.parameters.emplace_back();
+    const GainEntry& entry = study.space.free[i].entry;
+    const std::size_t below = 1 + 3 * i;
+    const std::size_t above = below + 1;
+    s.parameter = i;
+    s.best = value(evaluations[0].gains, entry);
+    s.local = std::max(std::abs(merit(below) - merit(0)), std::abs(merit(above) - merit(0))) / merit(0);
+    const double spread = value(evaluations[above].gains, entry) - value(evaluations[below].gains, entry);
+    s.elasticity = s.best > 0.0 ? (merit(above) - merit(below)) / merit(0) / (spread / s.best) : NAN;
+    std::vector<double> coordinates;
+    coordinates.reserve(journal.size());
+    for (const JournalRow& row : journal) coordinates.push_back(row.x[i]);
+    s.rank_correlation = rank_correlation(coordinates, merits);
+    s.importance = merit(below + 2) - merit(0);
+  }
+  std::stable_sort(result.parameters.begin(), result.parameters.end(),
+                   [](const auto& a, const auto& b) { return a.importance > b.importance; });
+  return result;
+}
+
+std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity) {
+  const auto cell = [](double v) { return std::isnan(v) ? std::string() : fmt::format("{}", v); };
+  std::string text = "gain,unit,start,best,lower,upper,importance,local,elasticity,rank_correlation\n";
+  for (const ParameterSensitivity& s : sensitivity.parameters) {
+    const Parameter& p = study.space.free[s.parameter];
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{}\n", p.entry.name, p.entry.field->unit, p.start, s.best,
+                    p.lower, p.upper, s.importance, s.local, cell(s.elasticity), cell(s.rank_correlation));
+  }
+  return text;
+}
+
+std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivity) {
+  std::vector<std::string> lines;
+  for (const ParameterSensitivity& s : sensitivity.parameters) {
+    const Parameter& p = study.space.free[s.parameter];
+    const std::string& name = p.entry.name;
+    const bool no_effect = s.local < kNoEffect && std::abs(s.importance) < kNoEffect * sensitivity.merit;
+    if (no_effect) {
+      lines.push_back(
+          fmt::format("{} has no effect: {:.0f} % of its range up or down change the merit by {:.2g} %, its "
+                      "start value by {:.2g} %; "
+                      "leave it out with '{{name: {}, fixed: {:.6g}}}'",
+                      name, 100.0 * kSensitivityStep, 100.0 * s.local,
+                      100.0 * s.importance / sensitivity.merit, name, p.start));
+    } else if (s.best <= p.lower * (1.0 + 1e-9)) {
+      lines.push_back(
+          p.lower > 0.0
+              ? fmt::format(
+                    "{} ended at its lower bound {:.6g}: more may be gained below; set 'lower: {:.3g}'", name,
+                    p.lower, 0.5 * p.lower)
+              : fmt::format("{} ended at zero, the least a gain can be: it does more harm than good here; "
+                            "leave it out with '{{name: {}, fixed: 0}}'",
+                            name, name));
+    } else if (s.best >= p.upper * (1.0 - 1e-9)) {
+      lines.push_back(
+          fmt::format("{} ended at its upper bound {:.6g}: more may be gained above; set 'upper: {:.3g}'",
+                      name, p.upper, 2.0 * p.upper));
+    }
+  }
+  return lines;
+}
+
+Study without_less_important_half(const Study& study, const Sensitivity& sensitivity) {
+  Study reduced = study;
+  reduced.description += " (only the more important half of the parameters)";
+  reduced.space.free.clear();
+  constexpr std::size_t kGone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> place(study.space.free.size(), kGone);
+  const std::size_t kept = (study.space.free.size() + 1) / 2;
+  std::vector<bool> keep(study.space.free.size(), false);
+  for (std::size_t i = 0; i < kept; ++i) keep[sensitivity.parameters[i].parameter] = true;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (!keep[i]) continue;
+    place[i] = reduced.space.free.size();
+    reduced.space.free.push_back(study.space.free[i]);
+  }
+  // What followed a gain that is fixed now stays at its own start, which the start gains hold.
+  std::erase_if(reduced.space.links, [&](const Link& link) { return place[link.parameter] == kGone; });
+  for (Link& link : reduced.space.links) link.parameter = place[link.parameter];
+  for (SweepAxis& axis : reduced.sweep) {
+    std::erase_if(axis.parameters, [&](std::size_t p) { return place[p] == kGone; });
+    for (std::size_t& p : axis.parameters) p = place[p];
+  }
+  std::erase_if(reduced.sweep, [](const SweepAxis& axis) { return axis.parameters.empty(); });
+  return reduced;
+}
+
+}  // namespace armtune

@@ -1,0 +1,61 @@
+#pragma once
+// Which gains matter: what each does near the best point, over the whole journal, and for the improvement.
+//
+// Everything is judged by the merit: objective + penalty * violation, with the study's penalty. At a best
+// point that leans on constraints the objective alone would call every step across one an improvement.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tuner/gains/journal_reader.hpp"
+#include "tuner/gains/study.hpp"
+#include "tuner/gains/workers.hpp"
+
+namespace armtune {
+
+struct ParameterSensitivity {
+  std::size_t parameter = 0;  ///< index into ParameterSpace::free
+  double best = 0.0;          ///< the gain's value
+  /// Largest relative change of the merit for a step of kSensitivityStep of the parameter's range either way.
+  double local = 0.0;
+  /// Relative change of the merit per relative change of the gain, by central differences (one-sided at a
+  /// bound); NaN for a gain of zero.
+  double elasticity = 0.0;
+  /// Spearman's rank correlation of the parameter with the merit over the journal; NaN with fewer than three
+  /// rows or a parameter that never moved.
+  double rank_correlation = 0.0;
+  /// What the merit loses when this gain alone goes back to its start: its part in the improvement.
+  double importance = 0.0;
+};
+
+inline constexpr double kSensitivityStep = 0.02;
+
+struct Sensitivity {
+  double merit = 0.0;                            ///< of the best
+  std::vector<ParameterSensitivity> parameters;  ///< the most important first
+};
+
+/// Simulates 3 points per parameter about `best`, in portions. Nothing if `stop` became true before.
+/// objective: of the study. progress(done, all): evaluations.
+std::optional<Sensitivity> sensitivity(
+    const Study& study, const Objective& objective, const Gains& best, const std::vector<JournalRow>& journal,
+    Workers& workers, const std::atomic<bool>& stop,
+    const std::function<void(std::size_t done, std::size_t all)>& progress = {});
+
+/// Spearman's rank correlation of two series of one length, ties at their mean rank; NaN where it is not
+/// defined.
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
+
+/// sensitivity.csv: a row per parameter, the most important first.
+std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity);
+
+/// In plain words, one per line: gains that ended at a bound, gains without effect, and what to change.
+std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivity);
+
+/// The study with the less important half of its parameters fixed at their start values.
+Study without_less_important_half(const Study& study, const Sensitivity& sensitivity);
+
+}  // namespace armtune

@@ -1,0 +1,51 @@
+#include "tuner/trade_off/criterion.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr const char* kObjective = "objective";
+
+}  // namespace
+
+std::string Criterion::name() const {
+  return metric ? armtune::name(*metric) : kObjective;
+}
+
+std::string Criterion::unit() const {
+  return metric ? field(*metric).unit : "1";
+}
+
+bool Criterion::larger_is_better() const {
+  return metric && armtune::larger_is_better(*metric);
+}
+
+Criterion criterion_from_name(const std::string& name) {
+  if (name == kObjective) return {};
+  if (const auto metric = metric_from_name(name)) return {metric};
+  std::vector<std::string> names{kObjective};
+  for (const MetricField& f : metric_fields()) names.emplace_back(f.name);
+  throw InputError(fmt::format("'{}' is neither 'objective' nor a metric{}; there are: {}", name,
+                               suggestion(name, names), fmt::join(names, ", ")));
+}
+
+double cost(const Criterion& criterion, const Evaluation& e) {
+  if (!criterion.metric) return e.objective;
+  const double sign = criterion.larger_is_better() ? -1.0 : 1.0;
+  double worst = NAN;
+  for (const RolloutResult& result : e.results)
+    worst = std::fmax(worst, sign * result.metrics[*criterion.metric]);
+  return worst;
+}
+
+double value(const Criterion& criterion, const Evaluation& e) {
+  return criterion.larger_is_better() ? -cost(criterion, e) : cost(criterion, e);
+}
+
+}  // namespace armtune

@@ -1,0 +1,30 @@
+#pragma once
+// What is traded off: the study's objective or a metric over its scenarios.
+
+#include <optional>
+#include <string>
+
+#include "tuner/gains/study.hpp"
+
+namespace armtune {
+
+struct Criterion {
+  std::optional<Metric> metric;  ///< none: the study's objective
+
+  /// "objective" or the metric's name.
+  std::string name() const;
+  std::string unit() const;
+  bool larger_is_better() const;
+};
+
+/// From "objective" or a metric's name. Throws InputError.
+Criterion criterion_from_name(const std::string& name);
+
+/// The objective, or the metric's worst value over the scenarios that give it one; NaN if none does. In the
+/// metric's unit.
+double value(const Criterion& criterion, const Evaluation& e);
+
+/// The value with the sign that makes less better.
+double cost(const Criterion& criterion, const Evaluation& e);
+
+}  // namespace armtune
