@@ -63,14 +63,36 @@ TEST(TuneCommand, LeavesGainsThatTheOtherCommandsTake) {
       << "a run folder stands for its gains and its study's scenarios";
 }
 
+TEST(TuneCommand, EndsWithWhichGainsMatterAsTheCommandOfItsOwnDoes) {
+  const ShortStudy files;
+  const Finished tuned =
+      run_program({"tune", files.path(), "--out", files / "run", "--workers", "2", "--max-evaluations", "6"});
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
+  EXPECT_THAT(tuned.out, HasSubstr("gain, most important first"));
+  const Finished again =
+      run_program({"sensitivity", files / "run", "--out", files / "again", "--workers", "1"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  for (const char* file : {"/sensitivity.csv", "/reduced_study.yaml"}) {
+    EXPECT_EQ(test::read_text(files / "again" + file), test::read_text(files / "run" + file)) << file;
+  }
+  const Finished reduced = run_program({"tune", files / "run/reduced_study.yaml", "--out", files / "reduced",
+                                        "--max-evaluations", "3", "--no-analysis"});
+  EXPECT_EQ(reduced.exit_code, 0) << reduced.err;
+  EXPECT_THAT(reduced.out, HasSubstr("1 gains over 2 scenarios"));
+  EXPECT_FALSE(fs::exists(files / "reduced/sensitivity.csv"));
+  const Finished none = run_program({"sensitivity", files / "nothing"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("nothing/study.yaml"));
+}
+
 TEST(TuneCommand, ItsResolvedStudyGivesTheSameEvaluationsAgain) {
   const ShortStudy files;
-  ASSERT_EQ(
-      run_program({"tune", files.path(), "--out", files / "a", "--workers", "1", "--max-evaluations", "6"})
-          .exit_code,
-      0);
+  ASSERT_EQ(run_program({"tune", files.path(), "--out", files / "a", "--workers", "1", "--max-evaluations",
+                         "6", "--no-analysis"})
+                .exit_code,
+            0);
   const Finished again =
-      run_program({"tune", files / "a/study.yaml", "--out", files / "b", "--workers", "2"});
+      run_program({"tune", files / "a/study.yaml", "--out", files / "b", "--workers", "2", "--no-analysis"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   const auto a = test::read_csv(files / "a/evaluations.csv");
   const auto b = test::read_csv(files / "b/evaluations.csv");

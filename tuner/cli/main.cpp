@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   cli::add_simulate_command(app, exit_code);
   cli::add_tune_command(app, exit_code);
   cli::add_pareto_command(app, exit_code);
+  cli::add_sensitivity_command(app, exit_code);
   cli::add_compare_command(app, exit_code);
   cli::add_robustness_command(app, exit_code);
 #ifdef ARMTUNE_IDENTIFICATION

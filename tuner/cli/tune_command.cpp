@@ -12,6 +12,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/gains/journal.hpp"
 #include "tuner/gains/tune.hpp"
 #include "tuner/run/comparison.hpp"
@@ -34,6 +35,7 @@ struct Arguments {
   long max_evaluations = 0;
   long seed = -1;
   int record_every = 5;
+  bool analysis = true;
 };
 
 Study load(const Arguments& args) {
@@ -41,6 +43,14 @@ Study load(const Arguments& args) {
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   return study;
+}
+
+/// ", cvar of 8 arms each" where a study tunes on samples.
+std::string robust_text(const Study& study) {
+  if (!study.robust) return {};
+  return fmt::format(", {} of {} arms each",
+                     risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
+                     study.robust->samples);
 }
 
 std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds) {
@@ -144,6 +154,25 @@ void print_verdict(const Study& study, const TuneResult& result, const Objective
   }
 }
 
+/// What the figures alone do not say: which gains matter. Returns false if interrupted: the run's own files
+/// are all there by then.
+bool analyse(const Study& study, const TuneResult& result, const Objective& objective, Workers& workers,
+             const Arguments& args) {
+  constexpr std::size_t kShown = 8;
+  ProgressLine line;
+  const auto found =
+      sensitivity(study, objective, result.best.gains, read_journal(args.folder + "/evaluations.csv", study),
+                  workers, stop_requested(), [&line](std::size_t done, std::size_t all) {
+                    line.show(fmt::format("sensitivity: {} of {} evaluations", done, all));
+                  });
+  line.clear();
+  if (!found) return false;
+  write_sensitivity(study, *found, args.folder);
+  print_sensitivity(study, *found, kShown);
+  print_advice(study, *found);
+  return true;
+}
+
 int run(Arguments args) {
   const auto began = Clock::now();
   const Study study = load(args);
@@ -158,9 +187,9 @@ int run(Arguments args) {
   TuneResult so_far;  // kept here, so that nothing finished is lost if the disk or a rollout fails
   callbacks.begin = [&](const Objective& o) {
     objective = o;
-    fmt::print("study {}: {} gains over {} scenarios, {} and {} evaluations at most; results go to {}\n",
-               study.name, study.space.free.size(), study.scenarios.size(), study.solver.algorithm,
-               study.max_evaluations, args.folder);
+    fmt::print("study {}: {} gains over {} scenarios{}, {} and {} evaluations at most; results go to {}\n",
+               study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
+               study.solver.algorithm, study.max_evaluations, args.folder);
     std::fflush(stdout);
     make_run_folder(args.folder);
     write_start(study, args.folder);
@@ -193,12 +222,15 @@ int run(Arguments args) {
 
   fmt::print("{}", comparison_table(sets, headline_metrics()));
   print_gains(study, result.best.gains);
+  const bool analysed =
+      args.analysis && !result.interrupted && analyse(study, result, *objective, workers, args);
   print_verdict(study, result, *objective);
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
-      "study.yaml, run.yaml; the start's in start/\n"
+      "study.yaml, run.yaml{}; the start's in start/\n"
       "next: {} compare {}/start {}\n",
-      args.folder, seconds_since(began), program_name(), args.folder, args.folder);
+      args.folder, seconds_since(began), analysed ? ", sensitivity.csv, reduced_study.yaml" : "",
+      program_name(), args.folder, args.folder);
   if (result.interrupted) return kInterrupted;
   return result.best.feasible ? kDone : kNoFeasiblePoint;
 }
@@ -241,6 +273,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  command->add_flag("!--no-analysis", args->analysis,
+                    "leave out what comes after the search: which gains matter");
   command->footer(help_footer);
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

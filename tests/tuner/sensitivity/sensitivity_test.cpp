@@ -100,7 +100,8 @@ TEST_F(Sensitive, IsWhatRolloutsOfChangedGainsSay) {
   const double m_low = merit(low);
   const double m_high = merit(high);
   const ParameterSensitivity& px = find(s, 1);
-  EXPECT_NEAR(px.elasticity, (m_high - m_low) / s.merit / (4.0 / 110.0), 1e-6 * std::abs(px.elasticity) + 1e-9);
+  EXPECT_NEAR(px.elasticity, (m_high - m_low) / s.merit / (4.0 / 110.0),
+              1e-6 * std::abs(px.elasticity) + 1e-9);
   EXPECT_NEAR(px.local, std::max(std::abs(m_high - s.merit), std::abs(m_low - s.merit)) / s.merit, 1e-9);
   Gains reset = best_;
   reset.task_space_gains_p[0] = study_->space.start.task_space_gains_p[0];

@@ -1,0 +1,98 @@
+// armtune sensitivity: which of a run's gains matter.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/gains/simulate_points.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace armtune::cli {
+namespace {
+
+struct Arguments {
+  std::string run;
+  std::string folder;
+  int workers = default_workers();
+};
+
+int run(const Arguments& args) {
+  const auto began = std::chrono::steady_clock::now();
+  const Study study = load_study(args.run + "/study.yaml");
+  const std::string gains_path = args.run + "/gains.yaml";
+  const Gains best = load_gains(gains_path, joint_names(*study.scenarios.front().robot));
+  const std::string journal_path = args.run + "/evaluations.csv";
+  const auto journal = read_journal(journal_path, study);
+  if (!args.folder.empty()) make_run_folder(args.folder);
+
+  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  ProgressLine line;
+  std::optional<Sensitivity> result;
+  if (const auto start = simulate_points(study, {study.space.start_point()}, workers, stop_requested())) {
+    const Objective objective(study.terms, study.constraints, study.scenarios, start->front().results,
+                              study.source);
+    result = sensitivity(study, objective, best, journal, workers, stop_requested(),
+                         [&line](std::size_t done, std::size_t all) {
+                           line.show(fmt::format("{} of {} evaluations", done, all));
+                         });
+  }
+  line.clear();
+  if (!result) {
+    fmt::print(stderr, "interrupted; nothing was written\n");
+    return kInterrupted;
+  }
+  print_sensitivity(study, *result, study.space.free.size());
+  print_advice(study, *result);
+  if (args.folder.empty()) return kDone;
+  make_folder(args.folder + "/start");
+  write_text_file(args.folder + "/start/gains.yaml",
+                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
+  write_sensitivity(study, *result, args.folder);
+  Provenance p;
+  p.command = command_line();
+  p.inputs = {study.source, study.gains, gains_path, journal_path};
+  add_inputs(study.scenarios, p.inputs);
+  p.seed = study.solver.seed;
+  p.workers = args.workers;
+  p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  write_text_file(args.folder + "/run.yaml", run_yaml(p));
+  fmt::print(
+      "wrote {0}: sensitivity.csv, reduced_study.yaml, run.yaml\nnext: {1} tune {0}/reduced_study.yaml\n",
+      args.folder, program_name());
+  return kDone;
+}
+
+}  // namespace
+
+void add_sensitivity_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("sensitivity", "Say which of a run's gains matter, and which do not");
+  command->add_option("RUN", args->run, "the folder of a tuning run")->required();
+  command->add_option(
+      "--out", args->folder,
+      "new folder for sensitivity.csv and reduced_study.yaml, the study with the less important half "
+      "of the gains fixed at their start");
+  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->footer(
+      "importance  what the merit loses when this gain alone goes back to its start\n"
+      "local       largest relative change of the merit for a step of 2 % of the gain's range\n"
+      "elasticity  relative change of the merit per relative change of the gain (central differences)\n"
+      "global      rank correlation of gain and merit over the run's evaluations\n"
+      "merit       objective + penalty * relative violations, as the study's search weighs them\n\n"
+      "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli
