@@ -34,6 +34,8 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
                                   HasSubstr("slerpDurationErrorGain"), HasSubstr("reacquisition/time"),
                                   HasSubstr("--max-evaluations"), HasSubstr("--seed")));
   EXPECT_THAT(help("robustness"), AllOf(HasSubstr("--payload"), HasSubstr("--limit"), HasSubstr("1000")));
+  EXPECT_THAT(help("margins"), AllOf(HasSubstr("control_rate"), HasSubstr("1 % of the control periods"),
+                                     HasSubstr("--limit"), HasSubstr("armtune margins extended_tuned")));
   EXPECT_THAT(help("compare"), AllOf(HasSubstr("--scenarios"), HasSubstr("midpoint")));
 }
 

@@ -42,7 +42,7 @@ void expect_whole_run(const std::string& folder) {
 TEST(TuneCommand, LeavesGainsThatTheOtherCommandsTake) {
   const ShortStudy files;
   const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
-                                      "--max-evaluations", "8", "--seed", "5"});
+                                      "--max-evaluations", "8", "--seed", "5", "--no-analysis"});
   ASSERT_EQ(tuned.exit_code, 0) << tuned.err << tuned.out;
   EXPECT_EQ(tuned.err, "") << "quiet where there is no terminal";
   EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("start"), HasSubstr("tuned"),
@@ -63,12 +63,17 @@ TEST(TuneCommand, LeavesGainsThatTheOtherCommandsTake) {
       << "a run folder stands for its gains and its study's scenarios";
 }
 
-TEST(TuneCommand, EndsWithWhichGainsMatterAsTheCommandOfItsOwnDoes) {
+TEST(TuneCommand, EndsWithMarginsAndWhichGainsMatterAsTheirOwnCommandsDo) {
   const ShortStudy files;
   const Finished tuned =
       run_program({"tune", files.path(), "--out", files / "run", "--workers", "2", "--max-evaluations", "6"});
   ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
   EXPECT_THAT(tuned.out, HasSubstr("gain, most important first"));
+  const Finished margins =
+      run_program({"margins", files / "run", "--out", files / "margins", "--workers", "1"});
+  ASSERT_EQ(margins.exit_code, 0) << margins.err;
+  EXPECT_EQ(test::read_text(files / "margins/margins.csv"), test::read_text(files / "run/margins.csv"));
+  EXPECT_TRUE(fs::exists(files / "run/start/margins.csv"));
   const Finished again =
       run_program({"sensitivity", files / "run", "--out", files / "again", "--workers", "1"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
@@ -108,8 +113,8 @@ TEST(TuneCommand, ItsResolvedStudyGivesTheSameEvaluationsAgain) {
 TEST(TuneCommand, WithoutAFeasiblePointItEndsWithThreeAndSaysWhatIsMissed) {
   const ShortStudy files(test::kShortParameters, test::kShortObjective,
                          "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 0.01}\n");
-  const Finished tuned =
-      run_program({"tune", files.path(), "--out", files / "run", "--max-evaluations", "3", "--workers", "2"});
+  const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--max-evaluations", "3",
+                                      "--workers", "2", "--no-analysis"});
   EXPECT_EQ(tuned.exit_code, 3) << tuned.err;
   EXPECT_THAT(tuned.out,
               testing::AllOf(HasSubstr("NOT feasible"), HasSubstr("joint_velocity/max_ratio <= 0.01")));

@@ -10,6 +10,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/gains/study.hpp"
@@ -30,12 +31,6 @@ struct Arguments {
   int workers = default_workers();
   bool all_metrics = false;
 };
-
-/// A run folder stands for the gains in it.
-std::string gains_of(const std::string& set) {
-  std::error_code ignored;
-  return fs::is_directory(set, ignored) ? (fs::path(set) / "gains.yaml").string() : set;
-}
 
 /// Short and unique: the folder's or file's name.
 std::string label_of(const std::string& set, const std::vector<ComparedSet>& taken) {
@@ -64,7 +59,7 @@ std::vector<Scenario> scenarios_of(const Arguments& args) {
 int run(const Arguments& args) {
   const auto scenarios = scenarios_of(args);
   for (const std::string& set : args.sets) {
-    for (const Scenario& s : scenarios) load_gains(gains_of(set), joint_names(*s.robot));
+    for (const Scenario& s : scenarios) load_gains(gains_name(set), joint_names(*s.robot));
   }
   if (!args.folder.empty()) make_run_folder(args.folder);
   SimulateOptions options;
@@ -80,7 +75,7 @@ int run(const Arguments& args) {
     sets.push_back(
         {label,
          simulate(
-             scenarios, [&](const Scenario& s) { return load_gains(gains_of(set), joint_names(*s.robot)); },
+             scenarios, [&](const Scenario& s) { return load_gains(gains_name(set), joint_names(*s.robot)); },
              options, stop_requested())});
     if (stop_requested()) {
       line.clear();
@@ -98,7 +93,7 @@ int run(const Arguments& args) {
     }
     Provenance p;
     p.command = command_line();
-    for (const std::string& set : args.sets) p.inputs.push_back(find_data_file("gains", gains_of(set)));
+    for (const std::string& set : args.sets) p.inputs.push_back(find_data_file("gains", gains_name(set)));
     add_inputs(scenarios, p.inputs);
     p.workers = args.workers;
     write_text_file(args.folder + "/run.yaml", run_yaml(p));

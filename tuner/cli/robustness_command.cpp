@@ -5,18 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <map>
 #include <memory>
 
-#include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
-#include "sim/scenario/data_files.hpp"
-#include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
-#include "tuner/gains/study.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
 #include "tuner/run/comparison.hpp"
@@ -24,8 +20,6 @@
 
 namespace armtune::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Arguments {
   std::string set;
@@ -36,37 +30,6 @@ struct Arguments {
   long only = -1;
   MonteCarloOptions options;
 };
-
-bool is_folder(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
-}
-
-std::string gains_name(const Arguments& args) {
-  return is_folder(args.set) ? (fs::path(args.set) / "gains.yaml").string() : args.set;
-}
-
-/// Those asked for; else those of the run folder's study; else the bundled ones that come near limits.
-std::vector<Scenario> scenarios_of(const Arguments& args) {
-  std::vector<std::string> names = args.scenarios;
-  if (names.empty()) {
-    std::error_code ignored;
-    const fs::path study = fs::path(args.set) / "study.yaml";
-    if (is_folder(args.set) && fs::exists(study, ignored)) return load_study(study.string()).scenarios;
-    names = {"realistic_target_switch", "realistic_obstacle_pass"};
-  }
-  std::vector<Scenario> scenarios;
-  scenarios.reserve(names.size());
-  for (const std::string& name : names) {
-    Scenario scenario = load_scenario(name);
-    for (const Scenario& other : scenarios) {
-      if (other.name == scenario.name)
-        throw InputError(fmt::format("two scenarios are called {}", other.name));
-    }
-    scenarios.push_back(std::move(scenario));
-  }
-  return scenarios;
-}
 
 void print_yield(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
                  const std::vector<MetricLimit>& limits) {
@@ -119,11 +82,10 @@ int run(Arguments args) {
     options.first = static_cast<std::uint64_t>(args.only);
     options.samples = 1;
   }
-  const std::vector<Scenario> scenarios = scenarios_of(args);
-  const std::string gains_path = find_data_file("gains", gains_name(args));
-  const auto joints = joint_names(*scenarios.front().robot);
-  for (const Scenario& scenario : scenarios) load_gains(gains_path, joint_names(*scenario.robot));
-  const Gains gains = load_gains(gains_path, joints);
+  // Unless others are asked for: the ones that come near limits.
+  const std::vector<Scenario> scenarios =
+      scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
+  const GainSet set = load_gain_set(args.set, scenarios);
   validate(options.perturbation);
   if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
   if (!args.folder.empty()) make_run_folder(args.folder);
@@ -137,7 +99,7 @@ int run(Arguments args) {
     line.show(fmt::format("{} of {} rollouts, {:.0f} s left", done, all,
                           seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
   };
-  const auto samples = monte_carlo(scenarios, gains, options, stop_requested());
+  const auto samples = monte_carlo(scenarios, set.gains, options, stop_requested());
   line.clear();
   if (!samples.empty()) {
     print_yield(scenarios, samples, options.limits);
@@ -148,7 +110,7 @@ int run(Arguments args) {
     write_text_file(args.folder + "/summary.csv", summary_csv(scenarios, samples));
     Provenance p;
     p.command = command_line();
-    p.inputs = {gains_path};
+    p.inputs = {set.path};
     add_inputs(scenarios, p.inputs);
     p.seed = options.seed;
     p.workers = options.workers;

@@ -15,6 +15,7 @@
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/gains/journal.hpp"
 #include "tuner/gains/tune.hpp"
+#include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
@@ -154,12 +155,31 @@ void print_verdict(const Study& study, const TuneResult& result, const Objective
   }
 }
 
-/// What the figures alone do not say: which gains matter. Returns false if interrupted: the run's own files
-/// are all there by then.
+/// What the figures alone do not say: how far both loops can be pushed, and which gains matter. Returns false
+/// if interrupted: the run's own files are all there by then.
 bool analyse(const Study& study, const TuneResult& result, const Objective& objective, Workers& workers,
              const Arguments& args) {
   constexpr std::size_t kShown = 8;
   ProgressLine line;
+  std::vector<ComparedMargins> sets(2);
+  MarginOptions options;
+  options.stepper = study.stepper;
+  options.workers = args.workers;
+  for (ComparedMargins& set : sets) {
+    const bool start = &set == &sets.front();
+    set.name = start ? "start" : "tuned";
+    options.progress = [&](std::size_t done, std::size_t all) {
+      line.show(fmt::format("margins of the {} gains: {} of {}", set.name, done, all));
+    };
+    set.margins =
+        margins(study.scenarios, start ? study.space.start : result.best.gains, options, stop_requested());
+    if (stop_requested()) return false;
+    write_text_file(args.folder + (start ? "/start/margins.csv" : "/margins.csv"),
+                    margins_csv(study.scenarios, set.margins));
+  }
+  line.clear();
+  fmt::print("{}\n", margins_table(study.scenarios, sets));
+
   const auto found =
       sensitivity(study, objective, result.best.gains, read_journal(args.folder + "/evaluations.csv", study),
                   workers, stop_requested(), [&line](std::size_t done, std::size_t all) {
@@ -229,7 +249,7 @@ int run(Arguments args) {
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
       "study.yaml, run.yaml{}; the start's in start/\n"
       "next: {} compare {}/start {}\n",
-      args.folder, seconds_since(began), analysed ? ", sensitivity.csv, reduced_study.yaml" : "",
+      args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
       program_name(), args.folder, args.folder);
   if (result.interrupted) return kInterrupted;
   return result.best.feasible ? kDone : kNoFeasiblePoint;
@@ -274,7 +294,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_flag("!--no-analysis", args->analysis,
-                    "leave out what comes after the search: which gains matter");
+                    "leave out what comes after the search: margins, and which gains matter");
   command->footer(help_footer);
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

@@ -1,0 +1,84 @@
+// `armtune margins` as a person runs it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A short study's gains and one scenario of 5 s.
+class MarginsProgram : public testing::Test {
+ protected:
+  Finished margins(std::vector<std::string> more) const {
+    std::vector<std::string> args = {"margins", files_ / "gains.yaml", "--scenarios", scenario_};
+    args.insert(args.end(), more.begin(), more.end());
+    return run_program(args);
+  }
+
+  const test::ShortStudy files_;
+  const test::TemporaryFolder folder_;
+  const std::string scenario_ = folder_.write("five_seconds.yaml", "base: moving_target\nduration: 5\n");
+};
+
+TEST_F(MarginsProgram, WritesTheSameFileWithAnyNumberOfWorkers) {
+  const Finished one = margins({"--out", folder_ / "one", "--workers", "1"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.err, "");
+  EXPECT_THAT(one.out, AllOf(HasSubstr("torque_delay [periods]"), HasSubstr("five_seconds"),
+                             HasSubstr("gain_factor fails at "), HasSubstr("margins.csv, run.yaml")));
+  const Finished two = margins({"--out", folder_ / "two", "--workers", "2"});
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  const std::string csv = test::read_text(folder_ / "one/margins.csv");
+  EXPECT_THAT(csv, HasSubstr("\ncontrol_rate,Hz,all,500,"));
+  EXPECT_EQ(test::read_text(folder_ / "two/margins.csv"), csv);
+  EXPECT_THAT(test::read_text(folder_ / "one/run.yaml"),
+              AllOf(HasSubstr("five_seconds.yaml"), HasSubstr("gains.yaml")));
+}
+
+TEST_F(MarginsProgram, SaysSoWhereNotEvenTheNominalStands) {
+  const Finished strict = margins({"--limit", "joint_velocity/max_ratio<=0.01"});
+  EXPECT_EQ(strict.exit_code, 0) << strict.err;
+  EXPECT_THAT(strict.out, AllOf(HasSubstr("none"), HasSubstr("as it is, five_seconds does not stand"),
+                                HasSubstr("breaks joint_velocity/max_ratio <= 0.01")));
+}
+
+TEST_F(MarginsProgram, BadInputEndsWithTwo) {
+  const Finished limit = margins({"--out", folder_ / "limit", "--limit", "speed<=1"});
+  EXPECT_EQ(limit.exit_code, 2);
+  EXPECT_THAT(limit.err, HasSubstr("no metric 'speed'"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "limit"));
+  const Finished twice = margins({scenario_});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("two scenarios are called five_seconds"));
+  const Finished nowhere = run_program({"margins", "nowhere"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("nowhere"));
+}
+
+TEST_F(MarginsProgram, AnInterruptKeepsWhatIsFinished) {
+  test::Program program({"margins", "published", "--out", "cut"}, folder_.path());
+  while (program.running() && !std::filesystem::exists(folder_ / "cut")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  program.interrupt();
+  const Finished cut = program.wait();
+  EXPECT_EQ(cut.exit_code, 130) << cut.err;
+  EXPECT_THAT(test::read_text(folder_ / "cut/margins.csv"),
+              testing::StartsWith("margin,unit,scenario,nominal,stands,fails,reason\n"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,53 @@
+#include "tuner/cli/gain_set.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/gains/study.hpp"
+
+namespace armtune::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+}  // namespace
+
+std::string gains_name(const std::string& set) {
+  return is_folder(set) ? (fs::path(set) / "gains.yaml").string() : set;
+}
+
+std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std::string>& names,
+                                   const std::vector<std::string>& otherwise) {
+  if (names.empty()) {
+    std::error_code ignored;
+    const fs::path study = fs::path(set) / "study.yaml";
+    if (is_folder(set) && fs::exists(study, ignored)) return load_study(study.string()).scenarios;
+  }
+  std::vector<Scenario> scenarios;
+  for (const std::string& name : names.empty() ? otherwise : names) {
+    Scenario scenario = load_scenario(name);
+    for (const Scenario& other : scenarios) {
+      if (other.name == scenario.name)
+        throw InputError(fmt::format("two scenarios are called {}", other.name));
+    }
+    scenarios.push_back(std::move(scenario));
+  }
+  return scenarios;
+}
+
+GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios) {
+  const std::string path = find_data_file("gains", gains_name(set));
+  for (const Scenario& scenario : scenarios) load_gains(path, joint_names(*scenario.robot));
+  return {path, load_gains(path, joint_names(*scenarios.front().robot))};
+}
+
+}  // namespace armtune::cli

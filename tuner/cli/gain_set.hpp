@@ -1,0 +1,28 @@
+#pragma once
+// RUN_OR_GAINS on the command line: a run folder stands for the gains in it and for its study's scenarios.
+
+#include <string>
+#include <vector>
+
+#include "core/control/gains.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune::cli {
+
+/// The gains file of a run folder; any other name as it is.
+std::string gains_name(const std::string& set);
+
+/// Those named; else those of the run folder's study; else `otherwise`. Throws InputError if two share a
+/// name.
+std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std::string>& names,
+                                   const std::vector<std::string>& otherwise);
+
+struct GainSet {
+  std::string path;  ///< of the file
+  Gains gains;
+};
+
+/// The gains of a set. Throws InputError unless they fit the robot of every scenario; at least one.
+GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
+
+}  // namespace armtune::cli

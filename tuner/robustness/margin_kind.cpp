@@ -1,0 +1,60 @@
+#include "tuner/robustness/margin_kind.hpp"
+
+namespace armtune {
+namespace {
+
+/// The sensors' noise is scaled in this ratio where the scenario has none [rad per rad/s]: that of the
+/// realistic scenarios, 1e-4 rad to 0.01 rad/s.
+constexpr double kNoiseRatio = 1e-2;
+
+double rate(const Scenario& scenario) {
+  return 1.0 / scenario.control_period;
+}
+
+void set_rate(double value, Scenario& scenario, Gains&) {
+  if (value != rate(scenario)) scenario.control_period = 1.0 / value;
+}
+
+double velocity_noise(const Scenario& scenario) {
+  return scenario.plant.velocity_noise;
+}
+
+void set_noise(double value, Scenario& scenario, Gains&) {
+  PlantConditions& plant = scenario.plant;
+  if (value == plant.velocity_noise) return;
+  const double ratio = plant.velocity_noise > 0.0 ? plant.position_noise / plant.velocity_noise : kNoiseRatio;
+  plant.velocity_noise = value;
+  plant.position_noise = ratio * value;
+}
+
+void delay_more(double value, Scenario& scenario, Gains&) {
+  scenario.plant.torque_delay_periods += static_cast<int>(value);
+}
+
+void scale_gains(double value, Scenario&, Gains& gains) {
+  gains.task_space_gains_p *= value;
+  gains.task_space_gains_d *= value;
+}
+
+}  // namespace
+
+const std::array<MarginField, kMarginCount>& margin_fields() {
+  // Strides: narrow enough that the first failure is met rather than an island beyond it; noise, which has
+  // the longest way to go, in larger ones.
+  static const std::array<MarginField, kMarginCount> fields{{
+      {"torque_delay", "periods", "largest torque delay on top of the scenario's own, in control periods",
+       [](const Scenario&) { return 0.0; }, delay_more,
+       EdgeSearch{.first = 1.0, .stride = 2.0, .last = 1000.0, .whole = true}},
+      {"gain_factor", "1", "largest common factor on task_space_gains_p and task_space_gains_d",
+       [](const Scenario&) { return 1.0; }, scale_gains, EdgeSearch{.stride = 1.25, .last = 100.0}},
+      {"control_rate", "Hz", "smallest rate of the control periods, their torque delay as many as before",
+       rate, set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},
+      {"velocity_noise", "rad/s",
+       "largest standard deviation of the measured velocities' noise; that of the positions grows in the "
+       "scenario's ratio or, where it has none, by 0.01 rad per rad/s",
+       velocity_noise, set_noise, EdgeSearch{.first = 0.01, .stride = 1.5, .last = 10.0}},
+  }};
+  return fields;
+}
+
+}  // namespace armtune

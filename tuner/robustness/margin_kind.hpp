@@ -1,0 +1,37 @@
+#pragma once
+// The one declaration of every margin: what changes, from where, which way and how far.
+
+#include <array>
+#include <cstddef>
+
+#include "core/control/gains.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tuner/robustness/edge_search.hpp"
+
+namespace armtune {
+
+enum class MarginKind : std::size_t { kTorqueDelay, kGainFactor, kControlRate, kVelocityNoise, kCount };
+
+inline constexpr std::size_t kMarginCount = static_cast<std::size_t>(MarginKind::kCount);
+
+struct MarginField {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  /// The scenario's own value.
+  double (*nominal)(const Scenario& scenario);
+  /// Gives scenario and gains another value; with the nominal one they stay as they are.
+  void (*apply)(double value, Scenario& scenario, Gains& gains);
+  EdgeSearch search;  ///< nominal is set for each scenario
+};
+
+/// In the order of the enumeration, which is that of margins.csv.
+const std::array<MarginField, kMarginCount>& margin_fields();
+inline const MarginField& field(MarginKind kind) {
+  return margin_fields()[static_cast<std::size_t>(kind)];
+}
+inline const char* name(MarginKind kind) {
+  return field(kind).name;
+}
+
+}  // namespace armtune

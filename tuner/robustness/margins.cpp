@@ -1,0 +1,153 @@
+#include "tuner/robustness/margins.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "tuner/run/parallel.hpp"
+
+namespace armtune {
+namespace {
+
+/// Ends a rollout as soon as it is known not to stand, and says why.
+class Watch {
+ public:
+  Watch(const Scenario& scenario, const std::vector<MetricLimit>& limits)
+      : joints_(joint_names(*scenario.robot)),
+        velocity_limits_(scenario.robot->velocity_limits()),
+        allowed_(static_cast<long>(kSaturatedShare * scenario.periods())) {
+    for (const MetricLimit& limit : limits) {
+      if (limit.metric == Metric::kJointVelocityMaxRatio && limit.upper) velocity_.push_back(limit);
+    }
+  }
+
+  bool goes_on(const Observation& o) {
+    for (const MetricLimit& limit : velocity_) {
+      for (Eigen::Index i = 0; i < velocity_limits_.size(); ++i) {
+        if (std::abs((*o.qd)[i]) / velocity_limits_[i] <= limit.value) continue;
+        failure_ = fmt::format("{} breaks {} at {:.3f} s", joints_[static_cast<std::size_t>(i)],
+                               to_string(limit), o.time);
+        return false;
+      }
+    }
+    if (o.control->saturated && ++saturated_ > allowed_) {
+      failure_ = fmt::format("torque saturated in over {} % of the periods at {:.3f} s",
+                             100.0 * kSaturatedShare, o.time);
+      return false;
+    }
+    return true;
+  }
+
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::vector<std::string> joints_;
+  JointVector velocity_limits_;
+  std::vector<MetricLimit> velocity_;
+  long allowed_;  ///< periods
+  long saturated_ = 0;
+  std::string failure_;
+};
+
+/// Why the loop does not stand; empty if it does. None if `stop` cut the rollout short.
+std::optional<std::string> failure(const Scenario& scenario, const Gains& gains, const MarginOptions& options,
+                                   const std::atomic<bool>& stop) {
+  Watch watch(scenario, options.limits);
+  const RolloutResult result = Rollout(scenario, options.stepper).run(gains, [&](const Observation& o) {
+    return !stop && watch.goes_on(o);
+  });
+  if (!watch.failure().empty()) return watch.failure();
+  if (result.status == RolloutStatus::kInterrupted) return std::nullopt;
+  if (result.status != RolloutStatus::kCompleted) {
+    return fmt::format("{} at {:.3f} s", name(result.status), result.end_time);
+  }
+  const std::string broken = broken_limit(result, options.limits);
+  return broken.empty() ? broken : "breaks " + broken;
+}
+
+/// The margin of a loop that stands at its nominal value. None if `stop` cut it short.
+std::optional<Margin> find_margin(Margin margin, const Scenario& scenario, const Gains& gains,
+                                  const MarginOptions& options, const std::atomic<bool>& stop) {
+  const MarginField& declared = field(margin.kind);
+  bool whole = true;
+  const auto stands = [&](double value) {
+    if (!whole) return false;
+    Scenario changed = scenario;
+    Gains pushed = gains;
+    declared.apply(value, changed, pushed);
+    const auto why = failure(changed, pushed, options, stop);
+    whole = why.has_value();
+    if (!whole) return false;
+    if (!why->empty()) margin.reason = *why;
+    return why->empty();
+  };
+  EdgeSearch search = declared.search;
+  search.nominal = margin.nominal;
+  const Edge edge = find_edge(search, stands);
+  if (!whole) return std::nullopt;
+  margin.stands = edge.holds;
+  margin.fails = edge.fails;  // found last of all that failed, so that the reason is its own
+  return margin;
+}
+
+/// Whether a is a smaller margin than b of the same kind.
+bool smaller(const Margin& a, const Margin& b) {
+  if (!a.stands || !b.stands) return !a.stands && b.stands;
+  return field(a.kind).search.stride > 1.0 ? *a.stands < *b.stands : *a.stands > *b.stands;
+}
+
+}  // namespace
+
+std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
+                            const MarginOptions& options, const std::atomic<bool>& stop) {
+  // The nominal rollout is the same for every margin.
+  std::vector<std::optional<std::string>> nominal(scenarios.size());
+  parallel_for(scenarios.size(), options.workers, stop,
+               [&](std::size_t, std::size_t s) { nominal[s] = failure(scenarios[s], gains, options, stop); });
+  const std::size_t jobs = kMarginCount * scenarios.size();
+  std::vector<std::optional<Margin>> found(jobs);
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
+    const Scenario& scenario = scenarios[job % scenarios.size()];
+    const std::optional<std::string>& why = nominal[job % scenarios.size()];
+    if (!why) return;
+    Margin margin;
+    margin.kind = static_cast<MarginKind>(job / scenarios.size());
+    margin.scenario = scenario.name;
+    margin.control_period = scenario.control_period;
+    margin.nominal = field(margin.kind).nominal(scenario);
+    if (why->empty()) {
+      found[job] = find_margin(margin, scenario, gains, options, stop);
+    } else {
+      margin.fails = margin.nominal;
+      margin.reason = *why;
+      found[job] = margin;
+    }
+    const std::lock_guard lock(mutex);
+    if (found[job]) ++done;
+    if (found[job] && options.progress) options.progress(done, jobs);
+  });
+  std::vector<Margin> whole;
+  whole.reserve(jobs);
+  for (const std::optional<Margin>& margin : found) {
+    if (margin) whole.push_back(*margin);
+  }
+  return whole;
+}
+
+std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
+                            MarginKind kind) {
+  std::optional<Margin> result;
+  std::size_t there = 0;
+  for (const Margin& margin : margins) {
+    if (margin.kind != kind) continue;
+    ++there;
+    if (!result || smaller(margin, *result)) result = margin;
+  }
+  return there == scenarios.size() ? result : std::nullopt;
+}
+
+}  // namespace armtune
