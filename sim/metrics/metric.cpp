@@ -41,6 +41,18 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "RMS over time of the norm of the change per second of the torque sent, after saturation"},
       {"obstacle/min_clearance", "m", "smallest distance of any joint origin to an obstacle's centre"},
       {"compensation_error/rms", "N m", "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
+      {"response/rise_time", "s",
+       "time from 10 % to 90 % of the scenario's step, of the tool's position or its gaze; empty without a "
+       "step or if it never came to 90 %"},
+      {"response/overshoot", "1", "by how much the response passed the step, over the step's size"},
+      {"response/settling_time", "s",
+       "time from the step until the response is within 2 % of the step's size for good; the whole time to "
+       "the end if it never is"},
+      {"response/steady_state_error", "1",
+       "|mean error| over the last tenth of the time after the step, over the step's size"},
+      {"response/bandwidth", "Hz",
+       "frequency at which the response to the scenario's sines first falls 3 dB below them; the highest "
+       "sine's frequency if it never does, the lowest's if it starts below"},
   }};
   return fields;
 }
@@ -60,7 +72,8 @@ std::optional<Metric> metric_from_name(std::string_view name) {
 }
 
 bool larger_is_better(Metric m) {
-  return m == Metric::kObstacleMinClearance || m == Metric::kJointPositionMinMargin || m == Metric::kSamples;
+  return m == Metric::kObstacleMinClearance || m == Metric::kJointPositionMinMargin ||
+         m == Metric::kSamples || m == Metric::kResponseBandwidth;
 }
 
 }  // namespace armtune

@@ -40,6 +40,11 @@ enum class Metric : std::size_t {
   kEffortRateRms,
   kObstacleMinClearance,
   kCompensationErrorRms,
+  kResponseRiseTime,
+  kResponseOvershoot,
+  kResponseSettlingTime,
+  kResponseSteadyStateError,
+  kResponseBandwidth,
   kCount
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/robot/theta.hpp"
 #include "sim/metrics/accumulator.hpp"
+#include "sim/metrics/stimulus_response.hpp"
 #include "sim/plant/flush_denormals.hpp"
 #include "sim/plant/sensors.hpp"
 #include "sim/plant/target_camera.hpp"
@@ -52,7 +53,11 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
   TrueState truth(*scenario_.robot, theta_true_);
   JointState measured;
   std::vector<Vec3> centers(scenario_.obstacles.size());
-  Scene scene{&scenario_.path, {}, centers};
+  HarmonicPath path = scenario_.path;
+  Scene scene{&path, {}, centers};
+  const std::optional<Stimulus>& stimulus = scenario_.stimulus;
+  std::optional<StimulusResponse> response;
+  if (stimulus) response.emplace(scenario_);
   Observation o;
   o.theta = &controller.theta();
   o.q = &plant_->q();
@@ -67,6 +72,11 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
     o.time = time;
     o.target = scenario_.active_target(time);
     o.target_motion = scenario_.targets[o.target].path.at(time);
+    if (stimulus) {
+      const Vec3 offset = stimulus->at(time);
+      if (stimulus->on == Stimulus::On::kPath) path.center = scenario_.path.center + offset;
+      if (stimulus->on == Stimulus::On::kTarget) o.target_motion.position += offset;
+    }
     scene.target = camera.see(o.target, o.target_motion, time);
     for (std::size_t i = 0; i < centers.size(); ++i) {
       centers[i] = scenario_.obstacles[i].path.at(time).position;
@@ -76,6 +86,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
     o.applied = &torque;
     truth.observe(centers, o);
     metrics.add(o);
+    if (response) response->add(o);
     if (observer && !observer(o)) {
       result.status = RolloutStatus::kInterrupted;
       result.reason = fmt::format("interrupted at {:.3f} s", time);
@@ -97,6 +108,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
   }
   result.end_time = k * period;
   result.metrics = metrics.result(result.end_time);
+  if (response) response->write(result.metrics);
   if (result.status == RolloutStatus::kCompleted && !(result.metrics[Metric::kSamples] > 0.0)) {
     result.status = RolloutStatus::kNoSamples;
     result.reason = fmt::format(

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/common/error.hpp"
+#include "sim/scenario/uniform.hpp"
 
 namespace armtune {
 namespace {
@@ -14,16 +15,11 @@ constexpr double kMostDelay = 1000.0;
 /// Keeps the numbers of one group apart from those of another.
 constexpr std::uint64_t kMoreDraws = 0x9E3779B97F4A7C15U;
 
-/// Uniform numbers by our own arithmetic: the standard leaves its distributions to the library, and a
-/// sample's number must name the same arm everywhere.
 class Draw {
  public:
   Draw(std::uint64_t seed, std::uint64_t sample) : generator_(seeded(seed, sample)) {}
   std::uint64_t bits() { return generator_(); }
-  double between(double lower, double upper) {
-    constexpr double kStep = 0x1.0p-53;
-    return lower + (upper - lower) * kStep * static_cast<double>(bits() >> 11U);
-  }
+  double between(double lower, double upper) { return uniform(generator_, lower, upper); }
   /// n factors in [1 - width, 1 + width].
   JointVector factors(int n, double width) {
     JointVector values(n);

@@ -10,6 +10,7 @@
 
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/harmonic_path.hpp"
+#include "sim/scenario/stimulus.hpp"
 
 namespace armtune {
 
@@ -59,6 +60,7 @@ struct Scenario {
   double switch_every = 0.0;     ///< targets take turns [s]; 0: always the first
   std::optional<Camera> camera;  ///< none: the controller knows the targets' motion
   std::vector<NamedPath> obstacles;
+  std::optional<Stimulus> stimulus;  ///< added to path or target, unknown to the controller
   ThetaStart theta;
   PlantConditions plant;
   std::uint64_t seed = 1;  ///< of the noise

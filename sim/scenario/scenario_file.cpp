@@ -9,8 +9,10 @@
 
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/random_targets.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/scenario/stimulus_file.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
@@ -20,6 +22,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxBaseFiles = 16;
 constexpr double kMaxPeriods = 1e8;
+constexpr long kMostRandomTargets = 1000;
 
 Vec3 read_vec3(const yaml::Node& node) {
   return Vec3(node.as_numbers(3).data());
@@ -56,6 +59,29 @@ std::vector<NamedPath> read_named_paths(const yaml::Node& node) {
     map.finish();
   }
   return paths;
+}
+
+/// A list of targets, or {random: {count, low, high, seed}}. One key for both, so that either stands whole
+/// over a base's.
+std::vector<NamedPath> read_targets(const yaml::Node& node) {
+  if (node.kind() != yaml::Node::Kind::kMap) return read_named_paths(node);
+  yaml::MapReader outer(node);
+  const yaml::Node& random = outer.required("random");
+  outer.finish();
+  yaml::MapReader map(random);
+  const yaml::Node& count_node = map.required("count");
+  const long count = count_node.as_integer();
+  if (count < 1 || count > kMostRandomTargets) {
+    count_node.fail(fmt::format("{} targets; it must lie in 1 .. {}", count, kMostRandomTargets));
+  }
+  const Vec3 low = read_vec3(map.required("low"));
+  const yaml::Node& high_node = map.required("high");
+  const Vec3 high = read_vec3(high_node);
+  if (!(high.array() >= low.array()).all()) high_node.fail("a coordinate is below that of low");
+  const long seed = map.integer("seed", 1);
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  map.finish();
+  return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
 }
 
 ThetaStart read_theta_start(const yaml::Node& node) {
@@ -200,12 +226,15 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.path = read_path(tool_path);
   tool_path.finish();
   const yaml::Node& targets = map.required("targets");
-  scenario.targets = read_named_paths(targets);
+  scenario.targets = read_targets(targets);
   if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
   if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_named_paths(*obstacles);
+  if (const yaml::Node* stimulus = map.optional("stimulus")) {
+    scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
+  }
   scenario.theta = read_theta_start(map.required("theta_start"));
   if (const yaml::Node* plant = map.optional("plant")) scenario.plant = read_plant(*plant, joints);
   const long seed = map.integer("seed", 1);

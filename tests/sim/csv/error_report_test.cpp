@@ -37,7 +37,8 @@ TEST(ErrorsCsv, HasTheColumnsInTheirOrder) {
           "gaze/rate_error/max", "gaze/time_outside_threshold", "reacquisition/time",
           "joint_velocity/max_ratio", "joint_velocity/max_ratio_joint", "joint_velocity/max_ratio_time",
           "joint_position/min_margin", "joint_effort/max_ratio", "effort_rate/rms", "obstacle/min_clearance",
-          "compensation_error/rms"));
+          "compensation_error/rms", "response/rise_time", "response/overshoot", "response/settling_time",
+          "response/steady_state_error", "response/bandwidth"));
 }
 
 TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {

@@ -83,6 +83,20 @@ TEST_F(MonteCarlo, TheSummaryNamesTheWorstSampleOfEveryMetric) {
   EXPECT_GT(seen, 20);
 }
 
+TEST(Spreads, OfABandwidthTheSmallestIsTheWorst) {
+  std::vector<MonteCarloSample> samples(3);
+  const double bandwidths[] = {4.0, 2.0, 3.0};
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    samples[k].number = k;
+    samples[k].results.resize(1);
+    samples[k].results[0].metrics[Metric::kResponseBandwidth] = bandwidths[k];
+  }
+  const auto found = spreads(samples, 0);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].worst, 2.0);
+  EXPECT_EQ(found[0].worst_sample, 1U);
+}
+
 TEST(Limits, AreReadAndToldApart) {
   const MetricLimit limit = parse_limit("joint_velocity/max_ratio<=0.9");
   EXPECT_EQ(to_string(limit), "joint_velocity/max_ratio <= 0.9");

@@ -1,0 +1,122 @@
+#include "sim/scenario/stimulus_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostOrders = 32;
+constexpr long kMostPeriods = 1000;
+
+/// A direction times a length [m], neither zero.
+Vec3 read_offset(const yaml::Node& node) {
+  Vec3 offset(node.as_numbers(3).data());
+  const double length = offset.norm();
+  if (!std::isfinite(length) || !(length > 0.0)) node.fail("its length is zero or not finite");
+  return offset;
+}
+
+Step read_step(const yaml::Node& node, double duration, double control_period, Vec3& direction) {
+  yaml::MapReader map(node);
+  const Vec3 offset = read_offset(map.required("offset"));
+  const yaml::Node& at = map.required("at");
+  const Step step{offset.norm(), at.as_number()};
+  if (step.at < 0.0 || step.at > duration - control_period) {
+    at.fail(fmt::format("{} s; it must lie in 0 .. {} s, a control period before the end", step.at,
+                        duration - control_period));
+  }
+  map.finish();
+  direction = offset / step.size;
+  return step;
+}
+
+std::vector<int> read_orders(const yaml::Node& node, double base_period, double control_period) {
+  std::vector<int> orders;
+  orders.reserve(kMostOrders);
+  const double limit = 0.5 * base_period / control_period;
+  for (const yaml::Node& item : node.items()) {
+    if (orders.size() == kMostOrders) node.fail(fmt::format("more than {} orders", kMostOrders));
+    const long order = item.as_integer();
+    const long least = orders.empty() ? 1 : orders.back() + 1;
+    if (order < least) item.fail(fmt::format("order {}; orders start at 1 and increase strictly", order));
+    if (static_cast<double>(order) >= limit) {
+      item.fail(fmt::format("order {} of {} s is not below half the control rate, order {:.6g}", order,
+                            base_period, limit));
+    }
+    orders.push_back(static_cast<int>(order));
+  }
+  if (orders.empty()) node.fail("empty; give at least one order");
+  return orders;
+}
+
+double read_base_period(const yaml::Node& node, double duration, double control_period) {
+  const double period = node.as_number();
+  if (!(period >= control_period) || period > duration) {
+    node.fail(fmt::format("{} s; it must lie between the control period of {} s and the duration of {} s",
+                          period, control_period, duration));
+  }
+  // Else the Fourier sums over whole base periods would leak.
+  const double samples = period / control_period;
+  constexpr double kRounding = 1e-6;
+  if (std::abs(samples - std::round(samples)) > kRounding) {
+    node.fail(fmt::format("{} s is not a whole number of control periods of {} s", period, control_period));
+  }
+  return period;
+}
+
+Multisine read_sines(const yaml::Node& node, double duration, double control_period, Vec3& direction) {
+  yaml::MapReader map(node);
+  direction = read_offset(map.required("direction")).normalized();
+  Multisine sines;
+  const yaml::Node& amplitude = map.required("amplitude");
+  sines.amplitude = amplitude.as_number();
+  if (!(sines.amplitude > 0.0)) amplitude.fail(fmt::format("{} m; it must be > 0", sines.amplitude));
+  sines.base_period = read_base_period(map.required("base_period"), duration, control_period);
+  sines.orders = read_orders(map.required("orders"), sines.base_period, control_period);
+  sines.phases = schroeder_phases(sines.orders);
+  map.required("from");
+  sines.from = map.number_in("from", 0.0, 0.0, kInfinity);
+  const long periods = map.integer("periods", 1);
+  if (periods < 1 || periods > kMostPeriods) {
+    map.required("periods").fail(
+        fmt::format("{} base periods; it must lie in 1 .. {}", periods, kMostPeriods));
+  }
+  sines.periods = static_cast<int>(periods);
+  if (!reached(duration, sines.window_end())) {
+    node.fail(
+        fmt::format("from {} s on, one base period for transients and {} to measure end at {} s, after the "
+                    "duration of {} s",
+                    sines.from, periods, sines.window_end(), duration));
+  }
+  map.finish();
+  return sines;
+}
+
+}  // namespace
+
+Stimulus read_stimulus(const yaml::Node& node, double duration, double control_period) {
+  yaml::MapReader map(node);
+  Stimulus stimulus;
+  const yaml::Node& on = map.required("on");
+  const std::string place = on.as_string();
+  if (place != "path" && place != "target") on.fail("'" + place + "' is not one of: path, target");
+  stimulus.on = place == "path" ? Stimulus::On::kPath : Stimulus::On::kTarget;
+  const yaml::Node* step = map.optional("step");
+  const yaml::Node* sines = map.optional("sines");
+  map.finish();
+  if ((step == nullptr) == (sines == nullptr)) node.fail("give one of: step, sines");
+  if (step != nullptr) {
+    stimulus.shape = read_step(*step, duration, control_period, stimulus.direction);
+  } else {
+    stimulus.shape = read_sines(*sines, duration, control_period, stimulus.direction);
+  }
+  return stimulus;
+}
+
+}  // namespace armtune
