@@ -40,7 +40,7 @@ void StimulusResponse::add(const Observation& o) {
   if (const Multisine* sines = std::get_if<Multisine>(&stimulus_.shape)) {
     if (reached(o.time, sines->window_start()) && !reached(o.time, sines->window_end())) {
       started_ = true;
-      valid_ = valid_ && following;
+      valid_ = valid_ && following && !o.control->slerping;
       ++window_periods_;
       const StimulusSignals s = signals(o);
       sines_->add(o.time, s.reference, s.response);

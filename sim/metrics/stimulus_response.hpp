@@ -34,7 +34,7 @@ class StimulusResponse {
 
   void add(const Observation& o);
   /// Fills the metrics response/*. They stay empty if the arm was not in followTrajectory, outside a slerp,
-  /// when the step came, or left followTrajectory while the sines were measured.
+  /// when the step came, or left that while the sines were measured.
   void write(Metrics& m) const;
 
  private:

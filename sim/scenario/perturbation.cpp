@@ -54,8 +54,8 @@ std::span<const PerturbationField> perturbation_fields() {
       {"inertia", "1", "+- share of each link's inertia about its centre of mass", &P::inertia, 1.0, false},
       {"rotor", "1", "+- share of each joint's rotor inertia", &P::rotor, 1.0, false},
       {"friction", "1", "+- share of each joint's friction in the scenario", &P::friction, 1.0, true},
-      {"payload", "kg", "0 .. this point mass at the tool, in place of the scenario's", &P::payload, kAny,
-       true},
+      {"payload", "kg", "0 .. this point mass at the tool, in place of the scenario's; 0: the scenario's",
+       &P::payload, kAny, true},
       {"delay", "periods", "0 .. so many control periods of torque delay on top", &P::delay, kMostDelay,
        true},
       {"noise", "1", "+- share of the sensors' noise", &P::noise, 1.0, true},
@@ -99,7 +99,8 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   const JointVector friction = draw.factors(n, perturbation.friction);
   if (plant.viscous_friction.size() > 0) multiply(plant.viscous_friction, friction);
   if (plant.coulomb_friction.size() > 0) multiply(plant.coulomb_friction, friction);
-  plant.payload = {draw.between(0.0, perturbation.payload), Vec3::Zero()};
+  const double payload = draw.between(0.0, perturbation.payload);
+  if (perturbation.payload > 0.0) plant.payload = {payload, Vec3::Zero()};
   result.seed = draw.bits();
   // Each of these from numbers of its own, so that a kind that was added later leaves the others as they
   // were.

@@ -39,7 +39,7 @@ struct PerturbationField {
 /// Every width, in order.
 std::span<const PerturbationField> perturbation_fields();
 
-/// Nothing differs: widths of zero, phases as they are.
+/// Nothing differs but the noise's seed: widths of zero, phases as they are.
 Perturbation no_perturbation();
 
 /// Throws InputError, with `where` in front, naming field, value and limit.

@@ -234,6 +234,10 @@ Scenario load_scenario(const std::string& name_or_path) {
     scenario.obstacles = read_named_paths(*obstacles);
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
     scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
+    if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.size() > 1 &&
+        scenario.switch_every > 0.0) {
+      stimulus->fail("shifts a target, but targets take turns (switch_every): the response would be to both");
+    }
   }
   scenario.theta = read_theta_start(map.required("theta_start"));
   if (const yaml::Node* plant = map.optional("plant")) scenario.plant = read_plant(*plant, joints);

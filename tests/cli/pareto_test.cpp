@@ -24,7 +24,7 @@ TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
       run_program({"pareto", files().path(), "--criteria", "objective", "effort_rate/rms", "--levels", "3",
                    "--max-evaluations", "24", "--out", folder, "--workers", "2"});
   ASSERT_EQ(done.exit_code, 0) << done.err << done.out;
-  EXPECT_EQ(done.err, "");
+  EXPECT_THAT(done.err, HasSubstr("warning: 24 evaluations")) << "and nothing else";
   EXPECT_THAT(done.out, testing::AllOf(HasSubstr("start (gains)"), HasSubstr("hypervolume 0."),
                                        HasSubstr("every point was simulated again, with the same figures")));
   const auto csv = test::read_csv(folder + "/pareto.csv");
@@ -33,6 +33,7 @@ TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
   ASSERT_GE(csv.rows.size(), 3U);
   const std::string number = csv.at(0, "evaluation");
   EXPECT_EQ(journal.at(std::stoul(number), "objective"), csv.at(0, "objective"));
+  EXPECT_EQ(journal.at(std::stoul(number), "criterion/effort_rate/rms"), csv.at(0, "effort_rate/rms"));
   EXPECT_THAT(test::read_text(folder + "/columns.csv"), HasSubstr("pareto.csv,dominates_start,"));
   EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("verified: \"true\""));
 

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/files.hpp"
@@ -12,6 +15,7 @@ namespace armtune {
 namespace {
 
 using test::Finished;
+using test::Program;
 using test::run_program;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -54,6 +58,27 @@ TEST(Robustness, NamesTheLimitThatIsBroken) {
   EXPECT_THAT(strict.out,
               AllOf(HasSubstr("0.0 % of 2 arms"),
                     HasSubstr("2 of 2 break 'joint_velocity/max_ratio <= 0.01'"), HasSubstr("samples 0 1")));
+}
+
+TEST(Robustness, WhatIsFinishedIsOnDiskWheneverItIsKilled) {
+  const test::TemporaryFolder folder;
+  Program running({"robustness", "extended_tuned", "--scenarios", short_scenario(folder), "--out",
+                   folder / "out", "--samples", "1000", "--workers", "2"},
+                  testing::TempDir());
+  const auto rows = [&] {
+    const std::string text = test::read_text(folder / "out/samples.csv");
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (rows() < 3 && running.running() && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ASSERT_GE(rows(), 3);
+  ASSERT_TRUE(running.running());
+  running.interrupt();
+  EXPECT_EQ(running.wait().exit_code, 130);
+  EXPECT_GE(rows(), 3);
+  EXPECT_LT(rows(), 1000);
 }
 
 TEST(Robustness, BadInputEndsWithTwo) {

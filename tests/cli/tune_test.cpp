@@ -145,5 +145,40 @@ TEST(TuneCommand, InterruptedItKeepsEverythingSoFar) {
             0);
 }
 
+TEST(TuneCommand, InterruptedInTheAnalysisItSaysSoAndKeepsTheRun) {
+  const ShortStudy files;
+  Program tuning({"tune", files.path(), "--out", files / "run", "--workers", "2", "--max-evaluations", "2"},
+                 testing::TempDir());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  // The last file before the analysis.
+  while (!fs::exists(files / "run/run.yaml") && tuning.running() &&
+         std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_TRUE(tuning.running());
+  tuning.interrupt();
+  const Finished ended = tuning.wait();
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("the analysis after it was not"));
+  expect_whole_run(files / "run");
+}
+
+TEST(TuneCommand, OnManyArmsItReportsTheMeasureAndTheScenariosOwnArmApart) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "robust: {samples: 2, measure: worst}\n");
+  const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
+                                      "--max-evaluations", "4", "--no-analysis"});
+  ASSERT_TRUE(tuned.exit_code == 0 || tuned.exit_code == 3) << tuned.err;
+  EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("(worst of 2 arms each)"),
+                                        HasSubstr("The arm of the scenario itself")));
+  const auto robust = test::read_csv(files / "run/robust_errors.csv");
+  const auto own = test::read_csv(files / "run/errors.csv");
+  const auto journal = test::read_csv(files / "run/evaluations.csv");
+  ASSERT_EQ(robust.rows.size(), 2U);
+  EXPECT_NE(robust.at(0, "error/orientation/rms"), own.at(0, "error/orientation/rms"));
+  const auto start = test::read_csv(files / "run/start/robust_errors.csv");
+  EXPECT_EQ(start.at(0, "error/orientation/rms"), journal.at(0, "short/error/orientation/rms"));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -1,4 +1,4 @@
-// The committed run of the bundled study keeps what the README says, simulated anew.
+// The committed runs keep what the README says, simulated anew.
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tuner/gains/tune.hpp"
+#include "tuner/trade_off/pareto_file.hpp"
 
 namespace armtune {
 namespace {
@@ -26,18 +27,28 @@ class CommittedResults : public ::testing::Test {
     const std::vector<Gains> gains = {load_gains("published", joints),
                                       load_gains(kRun + "/gains.yaml", joints)};
     const auto results = workers.run(gains, never);
-    const Objective objective(study_->terms, study_->constraints, study_->scenarios, (*results)[0], "test");
+    objective_ = new Objective(study_->terms, study_->constraints, study_->scenarios, (*results)[0], "test");
     start_ = new Evaluation;
     tuned_ = new Evaluation;
     start_->results = (*results)[0];
     tuned_->results = (*results)[1];
-    objective.judge(*start_);
-    objective.judge(*tuned_);
+    objective_->judge(*start_);
+    objective_->judge(*tuned_);
   }
   static void TearDownTestSuite() {
     delete study_;
     delete start_;
     delete tuned_;
+    delete objective_;
+  }
+  static Evaluation judged(const Gains& gains) {
+    Workers workers(study_->scenarios, study_->stepper, 2);
+    const std::atomic<bool> never{false};
+    const std::vector<Gains> candidates = {gains};
+    Evaluation e;
+    e.results = (*workers.run(candidates, never))[0];
+    objective_->judge(e);
+    return e;
   }
   static double ratio(const std::string& scenario, Metric metric) {
     for (std::size_t s = 0; s < study_->scenarios.size(); ++s) {
@@ -51,11 +62,13 @@ class CommittedResults : public ::testing::Test {
   static Study* study_;
   static Evaluation* start_;
   static Evaluation* tuned_;
+  static Objective* objective_;
 };
 
 Study* CommittedResults::study_ = nullptr;
 Evaluation* CommittedResults::start_ = nullptr;
 Evaluation* CommittedResults::tuned_ = nullptr;
+Objective* CommittedResults::objective_ = nullptr;
 
 TEST_F(CommittedResults, AreFeasibleAndUseTheVelocityLimitWithoutPassingIt) {
   EXPECT_TRUE(tuned_->feasible) << tuned_->violation;
@@ -96,6 +109,54 @@ TEST_F(CommittedResults, HoldTheNumbersThatASimulationGivesAgain) {
       EXPECT_NEAR(tuned_->results[s].metrics[m], committed, 1e-3 * committed)
           << errors.at(s, "scenario") << name(m);
     }
+  }
+}
+
+TEST_F(CommittedResults, LoseLittleWithTheLessImportantHalfOfTheGainsFixed) {
+  const Study reduced = load_study(kRun + "/reduced_study.yaml");
+  EXPECT_EQ(reduced.space.free.size(), study_->space.free.size() / 2);
+  const auto joints = joint_names(*study_->scenarios.front().robot);
+  const Gains gains = load_gains(ARMTUNE_SOURCE_DIR "/results/ur10_gaze_reduced/gains.yaml", joints);
+  for (const GainEntry& entry : gain_entries(joints)) {
+    const auto tuned = [&entry](const Parameter& p) { return p.entry.name == entry.name; };
+    if (std::none_of(reduced.space.free.begin(), reduced.space.free.end(), tuned)) {
+      EXPECT_EQ(value(gains, entry), value(study_->space.start, entry)) << entry.name;
+    }
+  }
+  const Evaluation e = judged(gains);
+  EXPECT_TRUE(e.feasible) << e.violation;
+  EXPECT_GE(1.0 - e.objective, 0.95 * (1.0 - tuned_->objective));
+}
+
+TEST_F(CommittedResults, FrontHasNoPointThatAnotherDominatesAndDominatesThePublishedGains) {
+  const std::string folder = ARMTUNE_SOURCE_DIR "/results/pareto";
+  const auto csv = test::read_csv(folder + "/pareto.csv");
+  std::vector<Costs> front;
+  std::optional<Costs> start;
+  for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+    const Costs costs = {std::stod(csv.at(row, "objective")),
+                         std::stod(csv.at(row, "joint_velocity/max_ratio"))};
+    if (csv.at(row, "kind") == "front") {
+      front.push_back(costs);
+    } else {
+      start = costs;
+    }
+  }
+  ASSERT_GE(front.size(), 12U);
+  ASSERT_TRUE(start);
+  std::size_t better = 0;
+  for (const Costs& p : front) {
+    if (dominates(p, *start)) ++better;
+    for (const Costs& other : front) EXPECT_FALSE(dominates(other, p));
+  }
+  EXPECT_GE(better, 12U);
+  // Its ends and its middle, from the gains beside it.
+  const auto joints = joint_names(*study_->scenarios.front().robot);
+  for (const std::size_t i : {std::size_t{0}, front.size() / 2, front.size() - 1}) {
+    const Evaluation e = judged(load_gains(folder + "/" + point_file(i), joints));
+    EXPECT_TRUE(e.feasible);
+    EXPECT_NEAR(e.objective, front[i][0], 5e-3) << i;
+    EXPECT_NEAR(largest_velocity_ratio(e), front[i][1], 5e-3) << i;
   }
 }
 

@@ -24,7 +24,7 @@ namespace {
 struct Arguments {
   std::string study = "ur10_gaze";
   std::vector<std::string> criteria = {"objective", "joint_velocity/max_ratio"};
-  std::size_t levels = 14;
+  std::size_t levels = 0;
   long max_evaluations = 0;
   long seed = -1;
   std::string folder;
@@ -39,8 +39,18 @@ ParetoOptions options_of(const Arguments& args, const Study& study) {
       if (options.criteria[k].name() == name) throw InputError("criterion " + name + " stands twice");
     }
   }
-  options.levels = args.levels;
+  constexpr std::size_t kForTwo = 12;
+  constexpr std::size_t kForThree = 4;
+  options.levels = args.levels > 0 ? args.levels : options.criteria.size() == 2 ? kForTwo : kForThree;
   options.max_evaluations = args.max_evaluations > 0 ? args.max_evaluations : 4 * study.max_evaluations;
+  const auto least = static_cast<long>(options.searches() * (study.space.free.size() + 1));
+  if (options.max_evaluations < 3 * least / 2) {
+    fmt::print(stderr,
+               "armtune: warning: {} evaluations are few for {} searches over {} gains, each of which begins "
+               "with one "
+               "evaluation per gain; allow {} or ask for fewer --levels\n",
+               options.max_evaluations, options.searches(), study.space.free.size(), 3 * least / 2);
+  }
   return options;
 }
 
@@ -53,11 +63,25 @@ void write_front(const Study& study, const ParetoOptions& options, const ParetoR
     std::vector<std::string> header = {
         fmt::format("point {} of {}'s front by armtune, seed {}", i + 1, study.name, study.solver.seed)};
     for (const Criterion& c : options.criteria) {
-      header.push_back(
-          fmt::format("{} {:.6g} (start {:.6g})", c.name(), value(c, p.e), value(c, result.start.e)));
+      header.push_back(fmt::format("{} {:.6g} (start {:.6g})", c.name(), value(c, p.e, study.scenarios),
+                                   value(c, result.start.e, study.scenarios)));
     }
     write_text_file(folder + "/" + point_file(i), gains_yaml(p.e.gains, header));
   }
+}
+
+/// The criteria that are metrics: the study need not look at them.
+std::vector<JournalExtra> criteria_columns(const Study& study, const ParetoOptions& options) {
+  std::vector<JournalExtra> columns;
+  for (const Criterion& c : options.criteria) {
+    if (!c.metric) continue;
+    columns.push_back({{"criterion/" + c.name(),
+                        c.unit(),
+                        fmt::format("{}; the worst over the scenarios", field(*c.metric).meaning),
+                        {}},
+                       [c, &study](const Evaluation& e) { return value(c, e, study.scenarios); }});
+  }
+  return columns;
 }
 
 int run(Arguments args) {
@@ -87,7 +111,7 @@ int run(Arguments args) {
     write_text_file(args.folder + "/start/gains.yaml",
                     gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
     write_text_file(args.folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
-    journal.emplace(args.folder + "/evaluations.csv", study);
+    journal.emplace(args.folder + "/evaluations.csv", study, criteria_columns(study, options));
   };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) { journal->append(phase, e, seconds()); };
   callbacks.progress = [&](const ParetoProgress& p) {
@@ -98,19 +122,25 @@ int run(Arguments args) {
   };
   ParetoResult result = pareto(study, options, workers, stop_requested(), callbacks);
   line.clear();
+  if (result.failure) {
+    if (!result.front.empty()) write_front(study, options, result, args.folder);
+    std::rethrow_exception(result.failure);
+  }
   if (result.evaluations == 0) {
     fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
     return kInterrupted;
   }
+  // First as the search saw it: whatever becomes of the rest, the front is there.
+  write_front(study, options, result, args.folder);
   line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
-  // An interrupted search still ends with its files, each point as the search saw it.
   Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
   const bool verified =
       !result.interrupted && verify(study, *objective, options, result, fresh, stop_requested());
   line.clear();
-  write_front(study, options, result, args.folder);
-  write_text_file(args.folder + "/columns.csv", columns_csv({{"pareto.csv", pareto_columns(study, options)},
-                                                             {"evaluations.csv", journal_columns(study)}}));
+  write_text_file(
+      args.folder + "/columns.csv",
+      columns_csv({{"pareto.csv", pareto_columns(study, options)},
+                   {"evaluations.csv", journal_columns(study, criteria_columns(study, options))}}));
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
@@ -150,9 +180,11 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
                    "two or three of: 'objective' (the study's) and any metric (its worst over the scenarios)")
       ->expected(2, 3)
       ->capture_default_str();
-  command->add_option("--levels", args->levels, "searches along each criterion but the first")
-      ->check(CLI::Range(2, 1000))
-      ->capture_default_str();
+  command
+      ->add_option(
+          "--levels", args->levels,
+          "levels of each criterion but the first, each searched twice (default: 12, with three criteria 4)")
+      ->check(CLI::Range(2, 1000));
   command->add_option("--max-evaluations", args->max_evaluations, "budget (default: four times the study's)")
       ->check(CLI::Range(1L, 1000000000L));
   command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/commands.hpp"
@@ -15,6 +16,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
+#include "tuner/run/append_file.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -28,6 +30,7 @@ struct Arguments {
   std::string folder;
   std::string stepper = "midpoint";
   long only = -1;
+  long seed = 1;
   MonteCarloOptions options;
 };
 
@@ -74,6 +77,7 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
 int run(Arguments args) {
   MonteCarloOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
+  options.seed = static_cast<std::uint64_t>(args.seed);
   if (!args.limits.empty()) {
     options.limits.clear();
     for (const std::string& text : args.limits) options.limits.push_back(parse_limit(text));
@@ -99,6 +103,12 @@ int run(Arguments args) {
     line.show(fmt::format("{} of {} rollouts, {:.0f} s left", done, all,
                           seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
   };
+  std::optional<AppendFile> rows;
+  if (!args.folder.empty()) {
+    rows.emplace(args.folder + "/samples.csv");
+    rows->append(samples_header());
+    options.finished = [&](const MonteCarloSample& sample) { rows->append(sample_rows(scenarios, sample)); };
+  }
   const auto samples = monte_carlo(scenarios, set.gains, options, stop_requested());
   line.clear();
   if (!samples.empty()) {
@@ -106,7 +116,6 @@ int run(Arguments args) {
     print_spreads(scenarios, samples);
   }
   if (!args.folder.empty()) {
-    write_text_file(args.folder + "/samples.csv", samples_csv(scenarios, samples));
     write_text_file(args.folder + "/summary.csv", summary_csv(scenarios, samples));
     Provenance p;
     p.command = command_line();
@@ -136,9 +145,11 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       "what every arm does; unless given, the run's study says, or realistic_target_switch and "
       "realistic_obstacle_pass");
   command->add_option("--samples", args->options.samples, "how many arms")
-      ->check(CLI::Range(1, 10000000))
+      ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--seed", args->options.seed, "of the draws")->capture_default_str();
+  command->add_option("--seed", args->seed, "of the draws")
+      ->check(CLI::Range(0L, 1000000000000L))
+      ->capture_default_str();
   command->add_option("--sample", args->only, "only this one, the same to the byte as among the others")
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option("--limit", args->limits,
@@ -155,7 +166,9 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->group("Uncertainty (uniform)");
   command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
       ->capture_default_str();
-  command->add_option("--out", args->folder, "new folder for samples.csv, summary.csv and run.yaml");
+  command->add_option("--out", args->folder,
+                      "new folder for samples.csv, summary.csv and run.yaml (default: "
+                      "runs/robustness_<time>; with --sample none)");
   command->add_option("--workers", args->options.workers, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -90,7 +90,7 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
       "local       largest relative change of the merit for a step of 2 % of the gain's range\n"
       "elasticity  relative change of the merit per relative change of the gain (central differences)\n"
       "global      rank correlation of gain and merit over the run's evaluations\n"
-      "merit       objective + penalty * relative violations, as the study's search weighs them\n\n"
+      "merit       objective + penalty * relative violations, with the study's search/penalty\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

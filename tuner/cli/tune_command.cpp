@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "sim/csv/text_file.hpp"
@@ -14,6 +16,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/gains/journal.hpp"
+#include "tuner/gains/simulate_points.hpp"
 #include "tuner/gains/tune.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
@@ -46,10 +49,10 @@ Study load(const Arguments& args) {
   return study;
 }
 
-/// ", cvar of 8 arms each" where a study tunes on samples.
+/// " (worst of 5 arms each)" where a study tunes on samples.
 std::string robust_text(const Study& study) {
   if (!study.robust) return {};
-  return fmt::format(", {} of {} arms each",
+  return fmt::format(" ({} of {} arms each)",
                      risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
                      study.robust->samples);
 }
@@ -82,6 +85,35 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
   return sets;
 }
 
+/// Of a study on many arms: the measure of fresh rollouts of all of them, which has to be what the search
+/// saw, as robust_errors.csv and for the table.
+std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result, const Arguments& args) {
+  const std::atomic<bool> never{false};
+  Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
+  const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never);
+  std::vector<ComparedSet> sets = {{"start", {}}, {"tuned", {}}};
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const Evaluation& seen = i == 0 ? result.start : result.best;
+    for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+      const RolloutResult& again = (*evaluations)[i].results[s];
+      const auto differs = [&](Metric m) {
+        const double a = again.metrics[m];
+        const double b = seen.results[s].metrics[m];
+        return a != b && !(std::isnan(a) && std::isnan(b));
+      };
+      const auto metrics = all_metrics();
+      if (std::any_of(metrics.begin(), metrics.end(), differs)) {
+        throw std::runtime_error(fmt::format("{}: the {} gains simulated again give other figures",
+                                             study.scenarios[s].name, sets[i].name));
+      }
+      sets[i].results.push_back({study.scenarios[s].name, again});
+    }
+  }
+  write_text_file(args.folder + "/start/robust_errors.csv", errors_csv(sets[0].results));
+  write_text_file(args.folder + "/robust_errors.csv", errors_csv(sets[1].results));
+  return sets;
+}
+
 /// What the start was, before anything is simulated: an interrupted run can be judged by it too.
 void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
@@ -95,8 +127,8 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
       folder + "/gains.yaml",
       gains_yaml(result.best.gains,
                  {fmt::format("tuned by armtune, study {}, seed {}", study.name, study.solver.seed),
-                  fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}, {}",
-                              result.best.objective, largest_velocity_ratio(result.best),
+                  fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}",
+                              result.best.objective, largest_velocity_ratio(result.best), robust_text(study),
                               result.best.feasible ? "feasible" : "NOT feasible")}));
 }
 
@@ -144,7 +176,7 @@ void print_verdict(const Study& study, const TuneResult& result, const Objective
                                result.best_of_sweep->feasible ? "" : ", not feasible")
                  : "",
              result.evaluations, result.reason);
-  fmt::print("largest velocity ratio {:.4f}; {}\n", largest_velocity_ratio(result.best),
+  fmt::print("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(result.best), robust_text(study),
              result.best.feasible ? "every constraint holds" : "NOT feasible:");
   if (result.best.feasible) return;
   if (result.best.status != "completed") fmt::print("  {}\n", result.best.status);
@@ -240,6 +272,11 @@ int run(Arguments args) {
   line.clear();
   write_reports(study, result, sets, args, seconds_since(began));
 
+  if (study.robust) {
+    const auto robust = verify_robust(study, result, args);
+    fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
+               robust_text(study), comparison_table(robust, headline_metrics()));
+  }
   fmt::print("{}", comparison_table(sets, headline_metrics()));
   print_gains(study, result.best.gains);
   const bool analysed =
@@ -251,7 +288,12 @@ int run(Arguments args) {
       "next: {} compare {}/start {}\n",
       args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
       program_name(), args.folder, args.folder);
-  if (result.interrupted) return kInterrupted;
+  if (result.interrupted || stop_requested()) {
+    fmt::print("interrupted: {}\n", result.interrupted
+                                        ? "the search was not finished"
+                                        : "the search was finished, the analysis after it was not");
+    return kInterrupted;
+  }
   return result.best.feasible ? kDone : kNoFeasiblePoint;
 }
 

@@ -1,16 +1,9 @@
 #include "tuner/gains/journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <stdexcept>
-
-#include "core/common/error.hpp"
 
 namespace armtune {
 namespace {
@@ -26,13 +19,13 @@ std::string cell(double value) {
 
 }  // namespace
 
-std::vector<Column> journal_columns(const Study& study) {
+std::vector<Column> journal_columns(const Study& study, const std::vector<JournalExtra>& extra) {
   std::vector<Column> columns;
   const auto add = [&columns](const std::string& name, const char* unit, const std::string& meaning) {
     columns.push_back({name, unit, meaning, {}});
   };
   add("evaluation", "1", "number of the evaluation, from 0");
-  add("phase", "", "start, sweep or search");
+  add("phase", "", "start, sweep, search; of a front: start, anchor, level");
   add("objective", "1", "weighted metrics relative to the start gains, which score 1");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1", "sum of the violations relative to their limits");
@@ -50,20 +43,18 @@ std::vector<Column> journal_columns(const Study& study) {
       add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
     }
   }
+  for (const JournalExtra& e : extra) columns.push_back(e.column);
   add("time/wall", "s", "wall time since the run began");
   return columns;
 }
 
-Journal::Journal(const std::string& path, const Study& study) : path_(path), study_(study) {
-  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
-  if (file_ < 0) throw InputError(fmt::format("{}: cannot make it: {}", path, std::strerror(errno)));
+Journal::Journal(const std::string& path, const Study& study, std::vector<JournalExtra> extra)
+    : file_(path), study_(study), extra_(std::move(extra)) {
   std::string header;
-  for (const Column& column : journal_columns(study)) header += (header.empty() ? "" : ",") + column.name;
-  write(header + "\n");
-}
-
-Journal::~Journal() {
-  if (file_ >= 0) ::close(file_);
+  for (const Column& column : journal_columns(study, extra_)) {
+    header += (header.empty() ? "" : ",") + column.name;
+  }
+  file_.append(header + "\n");
 }
 
 void Journal::append(const std::string& phase, const Evaluation& e, double seconds) {
@@ -76,23 +67,8 @@ void Journal::append(const std::string& phase, const Evaluation& e, double secon
   for (const Constraint& c : study_.constraints) {
     for (const std::size_t s : c.scenarios) row += "," + cell(e.results[s].metrics[c.metric]);
   }
-  write(row + fmt::format(",{:.3f}\n", seconds));
-}
-
-void Journal::write(const std::string& text) {
-  const char* data = text.data();
-  std::size_t left = text.size();
-  while (left > 0) {
-    const ssize_t written = ::write(file_, data, left);
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      throw std::runtime_error(fmt::format("{}: cannot append to it: {}; what was finished before is in it",
-                                           path_, std::strerror(errno)));
-    }
-    data += written;
-    left -= static_cast<std::size_t>(written);
-  }
-  ::fdatasync(file_);
+  for (const JournalExtra& extra : extra_) row += "," + cell(extra.value(e));
+  file_.append(row + fmt::format(",{:.3f}\n", seconds));
 }
 
 }  // namespace armtune

@@ -1,23 +1,29 @@
 #pragma once
 // evaluations.csv: every finished evaluation, on disk as soon as it is done.
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "sim/rollout/columns.hpp"
 #include "tuner/gains/study.hpp"
+#include "tuner/run/append_file.hpp"
 
 namespace armtune {
 
+/// A value beside the study's own.
+struct JournalExtra {
+  Column column;
+  std::function<double(const Evaluation&)> value;
+};
+
 /// Name, unit and meaning of every column of a study's evaluations.csv.
-std::vector<Column> journal_columns(const Study& study);
+std::vector<Column> journal_columns(const Study& study, const std::vector<JournalExtra>& extra = {});
 
 class Journal {
  public:
   /// Makes the file with its header. Throws InputError if it exists or cannot be made.
-  Journal(const std::string& path, const Study& study);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
+  Journal(const std::string& path, const Study& study, std::vector<JournalExtra> extra = {});
 
   /// Appends one row and hands it to the disk. seconds: wall time since the run began; in the last column,
   /// the only one that differs between two runs of one study. Throws std::runtime_error if the disk refuses
@@ -25,11 +31,9 @@ class Journal {
   void append(const std::string& phase, const Evaluation& e, double seconds);
 
  private:
-  void write(const std::string& text);
-
-  std::string path_;
+  AppendFile file_;
   const Study& study_;
-  int file_ = -1;
+  std::vector<JournalExtra> extra_;
   long count_ = 0;
 };
 

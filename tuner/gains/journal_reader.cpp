@@ -51,6 +51,7 @@ std::vector<JournalRow> read_journal(const std::string& path, const Study& study
 
   std::vector<JournalRow> rows;
   for (std::size_t number = 2; std::getline(file, line); ++number) {
+    if (file.eof()) break;  // no line end: the run was killed while it wrote this row
     const auto row = cells(line);
     if (row.size() != header.size()) {
       throw InputError(

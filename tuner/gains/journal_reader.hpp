@@ -14,8 +14,9 @@ struct JournalRow {
   double violation = 0.0;
 };
 
-/// Every row of a study's journal. Throws InputError naming file, line and column if it is none of this
-/// study's or a number cannot be read.
+/// Every whole row of a study's journal: a last one without its line end, of a run that was killed, is left
+/// out. Throws InputError naming file, line and column if it is none of this study's or a number cannot be
+/// read.
 std::vector<JournalRow> read_journal(const std::string& path, const Study& study);
 
 }  // namespace armtune

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "sim/rollout/applies.hpp"
 
 namespace armtune {
 namespace {
@@ -40,6 +41,17 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
             fmt::format("{}: {} of the start gains in {} is {}, which gives no reference; leave that "
                         "scenario out of the term or give it a 'floor'",
                         where, name(term.metric), scenarios[s].name, start_[s][term.metric]));
+      }
+    }
+  }
+  for (const Constraint& constraint : constraints_) {
+    std::vector<bool>& judged = judged_.emplace_back(scenarios.size(), false);
+    for (const std::size_t s : constraint.scenarios) {
+      judged[s] = applies(constraint.metric, scenarios[s]);
+      if (judged[s] && !constraint.limit && std::isnan(start_[s][constraint.metric])) {
+        throw InputError(
+            fmt::format("{}: the start gains give no {} in {}, so 'start' is no limit; give a number", where,
+                        name(constraint.metric), scenarios[s].name));
       }
     }
   }
@@ -88,7 +100,7 @@ void Objective::judge(Evaluation& e) const {
     for (const std::size_t s : constraint.scenarios) {
       const double bound = limit(c, s);
       // Nothing to judge here, as clearance without obstacles.
-      if (std::isnan(bound) || std::isnan(start_[s][constraint.metric])) continue;
+      if (!judged_[c][s]) continue;
       const double scale = bound != 0.0 ? std::abs(bound) : 1.0;
       const double v = e.results[s].metrics[constraint.metric];
       double g = constraint.upper ? v - bound : bound - v;

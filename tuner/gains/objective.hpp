@@ -28,7 +28,8 @@ struct Constraint {
 class Objective {
  public:
   /// start: results of the start gains, one per scenario. Throws InputError, with `where` in front, if they
-  /// give no reference: a scenario did not complete, or a term's metric has no value or no positive one.
+  /// give no reference: a scenario did not complete, or a term's
+  /// metric has no value or no positive one, or that of a constraint `start` none.
   Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
             const std::string& where);
@@ -52,6 +53,7 @@ class Objective {
 
   std::vector<ObjectiveTerm> terms_;
   std::vector<Constraint> constraints_;
+  std::vector<std::vector<bool>> judged_;  ///< [constraint][scenario]: listed there, and the metric applies
   std::vector<double> durations_;
   std::vector<Metrics> start_;
 };

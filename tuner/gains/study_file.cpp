@@ -214,10 +214,10 @@ std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<Gain
 SampleSet read_samples(const yaml::Node& node) {
   yaml::MapReader map(node);
   SampleSet set;
-  constexpr double kMostSamples = 10000.0;
+  constexpr double kMostSamples = 1000.0;
   set.samples =
       static_cast<std::size_t>(map.number_in("samples", static_cast<double>(set.samples), 1.0, kMostSamples));
-  const long seed = map.integer("seed", 1);
+  const long seed = map.integer("seed", static_cast<long>(set.seed));
   if (seed < 0) map.required("seed").fail("must not be negative");
   set.seed = static_cast<std::uint64_t>(seed);
   const auto names = risk_measure_names();

@@ -7,6 +7,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
+#include "sim/rollout/applies.hpp"
 
 namespace armtune {
 
@@ -44,11 +45,13 @@ std::string to_string(const MetricLimit& limit) {
   return fmt::format("{} {} {}", name(limit.metric), limit.upper ? "<=" : ">=", limit.value);
 }
 
-std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits) {
+std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
+                         const Scenario& scenario) {
   if (result.status != RolloutStatus::kCompleted) return name(result.status);
   for (const MetricLimit& limit : limits) {
     const double value = result.metrics[limit.metric];
-    if (limit.upper ? value > limit.value : value < limit.value) return to_string(limit);
+    const bool kept = limit.upper ? value <= limit.value : value >= limit.value;
+    if (!kept && applies(limit.metric, scenario)) return to_string(limit);
   }
   return {};
 }

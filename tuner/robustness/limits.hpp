@@ -24,7 +24,8 @@ MetricLimit parse_limit(const std::string& text);
 std::string to_string(const MetricLimit& limit);
 
 /// The first limit that a result breaks or, if it did not complete, its status; empty if it keeps them all. A
-/// metric without a value, such as clearance without obstacles, breaks nothing.
-std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits);
+/// metric without a value breaks its limit where it applies to the scenario, and nothing elsewhere.
+std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
+                         const Scenario& scenario);
 
 }  // namespace armtune

@@ -63,7 +63,7 @@ std::optional<std::string> failure(const Scenario& scenario, const Gains& gains,
   if (result.status != RolloutStatus::kCompleted) {
     return fmt::format("{} at {:.3f} s", name(result.status), result.end_time);
   }
-  const std::string broken = broken_limit(result, options.limits);
+  const std::string broken = broken_limit(result, options.limits, scenario);
   return broken.empty() ? broken : "breaks " + broken;
 }
 

@@ -34,6 +34,7 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
   std::vector<std::size_t> done(samples.size(), 0);
   std::mutex mutex;
   std::size_t rollouts = 0;
+  std::size_t reported = 0;
   const std::size_t jobs = samples.size() * scenarios.size();
   parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
     const std::size_t k = job / scenarios.size();
@@ -43,9 +44,12 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
         Rollout(arm, options.stepper).run(gains, [&stop](const Observation&) { return !stop; });
     const std::lock_guard lock(mutex);
     if (result.status == RolloutStatus::kInterrupted) return;
-    samples[k].broken[s] = broken_limit(result, options.limits);
+    samples[k].broken[s] = broken_limit(result, options.limits, scenarios[s]);
     samples[k].results[s] = std::move(result);
     ++done[k];
+    for (; options.finished && reported < samples.size() && done[reported] == scenarios.size(); ++reported) {
+      options.finished(samples[reported]);
+    }
     if (options.progress) options.progress(++rollouts, jobs);
   });
   std::vector<MonteCarloSample> whole;
@@ -55,20 +59,28 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
   return whole;
 }
 
-std::string samples_csv(const std::vector<Scenario>& scenarios,
-                        const std::vector<MonteCarloSample>& samples) {
+std::string samples_header() {
   std::string text = "sample,scenario,status,broken_limit,joint_velocity/max_ratio_joint";
   for (const Metric metric : all_metrics()) text += fmt::format(",{}", name(metric));
-  text += '\n';
-  for (const MonteCarloSample& sample : samples) {
-    for (std::size_t s = 0; s < scenarios.size(); ++s) {
-      const RolloutResult& result = sample.results[s];
-      text += fmt::format("{},{},{},{},{}", sample.number, scenarios[s].name, name(result.status),
-                          sample.broken[s], result.metrics.max_ratio_joint);
-      for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
-      text += '\n';
-    }
+  return text + '\n';
+}
+
+std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloSample& sample) {
+  std::string text;
+  for (std::size_t s = 0; s < scenarios.size(); ++s) {
+    const RolloutResult& result = sample.results[s];
+    text += fmt::format("{},{},{},{},{}", sample.number, scenarios[s].name, name(result.status),
+                        sample.broken[s], result.metrics.max_ratio_joint);
+    for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
+    text += '\n';
   }
+  return text;
+}
+
+std::string samples_csv(const std::vector<Scenario>& scenarios,
+                        const std::vector<MonteCarloSample>& samples) {
+  std::string text = samples_header();
+  for (const MonteCarloSample& sample : samples) text += sample_rows(scenarios, sample);
   return text;
 }
 
@@ -88,20 +100,21 @@ std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, 
     std::vector<double> sorted;
     sorted.reserve(values.size());
     for (const auto& [value, number] : values) sorted.push_back(value);
-    found.push_back({metric, sign * quantile(sorted, 0.5), sign * quantile(sorted, 0.95),
-                     sign * quantile(sorted, 0.99), sign * sorted.back(), values.back().second});
+    found.push_back({metric, values.size(), samples.size() - values.size(), sign * quantile(sorted, 0.5),
+                     sign * quantile(sorted, 0.95), sign * quantile(sorted, 0.99), sign * sorted.back(),
+                     values.back().second});
   }
   return found;
 }
 
 std::string summary_csv(const std::vector<Scenario>& scenarios,
                         const std::vector<MonteCarloSample>& samples) {
-  std::string text = "scenario,metric,unit,median,p95,p99,worst,worst_sample\n";
+  std::string text = "scenario,metric,unit,samples,not_given,median,p95,p99,worst,worst_sample\n";
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     for (const MetricSpread& spread : spreads(samples, s)) {
-      text += fmt::format("{},{},{},{},{},{},{},{}\n", scenarios[s].name, name(spread.metric),
-                          field(spread.metric).unit, spread.median, spread.p95, spread.p99, spread.worst,
-                          spread.worst_sample);
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", scenarios[s].name, name(spread.metric),
+                          field(spread.metric).unit, spread.count, spread.not_given, spread.median,
+                          spread.p95, spread.p99, spread.worst, spread.worst_sample);
     }
   }
   return text;

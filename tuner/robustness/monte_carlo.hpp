@@ -10,17 +10,6 @@
 
 namespace armtune {
 
-struct MonteCarloOptions {
-  Perturbation perturbation;
-  std::uint64_t seed = 1;
-  std::uint64_t first = 0;  ///< number of the first sample
-  std::uint64_t samples = 1000;
-  std::vector<MetricLimit> limits = arm_limits();
-  Stepper stepper = Stepper::kMidpoint;
-  int workers = 1;
-  std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
-};
-
 /// One arm in every scenario.
 struct MonteCarloSample {
   std::uint64_t number = 0;
@@ -30,6 +19,20 @@ struct MonteCarloSample {
   bool keeps_all() const;
 };
 
+struct MonteCarloOptions {
+  Perturbation perturbation;
+  std::uint64_t seed = 1;
+  std::uint64_t first = 0;  ///< number of the first sample
+  std::uint64_t samples = 1000;
+  std::vector<MetricLimit> limits = arm_limits();
+  Stepper stepper = Stepper::kMidpoint;
+  int workers = 1;
+  std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
+  /// Each whole sample, in the order of their numbers, as soon as all before it are whole too. One call at a
+  /// time.
+  std::function<void(const MonteCarloSample&)> finished;
+};
+
 /// Samples in the order of their numbers; those that were not done when `stop` became true are missing. A
 /// sample is a function of scenarios, gains, perturbation, seed and its number alone.
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
@@ -37,12 +40,16 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
 
 /// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric.
 /// Numbers read back to the same bits.
+std::string samples_header();
+std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloSample& sample);
 std::string samples_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
 
 /// A metric over the samples that completed a scenario, worst last: largest, or smallest for what should be
 /// large.
 struct MetricSpread {
   Metric metric = Metric::kPositionMax;
+  std::size_t count = 0;      ///< samples with a value
+  std::size_t not_given = 0;  ///< samples without, or that did not complete: worse than the worst here
   double median = 0.0, p95 = 0.0, p99 = 0.0, worst = 0.0;
   std::uint64_t worst_sample = 0;
 };
@@ -50,7 +57,7 @@ struct MetricSpread {
 /// All metrics that have a value in scenario s.
 std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, std::size_t s);
 
-/// summary.csv: scenario,metric,unit,median,p95,p99,worst,worst_sample.
+/// summary.csv: scenario,metric,unit,samples,not_given,median,p95,p99,worst,worst_sample.
 std::string summary_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
 
 }  // namespace armtune

@@ -27,8 +27,7 @@ std::vector<Scenario> drawn(const std::vector<Scenario>& scenarios, const Sample
 }
 
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values) {
-  std::erase_if(values, [](double v) { return std::isnan(v); });
-  if (values.empty()) return NAN;
+  if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) return NAN;
   if (set.measure == RiskMeasure::kMean) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   }

@@ -24,7 +24,7 @@ std::span<const char* const> risk_measure_names();
 
 struct SampleSet {
   std::size_t samples = 8;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1001;  ///< another than that of `armtune robustness`: its arms are not those tuned on
   RiskMeasure measure = RiskMeasure::kConditionalValueAtRisk;
   double level = 0.8;  ///< in (0, 1); of the quantile and of CVaR
   Perturbation perturbation;
@@ -33,7 +33,8 @@ struct SampleSet {
 /// Every scenario as each sample's arm meets it: scenario s of sample k at s * samples + k.
 std::vector<Scenario> drawn(const std::vector<Scenario>& scenarios, const SampleSet& set);
 
-/// The measure of the values; NaN values do not count, NaN if there are no others.
+/// The measure of the values (at least one); NaN if any is: an arm that gave no value is not one that did
+/// well.
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values);
 
 /// One scenario's results over the samples as one: every metric measured; completed if all are, else the

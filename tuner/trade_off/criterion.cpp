@@ -6,6 +6,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
+#include "sim/rollout/applies.hpp"
 
 namespace armtune {
 namespace {
@@ -35,17 +36,21 @@ Criterion criterion_from_name(const std::string& name) {
                                suggestion(name, names), fmt::join(names, ", ")));
 }
 
-double cost(const Criterion& criterion, const Evaluation& e) {
+double cost(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios) {
   if (!criterion.metric) return e.objective;
   const double sign = criterion.larger_is_better() ? -1.0 : 1.0;
   double worst = NAN;
-  for (const RolloutResult& result : e.results)
-    worst = std::fmax(worst, sign * result.metrics[*criterion.metric]);
+  for (std::size_t s = 0; s < scenarios.size(); ++s) {
+    if (!applies(*criterion.metric, scenarios[s])) continue;
+    const double cost = sign * e.results[s].metrics[*criterion.metric];
+    if (std::isnan(cost)) return NAN;
+    worst = std::fmax(worst, cost);
+  }
   return worst;
 }
 
-double value(const Criterion& criterion, const Evaluation& e) {
-  return criterion.larger_is_better() ? -cost(criterion, e) : cost(criterion, e);
+double value(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios) {
+  return criterion.larger_is_better() ? -cost(criterion, e, scenarios) : cost(criterion, e, scenarios);
 }
 
 }  // namespace armtune

@@ -20,11 +20,11 @@ struct Criterion {
 /// From "objective" or a metric's name. Throws InputError.
 Criterion criterion_from_name(const std::string& name);
 
-/// The objective, or the metric's worst value over the scenarios that give it one; NaN if none does. In the
-/// metric's unit.
-double value(const Criterion& criterion, const Evaluation& e);
+/// The objective, or the metric's worst value over the scenarios that it applies to (see applies()); NaN if
+/// one of them did not give it, or if there are none. In the metric's unit. e: with one result per scenario.
+double value(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
 /// The value with the sign that makes less better.
-double cost(const Criterion& criterion, const Evaluation& e);
+double cost(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
 }  // namespace armtune

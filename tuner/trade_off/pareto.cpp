@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -15,9 +16,11 @@ namespace {
 
 /// Share of the budget for the least of the first criterion, and of each other.
 constexpr double kFirstAnchorShare = 0.25;
-constexpr double kAnchorShare = 0.1;
+constexpr double kAnchorShare = 0.08;
 /// A neighbour is near: the search of a level begins with this part of the study's initial step.
 constexpr double kLevelStep = 0.4;
+/// How much a relative excess over a level weighs where the best known point to begin a level at is chosen.
+constexpr double kExcessWeight = 10.0;
 /// Linear models need n + 1 points where quadratic ones need 2 n + 1, and constraints stay constraints: what
 /// a short search from a neighbour wants.
 constexpr const char* kLevelAlgorithm = "COBYLA";
@@ -26,6 +29,8 @@ struct Known {
   SolverValue value;  ///< of the study
   Costs costs;
 };
+
+using Clock = std::chrono::steady_clock;
 
 class Search {
  public:
@@ -43,7 +48,12 @@ class Search {
 
  private:
   bool evaluate(const char* phase, const std::vector<double>& x);
+  bool time_left() const;
+  void check_reference(const Costs& start) const;
   std::optional<std::size_t> best_under(std::size_t k, const Costs& levels) const;
+  const std::vector<double>& beginning(const Costs& levels) const;
+  Costs held_for(std::size_t k) const;
+  void search_level(const std::vector<std::size_t>& digits, const std::string& shown, long budget);
   Costs free_levels() const { return Costs(options_.criteria.size(), HUGE_VAL); }
 
   const Study& study_;
@@ -57,7 +67,13 @@ class Search {
   std::vector<Costs> axes_;           ///< levels along each criterion but the first
   ParetoResult out_;
   std::string shown_;
+  Clock::time_point began_ = Clock::now();
 };
+
+bool Search::time_left() const {
+  const std::chrono::duration<double> elapsed = Clock::now() - began_;
+  return study_.max_minutes <= 0.0 || elapsed.count() < 60.0 * study_.max_minutes;
+}
 
 bool Search::evaluate(const char* phase, const std::vector<double>& x) {
   auto evaluations = simulate_points(study_, {x}, workers_, stop_);
@@ -68,12 +84,17 @@ bool Search::evaluate(const char* phase, const std::vector<double>& x) {
   ParetoPoint point;
   point.evaluation = out_.evaluations++;
   point.e = std::move(evaluations->front());
-  if (!objective_) {
+  const bool first = !objective_;
+  if (first)
     objective_.emplace(study_.terms, study_.constraints, study_.scenarios, point.e.results, study_.source);
+  objective_->judge(point.e);
+  for (const Criterion& criterion : options_.criteria) {
+    point.costs.push_back(cost(criterion, point.e, study_.scenarios));
+  }
+  if (first) {
+    check_reference(point.costs);
     if (callbacks_.begin) callbacks_.begin(*objective_);
   }
-  objective_->judge(point.e);
-  for (const Criterion& criterion : options_.criteria) point.costs.push_back(cost(criterion, point.e));
   known_[x] = {{point.e.objective, point.e.relative}, point.costs};
   if (callbacks_.evaluated) callbacks_.evaluated(phase, point.e);
   if (out_.evaluations == 1) out_.start = point;
@@ -95,16 +116,16 @@ bool Search::evaluate(const char* phase, const std::vector<double>& x) {
 
 bool Search::start() {
   shown_ = "start";
-  if (!evaluate("start", study_.space.start_point())) return false;
+  return evaluate("start", study_.space.start_point());
+}
+
+void Search::check_reference(const Costs& start) const {
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
-    const double at_start = out_.start.costs[k];
-    if (!std::isfinite(at_start) || at_start == 0.0) {
-      throw InputError(fmt::format(
-          "{}: {} of the start gains is {}, which gives the front no reference; name another criterion",
-          study_.source, options_.criteria[k].name(), at_start));
-    }
+    if (std::isfinite(start[k]) && start[k] != 0.0) continue;
+    throw InputError(fmt::format(
+        "{}: {} of the start gains is {}, which gives the front no reference; name another criterion",
+        study_.source, options_.criteria[k].name(), start[k]));
   }
-  return true;
 }
 
 void Search::minimise(const char* phase, const std::string& shown, std::size_t k, const Costs& levels,
@@ -121,7 +142,7 @@ void Search::minimise(const char* phase, const std::string& shown, std::size_t k
     auto found = known_.find(point);
     if (found == known_.end()) {
       repeats = 0;
-      if (left-- <= 0 || !evaluate(phase, point)) return false;
+      if (left-- <= 0 || !time_left() || !evaluate(phase, point)) return false;
       found = known_.find(point);
     } else if (++repeats > budget) {
       return false;  // going round in a circle
@@ -155,12 +176,43 @@ std::optional<std::size_t> Search::best_under(std::size_t k, const Costs& levels
   return best;
 }
 
+/// The known point to begin a level's search at: the best once what it exceeds the level by is paid for.
+/// Mostly the neighbour's.
+const std::vector<double>& Search::beginning(const Costs& levels) const {
+  const Costs& reference = out_.start.costs;
+  const std::vector<double>* best = &out_.start.e.x;
+  double least = HUGE_VAL;
+  for (const ParetoPoint& point : archive_) {
+    double merit = point.costs[0] / std::abs(reference[0]);
+    for (std::size_t c = 1; c < levels.size(); ++c) {
+      merit += kExcessWeight * std::max(0.0, (point.costs[c] - levels[c]) / std::abs(reference[c]));
+    }
+    if (merit < least) {
+      least = merit;
+      best = &point.e.x;
+    }
+  }
+  return *best;
+}
+
+/// What the other criteria must not exceed while criterion k becomes least: the start's, as far as any
+/// feasible point is known that good. A start that breaks constraints may be better in a criterion than what
+/// keeps them.
+Costs Search::held_for(std::size_t k) const {
+  Costs held = free_levels();
+  if (k == 0) return held;
+  for (std::size_t c = 0; c < held.size(); ++c) {
+    if (c == k) continue;
+    const auto least = best_under(c, free_levels());
+    held[c] = std::max(out_.start.costs[c], least ? archive_[*least].costs[c] : -HUGE_VAL);
+  }
+  return held;
+}
+
 void Search::anchors() {
   const auto budget = static_cast<double>(options_.max_evaluations);
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
-    Costs held = free_levels();
-    if (k > 0) held = out_.start.costs;
-    held[k] = HUGE_VAL;
+    const Costs held = held_for(k);
     const auto best = best_under(k, held);
     SolverOptions solver = study_.solver;
     if (k > 0) solver.algorithm = kLevelAlgorithm;
@@ -171,46 +223,59 @@ void Search::anchors() {
   }
 }
 
-void Search::levels() {
-  const auto top = best_under(0, free_levels());
-  if (out_.interrupted || !top) return;
-  // From where the first criterion is least (so high the others rise for it) to the least of each other one.
-  const Costs high = archive_[*top].costs;
-  std::size_t searches = 1;
-  for (std::size_t k = 1; k < high.size(); ++k) {
-    Costs held = out_.start.costs;
-    held[k] = HUGE_VAL;
-    const auto least = best_under(k, held);
-    const double low = least ? archive_[*least].costs[k] : high[k];
-    Costs& axis = axes_.emplace_back();
-    const auto steps = static_cast<double>(options_.levels - 1);
-    for (std::size_t i = 0; i < options_.levels; ++i) {
-      axis.push_back(high[k] + (low - high[k]) * static_cast<double>(i) / steps);
-    }
-    searches *= axis.size();
+/// Digit i of a level counts steps along criterion i + 1.
+void Search::search_level(const std::vector<std::size_t>& digits, const std::string& shown, long budget) {
+  Costs levels = free_levels();
+  std::string text = shown;
+  for (std::size_t a = 0; a < axes_.size(); ++a) {
+    levels[a + 1] = axes_[a][digits[a]];
+    const bool large = options_.criteria[a + 1].larger_is_better();
+    text += fmt::format(" {} {} {:.4g}", options_.criteria[a + 1].name(),
+                        large ? ">=" : "<=", large ? -levels[a + 1] : levels[a + 1]);
   }
   SolverOptions solver = study_.solver;
   solver.algorithm = kLevelAlgorithm;
   solver.constraints = ConstraintHandling::kAuto;
   solver.initial_step *= kLevelStep;
-  std::vector<double> neighbour = archive_[*top].e.x;
-  for (std::size_t i = 0; i < searches && !out_.interrupted; ++i) {
-    // Serpentine through the grid: the next level differs from the last in one step of one criterion.
-    Costs levels = free_levels();
-    std::string shown;
-    std::size_t rest = i;
-    for (std::size_t a = 0; a < axes_.size(); ++a) {
-      const std::size_t digit = rest % axes_[a].size();
-      rest /= axes_[a].size();
-      levels[a + 1] = axes_[a][rest % 2 == 0 ? digit : axes_[a].size() - 1 - digit];
-      const bool large = options_.criteria[a + 1].larger_is_better();
-      shown += fmt::format("{}{} {} {:.4g}", a > 0 ? ", " : "", options_.criteria[a + 1].name(),
-                           large ? ">=" : "<=", large ? -levels[a + 1] : levels[a + 1]);
+  minimise("level", text, 0, levels, beginning(levels), budget, solver);
+}
+
+void Search::levels() {
+  const auto top = best_under(0, free_levels());
+  if (out_.interrupted || !top) return;
+  // From where the first criterion is least (so high the others rise for it) to the least of each other one.
+  const Costs high = archive_[*top].costs;
+  for (std::size_t k = 1; k < high.size(); ++k) {
+    const auto least = best_under(k, held_for(k));
+    const double low = least ? archive_[*least].costs[k] : high[k];
+    Costs& axis = axes_.emplace_back();
+    const auto steps = static_cast<double>(options_.levels - 1);
+    for (std::size_t i = 0; i < options_.levels; ++i) {
+      axis.push_back(std::lerp(high[k], low, static_cast<double>(i) / steps));
     }
-    if (const auto best = best_under(0, levels)) neighbour = archive_[*best].e.x;
+  }
+  // Serpentine through the grid: a level differs from the one before in one step of one criterion.
+  std::vector<std::vector<std::size_t>> grid(1);
+  for (std::size_t a = axes_.size(); a-- > 0;) {
+    std::vector<std::vector<std::size_t>> finer;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      for (std::size_t d = 0; d < axes_[a].size(); ++d) {
+        finer.push_back(grid[i]);
+        finer.back().insert(finer.back().begin(), i % 2 == 0 ? d : axes_[a].size() - 1 - d);
+      }
+    }
+    grid = std::move(finer);
+  }
+  // There and back: what a level finds is its neighbours' beginning, on either side.
+  const std::size_t searches = 2 * grid.size();
+  for (std::size_t i = 0; i < searches && !out_.interrupted; ++i) {
+    const std::size_t place = i < grid.size() ? i : searches - 1 - i;
     const long left = options_.max_evaluations - out_.evaluations;
-    minimise("level", fmt::format("{}/{} {}", i + 1, searches, shown), 0, levels, neighbour,
-             left / static_cast<long>(searches - i), solver);
+    search_level(grid[place], fmt::format("{}/{}", i + 1, searches), left / static_cast<long>(searches - i));
+  }
+  for (const auto& digits : grid) {
+    Costs levels = free_levels();
+    for (std::size_t a = 0; a < axes_.size(); ++a) levels[a + 1] = axes_[a][digits[a]];
     out_.levels.push_back({levels, 0});
   }
 }
@@ -237,6 +302,12 @@ ParetoResult Search::result() && {
 
 }  // namespace
 
+std::size_t ParetoOptions::searches() const {
+  std::size_t count = 2;
+  for (std::size_t k = 1; k < criteria.size(); ++k) count *= levels;
+  return count;
+}
+
 std::size_t ParetoResult::dominating_start() const {
   return static_cast<std::size_t>(std::count_if(
       front.begin(), front.end(), [this](const ParetoPoint& p) { return dominates(p.costs, start.costs); }));
@@ -245,11 +316,20 @@ std::size_t ParetoResult::dominating_start() const {
 ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks) {
   Search search(study, options, workers, stop, callbacks);
-  if (search.start()) {
-    search.anchors();
-    search.levels();
+  std::exception_ptr failure;
+  try {
+    if (search.start()) {
+      search.anchors();
+      search.levels();
+    }
+  } catch (const InputError&) {
+    throw;
+  } catch (...) {
+    failure = std::current_exception();
   }
-  return std::move(search).result();
+  ParetoResult result = std::move(search).result();
+  result.failure = failure;
+  return result;
 }
 
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
@@ -263,7 +343,7 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
     Evaluation& e = (*fresh)[i];
     objective.judge(e);
     Costs costs;
-    for (const Criterion& criterion : options.criteria) costs.push_back(cost(criterion, e));
+    for (const Criterion& criterion : options.criteria) costs.push_back(cost(criterion, e, study.scenarios));
     if (costs != result.front[i].costs || !e.feasible) {
       throw std::runtime_error(fmt::format("evaluation {} simulated again gives {} {} instead of {}",
                                            result.front[i].evaluation, options.criteria.front().name(),

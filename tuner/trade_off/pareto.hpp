@@ -2,10 +2,12 @@
 // The front of a study: what less of one criterion costs in another.
 //
 // Epsilon-constraint method (Haimes, Lasdon, Wismer, 1971): the first criterion is minimised while the others
-// must not exceed a level, level by level, each search from the best point known for it, mostly its
-// neighbour's. The front is what no other evaluation of the whole run dominates, whatever it was made for.
+// must not exceed a level, level by level and back again, each search from the best point known for it,
+// mostly its neighbour's. The front is what no other evaluation of the whole run dominates, whatever it was
+// made for.
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,8 +21,11 @@ namespace armtune {
 
 struct ParetoOptions {
   std::vector<Criterion> criteria;  ///< two or three; the first is searched, the others get levels
-  std::size_t levels = 14;          ///< searches along each of the others, its two ends included (>= 2)
+  std::size_t levels = 12;          ///< searches along each of the others, its two ends included (>= 2)
   long max_evaluations = 1200;
+
+  /// How many searches the levels make: there and back.
+  std::size_t searches() const;
 };
 
 struct ParetoPoint {
@@ -42,6 +47,8 @@ struct ParetoResult {
   double hypervolume = 0.0;  ///< below the start (see front.hpp)
   long evaluations = 0;
   bool interrupted = false;
+  std::exception_ptr
+      failure;  ///< what ended the search early, such as a full disk; the rest is what it had found
 
   /// The front's points that dominate the start.
   std::size_t dominating_start() const;
@@ -62,9 +69,10 @@ struct ParetoCallbacks {
   std::function<void(const ParetoProgress&)> progress;
 };
 
-/// Deterministic: a function of study and options alone. The front's ends: the least of the first criterion,
-/// and the least of each other one with none of the rest worse than the start's. Throws InputError if the
-/// start gains give no reference for the objective or a criterion.
+/// Deterministic: a function of study and options alone, unless the study sets max_minutes. The front's ends:
+/// the least of the first criterion, and the least of each other one with none of the rest worse than the
+/// start's (as far as feasible points are that good). Throws InputError if the start gains give no reference
+/// for the objective or a criterion.
 ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks);
 

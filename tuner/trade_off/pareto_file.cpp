@@ -28,7 +28,8 @@ std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& opti
     columns.push_back({name, unit, meaning, {}});
   };
   add("point", "1", "number of the point; its gains are in points/");
-  add("kind", "", "front: no other point is better in every criterion; start: the study's start gains");
+  add("kind", "",
+      "front: no other point is nowhere worse and somewhere better; start: the study's start gains");
   add("evaluation", "1", "its number in evaluations.csv");
   add("dominates_start", "1", "1 if it is nowhere worse and somewhere better than the start");
   for (const Criterion& c : options.criteria) {
@@ -48,7 +49,7 @@ std::string pareto_csv(const Study& study, const ParetoOptions& options, const P
   const auto row = [&](const std::string& point, const char* kind, const ParetoPoint& p) {
     text +=
         fmt::format("{},{},{},{}", point, kind, p.evaluation, dominates(p.costs, result.start.costs) ? 1 : 0);
-    for (const Criterion& c : options.criteria) text += fmt::format(",{}", value(c, p.e));
+    for (const Criterion& c : options.criteria) text += fmt::format(",{}", value(c, p.e, study.scenarios));
     if (!has_objective(options)) text += fmt::format(",{}", p.e.objective);
     for (const Parameter& parameter : study.space.free) {
       text += fmt::format(",{}", value(p.e.gains, parameter.entry));
@@ -67,7 +68,8 @@ std::string pareto_table(const Study& study, const ParetoOptions& options, const
   text += "\n";
   const auto row = [&](const std::string& name, const ParetoPoint& p, const char* note) {
     text += fmt::format("{:<20}", name);
-    for (const Criterion& c : options.criteria) text += fmt::format("  {:>28.5g}", value(c, p.e));
+    for (const Criterion& c : options.criteria)
+      text += fmt::format("  {:>28.5g}", value(c, p.e, study.scenarios));
     text += fmt::format("{}\n", note);
   };
   std::set<std::size_t> shown;
@@ -79,17 +81,18 @@ std::string pareto_table(const Study& study, const ParetoOptions& options, const
   }
   row(start_name(study), result.start,
       result.start.e.feasible ? "" : "  breaks a constraint, which no point above does");
+  // Costs below zero, of metrics of which more is better, have no end.
+  const bool bounded =
+      std::all_of(result.start.costs.begin(), result.start.costs.end(), [](double c) { return c > 0.0; });
   if (result.front.empty()) {
     return text +
            "\nno feasible point was found: see evaluations.csv for what stands in the way, allow more "
            "evaluations, or "
            "loosen the study's constraints\n";
   }
-  text += fmt::format(
-      "\n{} of the front's {} points dominate the start; hypervolume {:.4f} (of 1: how much of all that is "
-      "better "
-      "than the start is reached)\n",
-      result.dominating_start(), result.front.size(), result.hypervolume);
+  text += fmt::format("\n{} of the front's {} points dominate the start; hypervolume {:.4f}{}\n",
+                      result.dominating_start(), result.front.size(), result.hypervolume,
+                      bounded ? " (of 1: how much of all that is better than the start is reached)" : "");
   return text;
 }
 

@@ -291,10 +291,10 @@ TEST(Perturbed, RefusesEveryWidthThatIsOutOfRangeByName) {
 
 TEST(Perturbed, ByNothingIsTheScenarioButForItsSeed) {
   const Scenario scenario = load_scenario("realistic_obstacle_pass");
-  Scenario same = perturbed(scenario, no_perturbation(), 1, 3);
-  // The payload is drawn in place of the scenario's, from 0 .. 0 here.
-  EXPECT_EQ(same.plant.payload.mass, 0.0);
-  same.plant.payload = scenario.plant.payload;
+  const Scenario same = perturbed(scenario, no_perturbation(), 1, 3);
+  EXPECT_EQ(same.plant.payload.mass, scenario.plant.payload.mass);
+  EXPECT_EQ(same.plant.torque_delay_periods, scenario.plant.torque_delay_periods);
+  EXPECT_EQ(same.plant.velocity_noise, scenario.plant.velocity_noise);
   EXPECT_EQ(theta_of(plant_model(same).chain), theta_of(plant_model(scenario).chain));
   EXPECT_EQ(start_theta(same), start_theta(scenario));
   EXPECT_EQ(same.obstacles[0].path.phase, scenario.obstacles[0].path.phase);

@@ -39,6 +39,7 @@ class ObjectiveOfTwoScenarios : public testing::Test {
     scenarios_[0].name = "plain";
     scenarios_[1].name = "hard";
     for (Scenario& s : scenarios_) s.duration = 10.0;
+    scenarios_[1].obstacles.resize(1);  // there clearance is judged
   }
 
   Objective objective() const { return {terms_, constraints_, scenarios_, start_, "study.yaml"}; }

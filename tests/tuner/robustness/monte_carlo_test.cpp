@@ -100,17 +100,26 @@ TEST(Spreads, OfABandwidthTheSmallestIsTheWorst) {
 TEST(Limits, AreReadAndToldApart) {
   const MetricLimit limit = parse_limit("joint_velocity/max_ratio<=0.9");
   EXPECT_EQ(to_string(limit), "joint_velocity/max_ratio <= 0.9");
+  const Scenario plain = load_scenario("moving_target");
+  const Scenario obstacles = load_scenario("obstacle_pass");
   RolloutResult result;
   result.metrics[Metric::kJointVelocityMaxRatio] = 0.91;
-  EXPECT_EQ(broken_limit(result, {limit}), "joint_velocity/max_ratio <= 0.9");
+  EXPECT_EQ(broken_limit(result, {limit}, plain), "joint_velocity/max_ratio <= 0.9");
   result.metrics[Metric::kJointVelocityMaxRatio] = 0.9;
-  EXPECT_EQ(broken_limit(result, {limit}), "");
-  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}), "") << "without obstacles";
+  EXPECT_EQ(broken_limit(result, {limit}, plain), "");
+  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}, plain), "")
+      << "without obstacles";
+  EXPECT_EQ(broken_limit(result, {parse_limit("obstacle/min_clearance>=0.1")}, obstacles),
+            "obstacle/min_clearance >= 0.1")
+      << "no value where there should be one";
+  EXPECT_EQ(broken_limit(result, {parse_limit("response/rise_time<=1")}, load_scenario("step_position")),
+            "response/rise_time <= 1")
+      << "it never rose";
   result.metrics[Metric::kObstacleMinClearance] = 0.05;
-  EXPECT_EQ(broken_limit(result, {limit, parse_limit("obstacle/min_clearance>=0.1")}),
+  EXPECT_EQ(broken_limit(result, {limit, parse_limit("obstacle/min_clearance>=0.1")}, obstacles),
             "obstacle/min_clearance >= 0.1");
   result.status = RolloutStatus::kDiverged;
-  EXPECT_EQ(broken_limit(result, {limit}), "diverged");
+  EXPECT_EQ(broken_limit(result, {limit}, plain), "diverged");
 }
 
 TEST(Limits, WhatIsNoneIsRefused) {

@@ -23,12 +23,16 @@ SampleSet set_of(RiskMeasure measure, double level = 0.8) {
 }
 
 TEST(RiskMeasures, OfErrorsLookAtTheLargeOnes) {
-  const std::vector<double> values = {5, 1, 4, NAN, 2, 3};
+  const std::vector<double> values = {5, 1, 4, 2, 3};
   EXPECT_DOUBLE_EQ(measured(set_of(RiskMeasure::kMean), false, values), 3.0);
   EXPECT_DOUBLE_EQ(measured(set_of(RiskMeasure::kQuantile, 0.75), false, values), 4.0);
   EXPECT_DOUBLE_EQ(measured(set_of(RiskMeasure::kWorst), false, values), 5.0);
   EXPECT_DOUBLE_EQ(measured(set_of(RiskMeasure::kConditionalValueAtRisk, 0.6), false, values), 4.5);
-  EXPECT_TRUE(std::isnan(measured(set_of(RiskMeasure::kWorst), false, {NAN})));
+  for (const RiskMeasure m : {RiskMeasure::kMean, RiskMeasure::kQuantile, RiskMeasure::kWorst,
+                              RiskMeasure::kConditionalValueAtRisk}) {
+    EXPECT_TRUE(std::isnan(measured(set_of(m), false, {1, NAN, 2})))
+        << "an arm without a value is no good arm";
+  }
 }
 
 TEST(RiskMeasures, OfClearanceLookAtTheSmallOnes) {

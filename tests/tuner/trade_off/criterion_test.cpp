@@ -10,7 +10,7 @@
 namespace armtune {
 namespace {
 
-Evaluation evaluation(std::vector<double> values, Metric metric) {
+Evaluation evaluation(const std::vector<double>& values, Metric metric) {
   Evaluation e;
   e.objective = 0.7;
   for (const double v : values) {
@@ -21,17 +21,21 @@ Evaluation evaluation(std::vector<double> values, Metric metric) {
 }
 
 TEST(Criterion, IsTheObjectiveOrAMetricsWorstOverTheScenarios) {
+  std::vector<Scenario> scenarios(3);
   const Criterion objective = criterion_from_name("objective");
-  EXPECT_EQ(value(objective, evaluation({1, 2}, Metric::kGazeRms)), 0.7);
+  EXPECT_EQ(value(objective, evaluation({1, 2, 3}, Metric::kGazeRms), scenarios), 0.7);
   const Criterion error = criterion_from_name("gaze/rms");
-  const Evaluation e = evaluation({0.1, 0.3, NAN}, Metric::kGazeRms);
-  EXPECT_EQ(value(error, e), 0.3);
-  EXPECT_EQ(cost(error, e), 0.3);
+  EXPECT_EQ(value(error, evaluation({0.1, 0.3, 0.2}, Metric::kGazeRms), scenarios), 0.3);
+  EXPECT_EQ(cost(error, evaluation({0.1, 0.3, 0.2}, Metric::kGazeRms), scenarios), 0.3);
+  EXPECT_TRUE(std::isnan(value(error, evaluation({0.1, NAN, 0.2}, Metric::kGazeRms), scenarios)))
+      << "a scenario that should have given it did not";
   const Criterion clearance = criterion_from_name("obstacle/min_clearance");
   const Evaluation near = evaluation({NAN, 0.2, 0.1}, Metric::kObstacleMinClearance);
-  EXPECT_EQ(value(clearance, near), 0.1) << "of clearance less is worse";
-  EXPECT_EQ(cost(clearance, near), -0.1);
-  EXPECT_TRUE(std::isnan(value(error, near)));
+  EXPECT_TRUE(std::isnan(value(clearance, near, scenarios))) << "no obstacle anywhere";
+  scenarios[1].obstacles.resize(1);
+  scenarios[2].obstacles.resize(1);
+  EXPECT_EQ(value(clearance, near, scenarios), 0.1) << "of clearance less is worse";
+  EXPECT_EQ(cost(clearance, near, scenarios), -0.1);
 }
 
 TEST(Criterion, OfAnotherNameIsRefusedWithAGuess) {

@@ -51,7 +51,8 @@ TEST_F(Pareto, IsWhatNoFeasibleEvaluationOfTheRunDominates) {
     EXPECT_TRUE(p.e.feasible);
     EXPECT_EQ(p.e.x, evaluations_[static_cast<std::size_t>(p.evaluation)].x) << "its number in the journal";
     for (const Evaluation& e : evaluations_) {
-      const Costs costs = {cost(options_.criteria[0], e), cost(options_.criteria[1], e)};
+      const Costs costs = {cost(options_.criteria[0], e, study_.scenarios),
+                           cost(options_.criteria[1], e, study_.scenarios)};
       EXPECT_FALSE(e.feasible && dominates(costs, p.costs));
     }
   }
@@ -98,9 +99,39 @@ TEST_F(Pareto, TakesThreeCriteria) {
   const ParetoResult result = run(2);
   ASSERT_FALSE(result.front.empty());
   EXPECT_EQ(result.front[0].costs.size(), 3U);
+  EXPECT_EQ(options_.searches(), 8U);
+  ASSERT_FALSE(result.levels.empty());
   for (const ParetoLevel& level : result.levels) {
     for (std::size_t k = 1; k < 3; ++k) EXPECT_LE(result.front[level.best].costs[k], level.levels[k]);
   }
+}
+
+TEST_F(Pareto, SpreadsItsLevelsAlsoIfTheStartBreaksAConstraint) {
+  // The start's gaze is better than what the constraint on efforts allows, or not there at all.
+  const ParetoResult plain = run(2);
+  const double effort = evaluations_.front().results[1].metrics[Metric::kEffortRateRms];
+  Constraint quiet;
+  quiet.metric = Metric::kEffortRateRms;
+  quiet.limit = 0.999 * effort;
+  quiet.scenarios = {1};
+  study_.constraints.push_back(quiet);
+  evaluations_.clear();
+  options_.max_evaluations = 40;
+  const ParetoResult result = run(2);
+  EXPECT_FALSE(result.start.e.feasible);
+  ASSERT_GE(result.front.size(), 2U);
+  ASSERT_EQ(result.levels.size(), options_.levels);
+  EXPECT_LT(result.levels.back().levels[1], result.levels.front().levels[1]);
+}
+
+TEST_F(Pareto, WhatEndsTheSearchEarlyLeavesWhatItHadFound) {
+  after_ = [this] {
+    if (evaluations_.size() == 8) throw std::runtime_error("no space left");
+  };
+  const ParetoResult result = run(2);
+  ASSERT_TRUE(result.failure);
+  EXPECT_THROW(std::rethrow_exception(result.failure), std::runtime_error);
+  EXPECT_FALSE(result.front.empty());
 }
 
 TEST_F(Pareto, AStopLeavesTheFrontSoFar) {

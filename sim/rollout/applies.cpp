@@ -1,0 +1,37 @@
+#include "sim/rollout/applies.hpp"
+
+#include <algorithm>
+
+namespace armtune {
+namespace {
+
+bool has_position_limits(const RobotModel& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [](const JointInfo& joint) { return joint.limits.has_position; });
+}
+
+}  // namespace
+
+bool applies(Metric metric, const Scenario& scenario) {
+  const bool step = scenario.stimulus && std::holds_alternative<Step>(scenario.stimulus->shape);
+  switch (metric) {
+    case Metric::kObstacleMinClearance:
+      return !scenario.obstacles.empty();
+    case Metric::kJointPositionMinMargin:
+      return has_position_limits(*scenario.robot);
+    case Metric::kReacquisitionTime:
+      return scenario.targets.size() > 1 && scenario.switch_every > 0.0 &&
+             scenario.switch_every < scenario.duration;
+    case Metric::kResponseRiseTime:
+    case Metric::kResponseOvershoot:
+    case Metric::kResponseSettlingTime:
+    case Metric::kResponseSteadyStateError:
+      return step;
+    case Metric::kResponseBandwidth:
+      return scenario.stimulus && !step;
+    default:
+      return true;
+  }
+}
+
+}  // namespace armtune
