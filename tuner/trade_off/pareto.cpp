@@ -195,16 +195,15 @@ const std::vector<double>& Search::beginning(const Costs& levels) const {
   return *best;
 }
 
-/// What the other criteria must not exceed while criterion k becomes least: the start's, as far as any
-/// feasible point is known that good. A start that breaks constraints may be better in a criterion than what
-/// keeps them.
+/// What the other criteria must not exceed while criterion k becomes least: the start's, where any feasible
+/// point is known to be that good. A start that breaks constraints may be better than all that keep them.
 Costs Search::held_for(std::size_t k) const {
   Costs held = free_levels();
   if (k == 0) return held;
   for (std::size_t c = 0; c < held.size(); ++c) {
     if (c == k) continue;
     const auto least = best_under(c, free_levels());
-    held[c] = std::max(out_.start.costs[c], least ? archive_[*least].costs[c] : -HUGE_VAL);
+    if (least && archive_[*least].costs[c] <= out_.start.costs[c]) held[c] = out_.start.costs[c];
   }
   return held;
 }
@@ -246,7 +245,8 @@ void Search::levels() {
   // From where the first criterion is least (so high the others rise for it) to the least of each other one.
   const Costs high = archive_[*top].costs;
   for (std::size_t k = 1; k < high.size(); ++k) {
-    const auto least = best_under(k, held_for(k));
+    auto least = best_under(k, held_for(k));
+    if (!least) least = best_under(k, free_levels());
     const double low = least ? archive_[*least].costs[k] : high[k];
     Costs& axis = axes_.emplace_back();
     const auto steps = static_cast<double>(options_.levels - 1);
