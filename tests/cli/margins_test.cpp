@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -70,14 +71,19 @@ TEST_F(MarginsProgram, BadInputEndsWithTwo) {
 
 TEST_F(MarginsProgram, AnInterruptKeepsWhatIsFinished) {
   test::Program program({"margins", "published", "--out", "cut"}, folder_.path());
-  while (program.running() && !std::filesystem::exists(folder_ / "cut")) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
+  const auto rows = [&] {
+    const std::string text = test::read_text(folder_ / "cut/margins.csv");
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  while (program.running() && rows() < 1) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(program.running());
+  EXPECT_GE(rows(), 1) << "on disk while the rest is searched";
   program.interrupt();
   const Finished cut = program.wait();
   EXPECT_EQ(cut.exit_code, 130) << cut.err;
   EXPECT_THAT(test::read_text(folder_ / "cut/margins.csv"),
               testing::StartsWith("margin,unit,scenario,nominal,stands,fails,reason\n"));
+  EXPECT_GE(rows(), 1);
 }
 
 }  // namespace

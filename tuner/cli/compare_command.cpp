@@ -45,15 +45,12 @@ std::string label_of(const std::string& set, const std::vector<ComparedSet>& tak
 
 /// Those asked for; else those of the first run folder's study; else those of the bundled study.
 std::vector<Scenario> scenarios_of(const Arguments& args) {
-  std::vector<Scenario> scenarios;
-  for (const std::string& name : args.scenarios) scenarios.push_back(load_scenario(name));
-  if (!scenarios.empty()) return scenarios;
-  for (const std::string& set : args.sets) {
+  const auto run = std::find_if(args.sets.begin(), args.sets.end(), [](const std::string& set) {
     std::error_code ignored;
-    const fs::path study = fs::path(set) / "study.yaml";
-    if (fs::exists(study, ignored)) return load_study(study.string()).scenarios;
-  }
-  return load_study("ur10_gaze").scenarios;
+    return fs::exists(fs::path(set) / "study.yaml", ignored);
+  });
+  if (args.scenarios.empty() && run == args.sets.end()) return load_study("ur10_gaze").scenarios;
+  return cli::scenarios_of(run == args.sets.end() ? std::string() : *run, args.scenarios, {});
 }
 
 int run(const Arguments& args) {

@@ -29,10 +29,7 @@ struct Arguments {
 int run(Arguments args) {
   MarginOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
-  if (!args.limits.empty()) {
-    options.limits.clear();
-    for (const std::string& text : args.limits) options.limits.push_back(parse_limit(text));
-  }
+  options.limits = parse_limits(args.limits);
   // Unless others are asked for: the task's own, on the arm of the model and on the realistic one.
   const std::vector<Scenario> scenarios = scenarios_of(
       args.set, args.scenarios,
@@ -51,6 +48,11 @@ int run(Arguments args) {
     line.show(fmt::format("{} of {} margins, {:.0f} s left", done, all,
                           seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
   };
+  if (!args.folder.empty()) {
+    options.finished = [&](const std::vector<Margin>& so_far) {
+      write_text_file(args.folder + "/margins.csv", margins_csv(scenarios, so_far));
+    };
+  }
   const auto found = margins(scenarios, set.gains, options, stop_requested());
   line.clear();
   if (!found.empty()) {

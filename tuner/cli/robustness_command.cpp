@@ -78,10 +78,7 @@ int run(Arguments args) {
   MonteCarloOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
   options.seed = static_cast<std::uint64_t>(args.seed);
-  if (!args.limits.empty()) {
-    options.limits.clear();
-    for (const std::string& text : args.limits) options.limits.push_back(parse_limit(text));
-  }
+  options.limits = parse_limits(args.limits);
   if (args.only >= 0) {
     options.first = static_cast<std::uint64_t>(args.only);
     options.samples = 1;

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/csv/cell.hpp"
+
 namespace armtune {
 namespace {
 
 std::string quoted(std::string text) {
   std::replace(text.begin(), text.end(), '"', '\'');
   return '"' + text + '"';
-}
-
-std::string cell(double value) {
-  return std::isnan(value) ? "" : fmt::format("{}", value);
 }
 
 }  // namespace

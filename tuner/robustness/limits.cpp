@@ -41,6 +41,14 @@ MetricLimit parse_limit(const std::string& text) {
   return limit;
 }
 
+std::vector<MetricLimit> parse_limits(const std::vector<std::string>& texts) {
+  if (texts.empty()) return arm_limits();
+  std::vector<MetricLimit> limits;
+  limits.reserve(texts.size());
+  for (const std::string& text : texts) limits.push_back(parse_limit(text));
+  return limits;
+}
+
 std::string to_string(const MetricLimit& limit) {
   return fmt::format("{} {} {}", name(limit.metric), limit.upper ? "<=" : ">=", limit.value);
 }

@@ -20,6 +20,9 @@ std::vector<MetricLimit> arm_limits();
 /// From "joint_velocity/max_ratio<=0.9" or ">=". Throws InputError.
 MetricLimit parse_limit(const std::string& text);
 
+/// Those given as text, or the arm's own where none are. Throws InputError.
+std::vector<MetricLimit> parse_limits(const std::vector<std::string>& texts);
+
 /// "joint_velocity/max_ratio <= 0.9"
 std::string to_string(const MetricLimit& limit);
 

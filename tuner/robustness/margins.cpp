@@ -108,34 +108,40 @@ std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains&
                [&](std::size_t, std::size_t s) { nominal[s] = failure(scenarios[s], gains, options, stop); });
   const std::size_t jobs = kMarginCount * scenarios.size();
   std::vector<std::optional<Margin>> found(jobs);
+  const auto whole = [&found] {
+    std::vector<Margin> there;
+    there.reserve(found.size());
+    for (const std::optional<Margin>& margin : found) {
+      if (margin) there.push_back(*margin);
+    }
+    return there;
+  };
   std::mutex mutex;
   std::size_t done = 0;
   parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
     const Scenario& scenario = scenarios[job % scenarios.size()];
     const std::optional<std::string>& why = nominal[job % scenarios.size()];
     if (!why) return;
-    Margin margin;
-    margin.kind = static_cast<MarginKind>(job / scenarios.size());
-    margin.scenario = scenario.name;
-    margin.control_period = scenario.control_period;
-    margin.nominal = field(margin.kind).nominal(scenario);
+    Margin nominally;
+    nominally.kind = static_cast<MarginKind>(job / scenarios.size());
+    nominally.scenario = scenario.name;
+    nominally.control_period = scenario.control_period;
+    nominally.nominal = field(nominally.kind).nominal(scenario);
+    std::optional<Margin> margin = nominally;
     if (why->empty()) {
-      found[job] = find_margin(margin, scenario, gains, options, stop);
+      margin = find_margin(nominally, scenario, gains, options, stop);
     } else {
-      margin.fails = margin.nominal;
-      margin.reason = *why;
-      found[job] = margin;
+      margin->fails = margin->nominal;
+      margin->reason = *why;
     }
     const std::lock_guard lock(mutex);
-    if (found[job]) ++done;
-    if (found[job] && options.progress) options.progress(done, jobs);
+    if (!margin) return;
+    found[job] = std::move(margin);
+    ++done;
+    if (options.progress) options.progress(done, jobs);
+    if (options.finished) options.finished(whole());
   });
-  std::vector<Margin> whole;
-  whole.reserve(jobs);
-  for (const std::optional<Margin>& margin : found) {
-    if (margin) whole.push_back(*margin);
-  }
-  return whole;
+  return whole();
 }
 
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,

@@ -21,13 +21,6 @@ namespace armtune {
 /// Largest share of a scenario's control periods that may be saturated.
 inline constexpr double kSaturatedShare = 0.01;
 
-struct MarginOptions {
-  std::vector<MetricLimit> limits = arm_limits();
-  Stepper stepper = Stepper::kMidpoint;
-  int workers = 1;
-  std::function<void(std::size_t done, std::size_t all)> progress;  ///< margins; one call at a time
-};
-
 /// One margin in one scenario.
 struct Margin {
   MarginKind kind = MarginKind::kTorqueDelay;
@@ -37,6 +30,14 @@ struct Margin {
   std::optional<double> stands;  ///< last value that stood; none: not even the nominal one
   std::optional<double> fails;   ///< its neighbour that did not; none: all up to the last one tried stand
   std::string reason;            ///< why it failed, such as a limit; no commas; empty where nothing failed
+};
+
+struct MarginOptions {
+  std::vector<MetricLimit> limits = arm_limits();
+  Stepper stepper = Stepper::kMidpoint;
+  int workers = 1;
+  std::function<void(std::size_t done, std::size_t all)> progress;  ///< margins; one call at a time
+  std::function<void(const std::vector<Margin>& so_far)> finished;  ///< after each margin; one call at a time
 };
 
 /// Every margin in every scenario, margin by margin; those that were not done when `stop` became true are

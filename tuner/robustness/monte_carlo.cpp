@@ -6,18 +6,11 @@
 #include <cmath>
 #include <mutex>
 
+#include "sim/csv/cell.hpp"
 #include "tuner/robustness/statistics.hpp"
 #include "tuner/run/parallel.hpp"
 
 namespace armtune {
-namespace {
-
-std::string cell(double value) {
-  return std::isnan(value) ? std::string() : fmt::format("{}", value);
-}
-
-}  // namespace
-
 bool MonteCarloSample::keeps_all() const {
   return std::all_of(broken.begin(), broken.end(), [](const std::string& b) { return b.empty(); });
 }

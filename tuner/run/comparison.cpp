@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/csv/cell.hpp"
+
 namespace armtune {
 namespace {
 
@@ -83,7 +85,6 @@ std::string comparison_csv(const std::vector<ComparedSet>& sets) {
   for (const ComparedSet& set : sets) text += fmt::format(",{}", set.name);
   for (std::size_t i = 1; i < sets.size(); ++i) text += fmt::format(",{}/ratio", sets[i].name);
   text += '\n';
-  const auto cell = [](double v) { return std::isnan(v) ? std::string() : fmt::format("{}", v); };
   for (std::size_t s = 0; s < sets.front().results.size(); ++s) {
     for (std::size_t m = 0; m < kMetricCount; ++m) {
       const MetricField& f = metric_fields()[m];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/csv/cell.hpp"
 #include "tuner/gains/simulate_points.hpp"
 
 namespace armtune {
@@ -113,7 +114,6 @@ std::optional<Sensitivity> sensitivity(
 }
 
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity) {
-  const auto cell = [](double v) { return std::isnan(v) ? std::string() : fmt::format("{}", v); };
   std::string text = "gain,unit,start,best,lower,upper,importance,local,elasticity,rank_correlation\n";
   for (const ParameterSensitivity& s : sensitivity.parameters) {
     const Parameter& p = study.space.free[s.parameter];
