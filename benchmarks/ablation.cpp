@@ -17,8 +17,8 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tuner/run/parallel.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/work/parallel.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "sim/scenario/gains_file.hpp"
 #include "tests/sim/support/csv.hpp"
-#include "tuner/gains/tune.hpp"
+#include "tuner/search/tune.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
 namespace armtune {

@@ -13,10 +13,10 @@
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
-#include "tuner/gains/study.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune::cli {
 namespace {

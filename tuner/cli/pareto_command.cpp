@@ -14,7 +14,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
-#include "tuner/gains/journal.hpp"
+#include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
@@ -71,8 +71,8 @@ void write_front(const Study& study, const ParetoOptions& options, const ParetoR
 }
 
 /// The criteria that are metrics: the study need not look at them.
-std::vector<JournalExtra> criteria_columns(const Study& study, const ParetoOptions& options) {
-  std::vector<JournalExtra> columns;
+std::vector<ExtraColumn> criteria_columns(const Study& study, const ParetoOptions& options) {
+  std::vector<ExtraColumn> columns;
   for (const Criterion& c : options.criteria) {
     if (!c.metric) continue;
     columns.push_back({{"criterion/" + c.name(),
@@ -96,7 +96,7 @@ int run(Arguments args) {
   refuse_used_folder(args.folder);
 
   Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
-  std::optional<Journal> journal;
+  std::optional<EvaluationsFile> journal;
   std::optional<Objective> objective;
   ProgressLine line;
   ParetoCallbacks callbacks;
@@ -140,7 +140,7 @@ int run(Arguments args) {
   write_text_file(
       args.folder + "/columns.csv",
       columns_csv({{"pareto.csv", pareto_columns(study, options)},
-                   {"evaluations.csv", journal_columns(study, criteria_columns(study, options))}}));
+                   {"evaluations.csv", evaluation_columns(study, criteria_columns(study, options))}}));
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};

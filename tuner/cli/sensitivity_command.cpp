@@ -13,8 +13,8 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
-#include "tuner/gains/simulate_points.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -31,7 +31,7 @@ int run(const Arguments& args) {
   const std::string gains_path = args.run + "/gains.yaml";
   const Gains best = load_gains(gains_path, joint_names(*study.scenarios.front().robot));
   const std::string journal_path = args.run + "/evaluations.csv";
-  const auto journal = read_journal(journal_path, study);
+  const auto journal = read_evaluations(journal_path, study);
   if (!args.folder.empty()) make_run_folder(args.folder);
 
   Workers workers(study.scenarios, study.stepper, args.workers, study.robust);

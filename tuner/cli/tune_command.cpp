@@ -15,13 +15,13 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
-#include "tuner/gains/journal.hpp"
-#include "tuner/gains/simulate_points.hpp"
-#include "tuner/gains/tune.hpp"
+#include "tuner/journal/evaluations_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
+#include "tuner/search/tune.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -139,7 +139,7 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
   write_text_file(folder + "/columns.csv", columns_csv({{"errors.csv", error_columns()},
                                                         {"rollout_*.csv", rollout_columns(study.scenarios)},
-                                                        {"evaluations.csv", journal_columns(study)}}));
+                                                        {"evaluations.csv", evaluation_columns(study)}}));
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
@@ -212,11 +212,11 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   line.clear();
   fmt::print("{}\n", margins_table(study.scenarios, sets));
 
-  const auto found =
-      sensitivity(study, objective, result.best.gains, read_journal(args.folder + "/evaluations.csv", study),
-                  workers, stop_requested(), [&line](std::size_t done, std::size_t all) {
-                    line.show(fmt::format("sensitivity: {} of {} evaluations", done, all));
-                  });
+  const auto found = sensitivity(study, objective, result.best.gains,
+                                 read_evaluations(args.folder + "/evaluations.csv", study), workers,
+                                 stop_requested(), [&line](std::size_t done, std::size_t all) {
+                                   line.show(fmt::format("sensitivity: {} of {} evaluations", done, all));
+                                 });
   line.clear();
   if (!found) return false;
   write_sensitivity(study, *found, args.folder);
@@ -232,7 +232,7 @@ int run(Arguments args) {
   refuse_used_folder(args.folder);
 
   Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
-  std::unique_ptr<Journal> journal;
+  std::unique_ptr<EvaluationsFile> journal;
   std::optional<Objective> objective;
   ProgressLine line;
   TuneCallbacks callbacks;
@@ -245,7 +245,7 @@ int run(Arguments args) {
     std::fflush(stdout);
     make_run_folder(args.folder);
     write_start(study, args.folder);
-    journal = std::make_unique<Journal>(args.folder + "/evaluations.csv", study);
+    journal = std::make_unique<EvaluationsFile>(args.folder + "/evaluations.csv", study);
   };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
     if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;

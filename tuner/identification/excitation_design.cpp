@@ -11,7 +11,7 @@
 #include "core/common/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
-#include "tuner/gains/solver.hpp"
+#include "tuner/search/solver.hpp"
 
 namespace armtune {
 namespace {

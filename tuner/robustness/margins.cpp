@@ -6,7 +6,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "tuner/run/parallel.hpp"
+#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 namespace {

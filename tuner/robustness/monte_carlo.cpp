@@ -8,7 +8,7 @@
 
 #include "sim/csv/cell.hpp"
 #include "tuner/robustness/statistics.hpp"
-#include "tuner/run/parallel.hpp"
+#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 bool MonteCarloSample::keeps_all() const {

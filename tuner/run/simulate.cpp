@@ -7,7 +7,7 @@
 
 #include "core/common/error.hpp"
 #include "sim/rollout/recorder.hpp"
-#include "tuner/run/parallel.hpp"
+#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 

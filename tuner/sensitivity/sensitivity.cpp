@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "sim/csv/cell.hpp"
-#include "tuner/gains/simulate_points.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune {
 namespace {
@@ -52,8 +52,8 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 }
 
 std::optional<Sensitivity> sensitivity(
-    const Study& study, const Objective& objective, const Gains& best, const std::vector<JournalRow>& journal,
-    Workers& workers, const std::atomic<bool>& stop,
+    const Study& study, const Objective& objective, const Gains& best,
+    const std::vector<EvaluationRow>& journal, Workers& workers, const std::atomic<bool>& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const std::size_t n = study.space.free.size();
   const std::vector<double> x = study.space.point_of(best);
@@ -89,7 +89,7 @@ std::optional<Sensitivity> sensitivity(
 
   std::vector<double> merits;
   merits.reserve(journal.size());
-  for (const JournalRow& row : journal) merits.push_back(row.objective + penalty * row.violation);
+  for (const EvaluationRow& row : journal) merits.push_back(row.objective + penalty * row.violation);
   Sensitivity result;
   result.merit = merit(0);
   for (std::size_t i = 0; i < n; ++i) {
@@ -104,7 +104,7 @@ std::optional<Sensitivity> sensitivity(
     s.elasticity = s.best > 0.0 ? (merit(above) - merit(below)) / merit(0) / (spread / s.best) : NAN;
     std::vector<double> coordinates;
     coordinates.reserve(journal.size());
-    for (const JournalRow& row : journal) coordinates.push_back(row.x[i]);
+    for (const EvaluationRow& row : journal) coordinates.push_back(row.x[i]);
     s.rank_correlation = rank_correlation(coordinates, merits);
     s.importance = merit(below + 2) - merit(0);
   }

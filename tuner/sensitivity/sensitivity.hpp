@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "tuner/gains/journal_reader.hpp"
-#include "tuner/gains/study.hpp"
-#include "tuner/gains/workers.hpp"
+#include "tuner/journal/evaluations_reader.hpp"
+#include "tuner/study/study.hpp"
+#include "tuner/work/workers.hpp"
 
 namespace armtune {
 
@@ -41,8 +41,8 @@ struct Sensitivity {
 /// Simulates 3 points per parameter about `best`, in portions. Nothing if `stop` became true before.
 /// objective: of the study. progress(done, all): evaluations.
 std::optional<Sensitivity> sensitivity(
-    const Study& study, const Objective& objective, const Gains& best, const std::vector<JournalRow>& journal,
-    Workers& workers, const std::atomic<bool>& stop,
+    const Study& study, const Objective& objective, const Gains& best,
+    const std::vector<EvaluationRow>& journal, Workers& workers, const std::atomic<bool>& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
 /// Spearman's rank correlation of two series of one length, ties at their mean rank; NaN where it is not

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "core/common/error.hpp"
-#include "tuner/gains/simulate_points.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune {
 namespace {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "tuner/gains/study.hpp"
-#include "tuner/gains/workers.hpp"
+#include "tuner/study/study.hpp"
 #include "tuner/trade_off/criterion.hpp"
 #include "tuner/trade_off/front.hpp"
+#include "tuner/work/workers.hpp"
 
 namespace armtune {
 

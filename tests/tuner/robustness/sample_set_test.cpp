@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/gains/tune.hpp"
+#include "tuner/search/tune.hpp"
 
 namespace armtune {
 namespace {

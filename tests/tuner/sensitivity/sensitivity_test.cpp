@@ -9,7 +9,7 @@
 
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/gains/tune.hpp"
+#include "tuner/search/tune.hpp"
 
 namespace armtune {
 namespace {
@@ -67,7 +67,7 @@ class Sensitive : public ::testing::Test {
     const auto results = workers_->run(starts, kNever);
     objective_.emplace(study_->terms, study_->constraints, study_->scenarios, (*results)[0], "test");
   }
-  Sensitivity of(const std::vector<JournalRow>& journal = {}) {
+  Sensitivity of(const std::vector<EvaluationRow>& journal = {}) {
     return *sensitivity(*study_, *objective_, best_, journal, *workers_, kNever);
   }
   double merit(const Gains& gains) {
@@ -131,7 +131,7 @@ TEST_F(Sensitive, TheReducedStudyTunesTheMoreImportantHalf) {
 }
 
 TEST_F(Sensitive, TheGlobalPartIsTheJournalsRankCorrelation) {
-  std::vector<JournalRow> journal;
+  std::vector<EvaluationRow> journal;
   for (int i = 0; i < 10; ++i) journal.push_back({{0.1 * i, 0.5, 1.0 - 0.1 * i}, 0.1 * i, 0.0});
   const Sensitivity s = of(journal);
   EXPECT_DOUBLE_EQ(find(s, 0).rank_correlation, 1.0);

@@ -1,4 +1,4 @@
-#include "tuner/gains/journal_reader.hpp"
+#include "tuner/journal/evaluations_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ std::vector<std::string> cells(const std::string& line) {
 
 }  // namespace
 
-std::vector<JournalRow> read_journal(const std::string& path, const Study& study) {
+std::vector<EvaluationRow> read_evaluations(const std::string& path, const Study& study) {
   std::ifstream file(path);
   if (!file) throw InputError(path + ": cannot be read; a run folder of armtune tune holds it");
   std::string line;
@@ -49,7 +49,7 @@ std::vector<JournalRow> read_journal(const std::string& path, const Study& study
   parameters.reserve(study.space.free.size());
   for (const Parameter& p : study.space.free) parameters.push_back(column(p.entry.name));
 
-  std::vector<JournalRow> rows;
+  std::vector<EvaluationRow> rows;
   for (std::size_t number = 2; std::getline(file, line); ++number) {
     if (file.eof()) break;  // no line end: the run was killed while it wrote this row
     const auto row = cells(line);

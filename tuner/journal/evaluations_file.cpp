@@ -1,4 +1,4 @@
-#include "tuner/gains/journal.hpp"
+#include "tuner/journal/evaluations_file.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ std::string quoted(std::string text) {
 
 }  // namespace
 
-std::vector<Column> journal_columns(const Study& study, const std::vector<JournalExtra>& extra) {
+std::vector<Column> evaluation_columns(const Study& study, const std::vector<ExtraColumn>& extra) {
   std::vector<Column> columns;
   const auto add = [&columns](const std::string& name, const char* unit, const std::string& meaning) {
     columns.push_back({name, unit, meaning, {}});
@@ -41,21 +41,21 @@ std::vector<Column> journal_columns(const Study& study, const std::vector<Journa
       add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
     }
   }
-  for (const JournalExtra& e : extra) columns.push_back(e.column);
+  for (const ExtraColumn& e : extra) columns.push_back(e.column);
   add("time/wall", "s", "wall time since the run began");
   return columns;
 }
 
-Journal::Journal(const std::string& path, const Study& study, std::vector<JournalExtra> extra)
+EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra)
     : file_(path), study_(study), extra_(std::move(extra)) {
   std::string header;
-  for (const Column& column : journal_columns(study, extra_)) {
+  for (const Column& column : evaluation_columns(study, extra_)) {
     header += (header.empty() ? "" : ",") + column.name;
   }
   file_.append(header + "\n");
 }
 
-void Journal::append(const std::string& phase, const Evaluation& e, double seconds) {
+void EvaluationsFile::append(const std::string& phase, const Evaluation& e, double seconds) {
   std::string row = fmt::format("{},{},{},{},{},{}", count_++, phase, e.objective, e.feasible ? 1 : 0,
                                 e.violation, quoted(e.status));
   for (const Parameter& p : study_.space.free) row += fmt::format(",{}", value(e.gains, p.entry));
@@ -65,7 +65,7 @@ void Journal::append(const std::string& phase, const Evaluation& e, double secon
   for (const Constraint& c : study_.constraints) {
     for (const std::size_t s : c.scenarios) row += "," + cell(e.results[s].metrics[c.metric]);
   }
-  for (const JournalExtra& extra : extra_) row += "," + cell(extra.value(e));
+  for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
   file_.append(row + fmt::format(",{:.3f}\n", seconds));
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 namespace {

@@ -1,4 +1,4 @@
-#include "tuner/gains/solver.hpp"
+#include "tuner/search/solver.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

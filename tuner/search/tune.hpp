@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "tuner/gains/study.hpp"
-#include "tuner/gains/workers.hpp"
+#include "tuner/study/study.hpp"
+#include "tuner/work/workers.hpp"
 
 namespace armtune {
 

@@ -1,9 +1,9 @@
-#include "tuner/gains/workers.hpp"
+#include "tuner/work/workers.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/sim/support/rollouts.hpp"
-#include "tuner/run/parallel.hpp"
+#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 namespace {

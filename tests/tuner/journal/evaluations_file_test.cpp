@@ -1,4 +1,4 @@
-#include "tuner/gains/journal.hpp"
+#include "tuner/journal/evaluations_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ class Journalled : public testing::Test {
 TEST_F(Journalled, EveryRowIsOnDiskAtOnceAndHasACellPerColumn) {
   const Objective objective = this->objective();
   const std::string path = files_ / "evaluations.csv";
-  Journal journal(path, study_);
+  EvaluationsFile journal(path, study_);
   EXPECT_EQ(test::read_csv(path).rows.size(), 0U);
   for (std::size_t i = 0; i < 3; ++i) {
     objective.judge(e_);
@@ -55,7 +55,7 @@ TEST_F(Journalled, EveryRowIsOnDiskAtOnceAndHasACellPerColumn) {
 
 TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
   const Objective objective = this->objective();
-  Journal journal(files_ / "evaluations.csv", study_);
+  EvaluationsFile journal(files_ / "evaluations.csv", study_);
   e_.results[0].status = RolloutStatus::kDiverged;
   e_.results[0].reason = "diverged at 1 s in leaveSingularity: \"elbow\" is not finite";
   e_.results[0].metrics = {};
@@ -72,7 +72,7 @@ TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
 TEST_F(Journalled, NeverWritesOverAnotherJournal) {
   files_.write("evaluations.csv", "of another run\n");
   const Objective objective = this->objective();
-  EXPECT_THAT(test::refusal([&] { Journal(files_ / "evaluations.csv", study_); }),
+  EXPECT_THAT(test::refusal([&] { EvaluationsFile(files_ / "evaluations.csv", study_); }),
               testing::HasSubstr(files_ / "evaluations.csv"));
   EXPECT_EQ(test::read_text(files_ / "evaluations.csv"), "of another run\n");
 }
@@ -80,7 +80,7 @@ TEST_F(Journalled, NeverWritesOverAnotherJournal) {
 TEST(Columns, OfTheBundledStudyAreAllExplained) {
   const Study study = load_study("ur10_gaze");
   const std::string columns = columns_csv(
-      {{"rollout_*.csv", rollout_columns(study.scenarios)}, {"evaluations.csv", journal_columns(study)}});
+      {{"rollout_*.csv", rollout_columns(study.scenarios)}, {"evaluations.csv", evaluation_columns(study)}});
   for (const Scenario& scenario : study.scenarios) {
     for (const Column& c : rollout_columns(scenario)) {
       EXPECT_THAT(columns, testing::HasSubstr("rollout_*.csv," + c.name + ",")) << scenario.name;

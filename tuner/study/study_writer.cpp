@@ -5,7 +5,7 @@
 
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 namespace {

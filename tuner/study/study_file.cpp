@@ -11,7 +11,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/map_reader.hpp"
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 namespace {

@@ -1,9 +1,10 @@
-#include "tuner/gains/workers.hpp"
+#include "tuner/work/workers.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 
-#include "tuner/run/parallel.hpp"
+#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 
@@ -28,31 +29,40 @@ Rollout& Workers::rollout(std::size_t worker, std::size_t scenario) {
   return *slot;
 }
 
+std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) const {
+  if (!samples_) return results;
+  std::vector<RolloutResult> scenarios;
+  for (std::size_t first = 0; first < results.size(); first += samples_->samples) {
+    scenarios.push_back(folded(*samples_, std::span(results).subspan(first, samples_->samples)));
+  }
+  return scenarios;
+}
+
 std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
-                                                                    const std::atomic<bool>& stop) {
+                                                                    const std::atomic<bool>& stop,
+                                                                    const Finished& finished) {
   std::vector<std::vector<RolloutResult>> results(candidates.size(),
                                                   std::vector<RolloutResult>(scenarios_.size()));
+  std::vector<std::size_t> left(candidates.size(), scenarios_.size());
+  std::mutex mutex;
   // All candidates of the longest scenario first: short rollouts fill the gaps at the end.
   parallel_for(candidates.size() * scenarios_.size(), count(), stop,
                [&](std::size_t worker, std::size_t job) {
                  const std::size_t scenario = longest_first_[job / candidates.size()];
                  const std::size_t candidate = job % candidates.size();
-                 results[candidate][scenario] =
+                 RolloutResult result =
                      rollout(worker, scenario).run(candidates[candidate], [&stop](const Observation&) {
                        return !stop;
                      });
                  ++done_;
+                 const std::lock_guard lock(mutex);
+                 const bool whole = result.status != RolloutStatus::kInterrupted;
+                 results[candidate][scenario] = std::move(result);
+                 if (!whole || --left[candidate] > 0) return;
+                 results[candidate] = fold(std::move(results[candidate]));
+                 if (finished) finished(candidate, results[candidate]);
                });
   if (stop) return std::nullopt;
-  if (samples_) {
-    for (auto& of_candidate : results) {
-      std::vector<RolloutResult> scenarios;
-      for (std::size_t first = 0; first < of_candidate.size(); first += samples_->samples) {
-        scenarios.push_back(folded(*samples_, std::span(of_candidate).subspan(first, samples_->samples)));
-      }
-      of_candidate = std::move(scenarios);
-    }
-  }
   return results;
 }
 

@@ -1,4 +1,4 @@
-#include "tuner/gains/tune.hpp"
+#include "tuner/search/tune.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/gains/journal.hpp"
+#include "tuner/journal/evaluations_file.hpp"
 
 namespace armtune {
 namespace {
@@ -27,10 +27,12 @@ Tuned run(const Study& study, int workers, const std::string& journal_path, std:
   std::atomic<bool> never{false};
   std::atomic<bool>& flag = stop != nullptr ? *stop : never;
   Workers pool(study.scenarios, study.stepper, workers);
-  std::unique_ptr<Journal> journal;
+  std::unique_ptr<EvaluationsFile> journal;
   Tuned tuned;
   TuneCallbacks callbacks;
-  callbacks.begin = [&](const Objective&) { journal = std::make_unique<Journal>(journal_path, study); };
+  callbacks.begin = [&](const Objective&) {
+    journal = std::make_unique<EvaluationsFile>(journal_path, study);
+  };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
     journal->append(phase, e, 0.001 * workers);
     tuned.evaluations.push_back(e);

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "tuner/gains/objective.hpp"
-#include "tuner/gains/parameter.hpp"
-#include "tuner/gains/solver.hpp"
 #include "tuner/robustness/sample_set.hpp"
+#include "tuner/search/solver.hpp"
+#include "tuner/study/objective.hpp"
+#include "tuner/study/parameter.hpp"
 
 namespace armtune {
 

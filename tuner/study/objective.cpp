@@ -1,4 +1,4 @@
-#include "tuner/gains/objective.hpp"
+#include "tuner/study/objective.hpp"
 
 #include <fmt/format.h>
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "tuner/gains/study.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 
-struct JournalRow {
+struct EvaluationRow {
   std::vector<double> x;  ///< search coordinates
   double objective = 0.0;
   double violation = 0.0;
@@ -17,6 +17,6 @@ struct JournalRow {
 /// Every whole row of a study's journal: a last one without its line end, of a run that was killed, is left
 /// out. Throws InputError naming file, line and column if it is none of this study's or a number cannot be
 /// read.
-std::vector<JournalRow> read_journal(const std::string& path, const Study& study);
+std::vector<EvaluationRow> read_evaluations(const std::string& path, const Study& study);
 
 }  // namespace armtune

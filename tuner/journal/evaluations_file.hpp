@@ -6,24 +6,24 @@
 #include <vector>
 
 #include "sim/rollout/columns.hpp"
-#include "tuner/gains/study.hpp"
 #include "tuner/run/append_file.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune {
 
 /// A value beside the study's own.
-struct JournalExtra {
+struct ExtraColumn {
   Column column;
   std::function<double(const Evaluation&)> value;
 };
 
 /// Name, unit and meaning of every column of a study's evaluations.csv.
-std::vector<Column> journal_columns(const Study& study, const std::vector<JournalExtra>& extra = {});
+std::vector<Column> evaluation_columns(const Study& study, const std::vector<ExtraColumn>& extra = {});
 
-class Journal {
+class EvaluationsFile {
  public:
   /// Makes the file with its header. Throws InputError if it exists or cannot be made.
-  Journal(const std::string& path, const Study& study, std::vector<JournalExtra> extra = {});
+  EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra = {});
 
   /// Appends one row and hands it to the disk. seconds: wall time since the run began; in the last column,
   /// the only one that differs between two runs of one study. Throws std::runtime_error if the disk refuses
@@ -33,7 +33,7 @@ class Journal {
  private:
   AppendFile file_;
   const Study& study_;
-  std::vector<JournalExtra> extra_;
+  std::vector<ExtraColumn> extra_;
   long count_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "tuner/gains/objective.hpp"
+#include "tuner/study/objective.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

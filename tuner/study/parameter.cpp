@@ -1,4 +1,4 @@
-#include "tuner/gains/parameter.hpp"
+#include "tuner/study/parameter.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tuner/gains/evaluation.hpp"
+#include "tuner/study/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

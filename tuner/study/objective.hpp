@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tuner/gains/evaluation.hpp"
+#include "tuner/study/evaluation.hpp"
 
 namespace armtune {
 

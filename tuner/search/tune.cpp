@@ -1,11 +1,11 @@
-#include "tuner/gains/tune.hpp"
+#include "tuner/search/tune.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <map>
 
-#include "tuner/gains/simulate_points.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune {
 namespace {

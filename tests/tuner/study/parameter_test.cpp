@@ -1,4 +1,4 @@
-#include "tuner/gains/parameter.hpp"
+#include "tuner/study/parameter.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,21 +1,21 @@
-#include "tuner/gains/journal_reader.hpp"
+#include "tuner/journal/evaluations_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/gains/journal.hpp"
+#include "tuner/journal/evaluations_file.hpp"
 
 namespace armtune {
 namespace {
 
 using testing::HasSubstr;
 
-class JournalReader : public ::testing::Test {
+class EvaluationsReader : public ::testing::Test {
  protected:
   /// A journal of three points; results do not matter here.
   std::string written() {
-    Journal journal(files_ / "evaluations.csv", study_);
+    EvaluationsFile journal(files_ / "evaluations.csv", study_);
     for (const double x : {0.0, 0.3, 1.0}) {
       Evaluation e;
       e.x = {x, 1.0 - x};
@@ -32,8 +32,8 @@ class JournalReader : public ::testing::Test {
   Study study_ = load_study(files_.path());
 };
 
-TEST_F(JournalReader, GivesBackWhatWasWritten) {
-  const auto rows = read_journal(written(), study_);
+TEST_F(EvaluationsReader, GivesBackWhatWasWritten) {
+  const auto rows = read_evaluations(written(), study_);
   ASSERT_EQ(rows.size(), 3U);
   const double expected[] = {0.0, 0.3, 1.0};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -44,20 +44,20 @@ TEST_F(JournalReader, GivesBackWhatWasWritten) {
   }
 }
 
-TEST_F(JournalReader, RefusesWhatIsNoneOfItsStudy) {
-  EXPECT_THAT(test::refusal([&] { read_journal(files_ / "none.csv", study_); }),
+TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
+  EXPECT_THAT(test::refusal([&] { read_evaluations(files_ / "none.csv", study_); }),
               HasSubstr("none.csv: cannot be read"));
   const std::string other = files_.write("other.csv", "evaluation,objective,violation\n0,1,0\n");
-  EXPECT_THAT(test::refusal([&] { read_journal(other, study_); }),
+  EXPECT_THAT(test::refusal([&] { read_evaluations(other, study_); }),
               testing::AllOf(HasSubstr("other.csv:1: no column 'task_space_gains_p/rx'")));
   std::string text = test::read_text(written());
   const std::string torn = files_.write("torn.csv", text.substr(0, text.rfind(',')));
-  EXPECT_EQ(read_journal(torn, study_).size(), 2U) << "killed while it wrote the third row";
+  EXPECT_EQ(read_evaluations(torn, study_).size(), 2U) << "killed while it wrote the third row";
   const std::string cut = files_.write("cut.csv", text.substr(0, text.rfind(',')) + "\n");
-  EXPECT_THAT(test::refusal([&] { read_journal(cut, study_); }), HasSubstr("cut.csv:4: "));
+  EXPECT_THAT(test::refusal([&] { read_evaluations(cut, study_); }), HasSubstr("cut.csv:4: "));
   text.replace(text.find("\n0,search,1,") + 10, 1, "x");
   const std::string wrong = files_.write("wrong.csv", text);
-  EXPECT_THAT(test::refusal([&] { read_journal(wrong, study_); }),
+  EXPECT_THAT(test::refusal([&] { read_evaluations(wrong, study_); }),
               HasSubstr("wrong.csv:2: 'x' in column objective is no finite number"));
 }
 

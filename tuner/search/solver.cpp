@@ -1,7 +1,7 @@
 // The only file that includes NLopt. Its C interface returns codes where the C++ one throws, among them
 // ROUNDOFF_LIMITED, which BOBYQA can return at the optimum.
 
-#include "tuner/gains/solver.hpp"
+#include "tuner/search/solver.hpp"
 
 #include <nlopt.h>
 

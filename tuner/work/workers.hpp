@@ -3,6 +3,7 @@
 // not depend on the number of workers.
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,12 +25,19 @@ class Workers {
   int count() const { return static_cast<int>(rollouts_.size()); }
   long rollouts_done() const { return done_; }
 
+  /// Called once per candidate, as soon as all its scenarios are done: in any order, one call at a time, from
+  /// any thread.
+  using Finished = std::function<void(std::size_t candidate, const std::vector<RolloutResult>& results)>;
+
   /// All scenarios for every candidate: results[candidate][scenario], the scenarios as given. Nothing if
-  /// `stop` became true before all were done.
+  /// `stop` became true before all were done; what was finished by then went to `finished`.
   std::optional<std::vector<std::vector<RolloutResult>>> run(std::span<const Gains> candidates,
-                                                             const std::atomic<bool>& stop);
+                                                             const std::atomic<bool>& stop,
+                                                             const Finished& finished = {});
 
  private:
+  /// One result per scenario as given.
+  std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
   Rollout& rollout(std::size_t worker, std::size_t scenario);
 
   std::optional<SampleSet> samples_;

@@ -1,0 +1,27 @@
+#include "tuner/work/simulate_points.hpp"
+
+namespace armtune {
+
+std::optional<std::vector<Evaluation>> simulate_points(
+    const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
+    const std::atomic<bool>& stop, const std::function<void(std::size_t, const Evaluation&)>& finished) {
+  std::vector<Gains> gains;
+  std::vector<Evaluation> evaluations(points.size());
+  gains.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    evaluations[i].x = points[i];
+    evaluations[i].gains = study.space.gains_at(points[i]);
+    gains.push_back(evaluations[i].gains);
+  }
+  const bool whole = workers
+                         .run(gains, stop,
+                              [&](std::size_t i, const std::vector<RolloutResult>& results) {
+                                evaluations[i].results = results;
+                                if (finished) finished(i, evaluations[i]);
+                              })
+                         .has_value();
+  if (!whole) return std::nullopt;
+  return evaluations;
+}
+
+}  // namespace armtune

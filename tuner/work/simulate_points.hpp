@@ -1,0 +1,21 @@
+#pragma once
+// Search points of a study, simulated.
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tuner/study/study.hpp"
+#include "tuner/work/workers.hpp"
+
+namespace armtune {
+
+/// One evaluation per point, in order, with x, gains and results; still to be judged by an Objective. Nothing
+/// if `stop` became true before all were done.
+/// finished: once per point, as soon as it is whole: in any order, one call at a time, from any thread.
+std::optional<std::vector<Evaluation>> simulate_points(
+    const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
+    const std::atomic<bool>& stop, const std::function<void(std::size_t, const Evaluation&)>& finished = {});
+
+}  // namespace armtune
