@@ -29,6 +29,11 @@ void catch_interrupts() {
   std::signal(SIGTERM, on_signal);
 }
 
+std::vector<std::string>& command_words() {
+  static std::vector<std::string> words;
+  return words;
+}
+
 std::string& command_line() {
   static std::string text;
   return text;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 namespace armtune::cli {
 
@@ -10,7 +11,9 @@ namespace armtune::cli {
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
 
-/// The command line as typed, for provenance.
+/// The words of the command line, for provenance; of a resumed run those it was begun with.
+std::vector<std::string>& command_words();
+/// The command line as typed.
 std::string& command_line();
 /// Its first word, to name the program in advice.
 std::string program_name();

@@ -1,12 +1,14 @@
 // armtune: the program.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
 #include "core/common/error.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/resume.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune {
@@ -20,7 +22,8 @@ std::string version_text() {
 }
 
 int run(int argc, char** argv) {
-  for (int i = 0; i < argc; ++i) cli::command_line() += (i > 0 ? " " : "") + std::string(argv[i]);
+  cli::command_line() = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  cli::command_words() = cli::resumed_arguments({argv, argv + argc});
   cli::catch_interrupts();
 
   CLI::App app{
@@ -51,7 +54,10 @@ int run(int argc, char** argv) {
     return cli::kBadInput;
   }
   try {
-    app.parse(argc, argv);
+    std::vector<const char*> words;
+    words.reserve(cli::command_words().size());
+    for (const std::string& word : cli::command_words()) words.push_back(word.c_str());
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? cli::kDone : cli::kBadInput;
   }

@@ -14,6 +14,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/resume.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
@@ -28,6 +29,7 @@ struct Arguments {
   long max_evaluations = 0;
   long seed = -1;
   std::string folder;
+  std::string resume;  ///< the folder of the run to go on with
   int workers = default_workers();
 };
 
@@ -84,6 +86,18 @@ std::vector<ExtraColumn> criteria_columns(const Study& study, const ParetoOption
   return columns;
 }
 
+RunHeader header_of(const Study& study, const Arguments& args, const ParetoOptions& options) {
+  std::vector<std::string> inputs;
+  add_inputs(study.scenarios, inputs);
+  return run_header({{"seed", fmt::format("{}", study.solver.seed)},
+                     {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
+                     {"levels", fmt::format("{}", options.levels)},
+                     {"max_evaluations", fmt::format("{}", options.max_evaluations)},
+                     {"study", study_yaml(study, "start/gains.yaml")},
+                     {"start gains", gains_yaml(study.space.start, {})}},
+                    inputs);
+}
+
 int run(Arguments args) {
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [began] {
@@ -92,41 +106,60 @@ int run(Arguments args) {
   Study study = load_study(args.study);
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   const ParetoOptions options = options_of(args, study);
+  const bool resumed = !args.resume.empty();
+  if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
-  refuse_used_folder(args.folder);
-
+  if (!resumed) make_run_folder(args.folder);
+  const auto journal = open_journal(args.folder, args.resume, header_of(study, args, options));
+  if (journal->exit_code()) {
+    fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
+    return *journal->exit_code();
+  }
   Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
-  std::optional<EvaluationsFile> journal;
+  std::optional<EvaluationsFile> evaluations;
   std::optional<Objective> objective;
   ProgressLine line;
   ParetoCallbacks callbacks;
+  double last_seconds = 0.0;
   callbacks.begin = [&](const Objective& o) {
     objective = o;
     fmt::print("front of {}: {}; {} gains over {} scenarios, {} evaluations at most; results go to {}\n",
                study.name, fmt::join(args.criteria, " against "), study.space.free.size(),
                study.scenarios.size(), options.max_evaluations, args.folder);
+    if (resumed) fmt::print("goes on behind {} finished evaluations\n", journal->records());
     std::fflush(stdout);
-    make_run_folder(args.folder);
     make_folder(args.folder + "/start");
     write_text_file(args.folder + "/start/gains.yaml",
                     gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
     write_text_file(args.folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
-    journal.emplace(args.folder + "/evaluations.csv", study, criteria_columns(study, options));
+    evaluations.emplace(args.folder + "/evaluations.csv", study, criteria_columns(study, options),
+                        AppendFile::Open::kReplace);
   };
-  callbacks.evaluated = [&](const char* phase, const Evaluation& e) { journal->append(phase, e, seconds()); };
+  callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
+    evaluations->append(phase, e);
+    last_seconds = e.seconds;
+  };
   callbacks.progress = [&](const ParetoProgress& p) {
-    const double left = seconds() / static_cast<double>(p.evaluations) *
+    const double left = last_seconds / static_cast<double>(p.evaluations) *
                         static_cast<double>(p.max_evaluations - p.evaluations);
     line.show(fmt::format("{}/{}  {} points  {:.0f} s left  {}", p.evaluations, p.max_evaluations, p.front,
                           left, p.phase));
   };
-  ParetoResult result = pareto(study, options, workers, stop_requested(), callbacks);
+  ParetoResult result;
+  try {
+    result = pareto(study, options, workers, stop_requested(), callbacks, journal.get());
+  } catch (...) {
+    if (!resumed && !objective) discard_run(args.folder);
+    throw;
+  }
+  if (evaluations) evaluations->publish();
   line.clear();
   if (result.failure) {
     if (!result.front.empty()) write_front(study, options, result, args.folder);
     std::rethrow_exception(result.failure);
   }
   if (result.evaluations == 0) {
+    if (!resumed) discard_run(args.folder);
     fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
     return kInterrupted;
   }
@@ -163,8 +196,13 @@ int run(Arguments args) {
       verified ? "every point was simulated again, with the same figures"
                : "interrupted: the points were not simulated again",
       args.folder, seconds());
-  if (!verified) return kInterrupted;
-  return result.front.empty() ? kNoFeasiblePoint : kDone;
+  if (!verified) {
+    fmt::print("to go on: {} pareto --resume {}\n", program_name(), args.folder);
+    return kInterrupted;
+  }
+  const int exit_code = result.front.empty() ? kNoFeasiblePoint : kDone;
+  journal->complete(exit_code);
+  return exit_code;
 }
 
 }  // namespace
@@ -190,6 +228,10 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
       ->check(CLI::Range(0L, 1000000000000L));
   command->add_option("--out", args->folder, "new folder (default: runs/pareto_<study>_<time>)");
+  command->add_option(
+      "--resume", args->resume,
+      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
+      "been; everything but --workers is as it was begun");
   command->add_option("--workers", args->workers, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

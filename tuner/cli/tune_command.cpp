@@ -14,6 +14,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
@@ -35,6 +36,7 @@ double seconds_since(Clock::time_point began) {
 struct Arguments {
   std::string study = "ur10_gaze";
   std::string folder;
+  std::string resume;  ///< the folder of the run to go on with
   int workers = default_workers();
   long max_evaluations = 0;
   long seed = -1;
@@ -58,8 +60,8 @@ std::string robust_text(const Study& study) {
 }
 
 std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds) {
-  const double left =
-      seconds / static_cast<double>(p.evaluations) * static_cast<double>(p.max_evaluations - p.evaluations);
+  const double left = p.last->seconds / static_cast<double>(p.evaluations) *
+                      static_cast<double>(p.max_evaluations - p.evaluations);
   return fmt::format("{:<6} {}/{}  best {:.4f}{}  velocity ratio {:.3f}  {:.2f} rollouts/s  {:.0f} s left",
                      p.phase, p.evaluations, p.max_evaluations, p.best->objective,
                      p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(*p.best),
@@ -225,48 +227,86 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   return true;
 }
 
-int run(Arguments args) {
-  const auto began = Clock::now();
-  const Study study = load(args);
-  if (args.folder.empty()) args.folder = default_run_folder(study.name);
-  refuse_used_folder(args.folder);
+/// All that the results depend on, for the journal.
+RunHeader header_of(const Study& study) {
+  std::vector<std::string> inputs;
+  add_inputs(study.scenarios, inputs);
+  return run_header({{"seed", fmt::format("{}", study.solver.seed)},
+                     {"study", study_yaml(study, "start/gains.yaml")},
+                     {"start gains", gains_yaml(study.space.start, {})}},
+                    inputs);
+}
 
-  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
-  std::unique_ptr<EvaluationsFile> journal;
-  std::optional<Objective> objective;
+void announce(const Study& study, const Arguments& args, const Journal& journal) {
+  fmt::print("study {}: {} gains over {} scenarios{}, {} and {} evaluations at most; results go to {}\n",
+             study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
+             study.solver.algorithm, study.max_evaluations, args.folder);
+  if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
+  std::fflush(stdout);
+}
+
+/// The search with its files: what it finds is on disk before it goes on.
+TuneResult search(const Study& study, const Arguments& args, Workers& workers, Journal& journal,
+                  std::optional<Objective>& objective) {
+  const auto began = Clock::now();
+  std::optional<EvaluationsFile> evaluations;
   ProgressLine line;
   TuneCallbacks callbacks;
   TuneResult so_far;  // kept here, so that nothing finished is lost if the disk or a rollout fails
   callbacks.begin = [&](const Objective& o) {
     objective = o;
-    fmt::print("study {}: {} gains over {} scenarios{}, {} and {} evaluations at most; results go to {}\n",
-               study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
-               study.solver.algorithm, study.max_evaluations, args.folder);
-    std::fflush(stdout);
-    make_run_folder(args.folder);
+    announce(study, args, journal);
     write_start(study, args.folder);
-    journal = std::make_unique<EvaluationsFile>(args.folder + "/evaluations.csv", study);
+    evaluations.emplace(args.folder + "/evaluations.csv", study, std::vector<ExtraColumn>(),
+                        AppendFile::Open::kReplace);
   };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
     if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;
-    journal->append(phase, e, seconds_since(began));
+    evaluations->append(phase, e);
   };
   callbacks.progress = [&](const TuneProgress& p) {
     line.show(progress_text(p, workers, seconds_since(began)));
   };
   TuneResult result;
   try {
-    result = tune(study, workers, stop_requested(), callbacks);
+    result = tune(study, workers, stop_requested(), callbacks, &journal);
   } catch (...) {
     if (so_far.evaluations > 0) write_gains(study, so_far, args.folder);
     throw;
   }
+  if (evaluations) evaluations->publish();
   line.clear();
+  return result;
+}
+
+int run(Arguments args) {
+  const auto began = Clock::now();
+  const Study study = load(args);
+  const bool resumed = !args.resume.empty();
+  if (resumed) args.folder = args.resume;
+  if (args.folder.empty()) args.folder = default_run_folder(study.name);
+  if (!resumed) make_run_folder(args.folder);
+  const auto journal = open_journal(args.folder, args.resume, header_of(study));
+  if (journal->exit_code()) {
+    fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
+    return *journal->exit_code();
+  }
+  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  std::optional<Objective> objective;
+  TuneResult result;
+  try {
+    result = search(study, args, workers, *journal, objective);
+  } catch (...) {
+    if (!resumed && !objective) discard_run(args.folder);
+    throw;
+  }
   if (result.evaluations == 0) {
+    if (!resumed) discard_run(args.folder);
     fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
     return kInterrupted;
   }
   write_gains(study, result, args.folder);
+  ProgressLine line;
   line.show("fresh rollouts of the start and the tuned gains");
   const auto sets = verify(study, result, args);
   line.clear();
@@ -289,12 +329,15 @@ int run(Arguments args) {
       args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
       program_name(), args.folder, args.folder);
   if (result.interrupted || stop_requested()) {
-    fmt::print("interrupted: {}\n", result.interrupted
-                                        ? "the search was not finished"
-                                        : "the search was finished, the analysis after it was not");
+    fmt::print("interrupted: {}; to go on: {} tune --resume {}\n",
+               result.interrupted ? "the search was not finished"
+                                  : "the search was finished, the analysis after it was not",
+               program_name(), args.folder);
     return kInterrupted;
   }
-  return result.best.feasible ? kDone : kNoFeasiblePoint;
+  const int exit_code = result.best.feasible ? kDone : kNoFeasiblePoint;
+  journal->complete(exit_code);
+  return exit_code;
 }
 
 std::string help_footer() {
@@ -322,6 +365,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
   command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
+  command->add_option(
+      "--resume", args->resume,
+      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
+      "been; everything but --workers is as it was begun");
   command->add_option("--workers", args->workers, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

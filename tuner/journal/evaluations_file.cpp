@@ -46,16 +46,17 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   return columns;
 }
 
-EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra)
-    : file_(path), study_(study), extra_(std::move(extra)) {
+EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra,
+                                 AppendFile::Open open)
+    : file_(path, open), study_(study), extra_(std::move(extra)) {
   std::string header;
   for (const Column& column : evaluation_columns(study, extra_)) {
     header += (header.empty() ? "" : ",") + column.name;
   }
-  file_.append(header + "\n");
+  file_.append(header + "\n", false);
 }
 
-void EvaluationsFile::append(const std::string& phase, const Evaluation& e, double seconds) {
+void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
   std::string row = fmt::format("{},{},{},{},{},{}", count_++, phase, e.objective, e.feasible ? 1 : 0,
                                 e.violation, quoted(e.status));
   for (const Parameter& p : study_.space.free) row += fmt::format(",{}", value(e.gains, p.entry));
@@ -66,7 +67,9 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e, doub
     for (const std::size_t s : c.scenarios) row += "," + cell(e.results[s].metrics[c.metric]);
   }
   for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
-  file_.append(row + fmt::format(",{:.3f}\n", seconds));
+  // The journal is what has to survive a power cut; this file can be made again from it.
+  file_.append(row + fmt::format(",{:.3f}\n", e.seconds), false);
+  if (!e.recalled) file_.publish();
 }
 
 }  // namespace armtune

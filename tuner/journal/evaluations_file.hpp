@@ -22,13 +22,17 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
 
 class EvaluationsFile {
  public:
-  /// Makes the file with its header. Throws InputError if it exists or cannot be made.
-  EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra = {});
+  /// Makes the file with its header. Throws InputError if it cannot be made, or exists and is not to be
+  /// replaced.
+  EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra = {},
+                  AppendFile::Open open = AppendFile::Open::kNew);
 
-  /// Appends one row and hands it to the disk. seconds: wall time since the run began; in the last column,
-  /// the only one that differs between two runs of one study. Throws std::runtime_error if the disk refuses
-  /// it.
-  void append(const std::string& phase, const Evaluation& e, double seconds);
+  /// Appends one row and hands it to the system; the wall time stands in the last column, the only one that
+  /// differs between two runs of one study. A file that replaces an older one does so with the first row that
+  /// is not recalled. Throws std::runtime_error if the disk refuses it.
+  void append(const std::string& phase, const Evaluation& e);
+  /// At the end, if every row was recalled.
+  void publish() { file_.publish(); }
 
  private:
   AppendFile file_;

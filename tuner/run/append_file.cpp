@@ -2,39 +2,81 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
 
 #include "core/common/error.hpp"
 
 namespace armtune {
+namespace {
 
-AppendFile::AppendFile(const std::string& path) : path_(path) {
-  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
-  if (file_ < 0) throw InputError(fmt::format("{}: cannot make it: {}", path, std::strerror(errno)));
+int flags(AppendFile::Open open) {
+  switch (open) {
+    case AppendFile::Open::kNew:
+      return O_CREAT | O_EXCL;
+    case AppendFile::Open::kReplace:
+      return O_CREAT | O_TRUNC;
+    case AppendFile::Open::kContinue:
+      return 0;
+  }
+  return 0;
+}
+
+std::string partial(const std::string& path) {
+  return path + ".partial";
+}
+
+}  // namespace
+
+AppendFile::AppendFile(const std::string& path, Open open) : path_(path), published_(open != Open::kReplace) {
+  const std::string name = published_ ? path : partial(path);
+  file_ = ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644);
+  if (file_ < 0) {
+    throw InputError(fmt::format("{}: cannot {} it: {}", name, open == Open::kContinue ? "open" : "make",
+                                 std::strerror(errno)));
+  }
+  if (open == Open::kContinue && ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(file_);
+    throw InputError(fmt::format("{}: another process is writing it; wait for that run or stop it", path));
+  }
 }
 
 AppendFile::~AppendFile() {
   if (file_ >= 0) ::close(file_);
 }
 
-void AppendFile::append(const std::string& text) {
+void AppendFile::fail(const char* what) const {
+  throw std::runtime_error(fmt::format("{}: cannot {} it: {}; what was finished before is in it", path_, what,
+                                       std::strerror(errno)));
+}
+
+void AppendFile::append(const std::string& text, bool sync) {
   const char* data = text.data();
   std::size_t left = text.size();
   while (left > 0) {
     const ssize_t written = ::write(file_, data, left);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      throw std::runtime_error(fmt::format("{}: cannot append to it: {}; what was finished before is in it",
-                                           path_, std::strerror(errno)));
-    }
+    if (written < 0) fail("append to");
     data += written;
     left -= static_cast<std::size_t>(written);
   }
-  ::fdatasync(file_);
+  // What the disk cannot hold may show here first. A file that cannot be synced (a pipe) is not one to keep.
+  if (sync && ::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) fail("append to");
+}
+
+void AppendFile::truncate(long size) {
+  if (::ftruncate(file_, size) != 0) fail("cut");
+}
+
+void AppendFile::publish() {
+  if (published_) return;
+  if (std::rename(partial(path_).c_str(), path_.c_str()) != 0) fail("replace");
+  published_ = true;
 }
 
 }  // namespace armtune

@@ -1,5 +1,6 @@
 #pragma once
-// A file that grows line by line, each on disk before the next thing is done: what is finished is not lost.
+// A file that grows line by line, each handed to the system before the next thing is done: what is finished
+// is not lost.
 
 #include <string>
 
@@ -7,17 +8,31 @@ namespace armtune {
 
 class AppendFile {
  public:
-  /// Makes the file. Throws InputError if it exists or cannot be made.
-  explicit AppendFile(const std::string& path);
+  enum class Open {
+    kNew,      ///< refuses a file that exists
+    kReplace,  ///< grows beside an older file of that name until `publish` puts it in its place
+    kContinue  ///< goes on at the end of one that exists; refuses if another process does so
+  };
+
+  /// Throws InputError with path and reason.
+  explicit AppendFile(const std::string& path, Open open = Open::kNew);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  /// Appends the text and hands it to the disk. Throws std::runtime_error if the disk refuses it.
-  void append(const std::string& text);
+  /// Appends the text: it outlives this process, and with `sync` a power cut. Throws std::runtime_error if
+  /// the disk refuses it.
+  void append(const std::string& text, bool sync = true);
+  /// Cuts the file to this many bytes. Throws std::runtime_error.
+  void truncate(long size);
+  /// Of kReplace: the file takes the older one's place. Further calls do nothing.
+  void publish();
 
  private:
+  [[noreturn]] void fail(const char* what) const;
+
   std::string path_;
+  bool published_ = true;
   int file_ = -1;
 };
 

@@ -16,6 +16,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/run/hash.hpp"
 
 namespace armtune {
 namespace {
@@ -27,14 +28,10 @@ std::string utc(const char* format) {
   return fmt::format(fmt::runtime(format), fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
 }
 
-/// FNV-1a, 64 bits: tells files apart, guards nothing.
 std::string hash_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c) {
-    hash = (hash ^ static_cast<unsigned char>(*c)) * 1099511628211ULL;
-  }
-  return fmt::format("fnv1a-{:016x}", hash);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return fmt::format("fnv1a-{:016x}", fnv1a(text));
 }
 
 std::string processor() {
@@ -85,6 +82,14 @@ void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>
   }
 }
 
+std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::string>& inputs) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const std::string& file : std::set<std::string>(inputs.begin(), inputs.end())) {
+    found.emplace_back(shown_path(file), hash_of_file(file));
+  }
+  return found;
+}
+
 std::string run_yaml(const Provenance& p) {
   std::string text = fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n",
                                  yaml::quoted(p.command), yaml::quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")),
@@ -96,9 +101,8 @@ std::string run_yaml(const Provenance& p) {
   text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", yaml::quoted(processor()),
                       std::thread::hardware_concurrency());
   text += "inputs:\n";
-  const std::set<std::string> files(p.inputs.begin(), p.inputs.end());
-  for (const std::string& file : files)
-    text += fmt::format("  {}: {}\n", yaml::quoted(shown_path(file)), hash_of_file(file));
+  for (const auto& [file, hash] : hashes(p.inputs))
+    text += fmt::format("  {}: {}\n", yaml::quoted(file), hash);
   return text;
 }
 

@@ -31,6 +31,9 @@ struct Provenance {
 /// Adds the files of every scenario to `inputs`.
 void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs);
 
+/// Name and hash of each input file, as run.yaml shows them.
+std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::string>& inputs);
+
 /// Text of run.yaml: versions, machine, date, seed, hashes of every input file.
 std::string run_yaml(const Provenance& p);
 

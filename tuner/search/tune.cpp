@@ -2,15 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <map>
 
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/journal/evaluator.hpp"
 
 namespace armtune {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// A search that asks this often in a row for points it knows is going round in a circle.
 constexpr long kMostRepeats = 10000;
@@ -18,8 +15,13 @@ constexpr long kMostRepeats = 10000;
 /// One run of the loop: what was seen so far and how to see more.
 class Run {
  public:
-  Run(const Study& study, Workers& workers, const std::atomic<bool>& stop, const TuneCallbacks& callbacks)
-      : study_(study), workers_(workers), stop_(stop), callbacks_(callbacks), began_(Clock::now()) {}
+  Run(const Study& study, Workers& workers, const std::atomic<bool>& stop, const TuneCallbacks& callbacks,
+      Journal* journal)
+      : study_(study),
+        workers_(workers),
+        stop_(stop),
+        callbacks_(callbacks),
+        evaluator_(study, workers, stop, journal) {}
 
   bool start();
   bool sweep();
@@ -29,26 +31,24 @@ class Run {
  private:
   /// Simulates candidates and takes them in, in order. False if the run was interrupted.
   bool evaluate(const char* phase, const std::vector<std::vector<double>>& points);
-  bool budget_left() const;
+  bool budget_left();
 
   const Study& study_;
   Workers& workers_;
   const std::atomic<bool>& stop_;
   const TuneCallbacks& callbacks_;
-  Clock::time_point began_;
+  Evaluator evaluator_;
   std::optional<Objective> objective_;
   std::map<std::vector<double>, SolverValue> seen_;  ///< the search simulates no point again
   TuneResult out_;
 };
 
-bool Run::budget_left() const {
-  if (out_.evaluations >= study_.max_evaluations) return false;
-  const std::chrono::duration<double> elapsed = Clock::now() - began_;
-  return study_.max_minutes <= 0.0 || elapsed.count() < 60.0 * study_.max_minutes;
+bool Run::budget_left() {
+  return out_.evaluations < study_.max_evaluations && evaluator_.time_left();
 }
 
 bool Run::evaluate(const char* phase, const std::vector<std::vector<double>>& points) {
-  auto evaluations = simulate_points(study_, points, workers_, stop_);
+  auto evaluations = evaluator_.next(phase, points);
   if (!evaluations) return false;
   for (Evaluation& e : *evaluations) {
     if (!objective_) {
@@ -153,8 +153,8 @@ double largest_velocity_ratio(const Evaluation& e) {
 }
 
 TuneResult tune(const Study& study, Workers& workers, const std::atomic<bool>& stop,
-                const TuneCallbacks& callbacks) {
-  Run run(study, workers, stop, callbacks);
+                const TuneCallbacks& callbacks, Journal* journal) {
+  Run run(study, workers, stop, callbacks, journal);
   if (run.start() && run.sweep()) {
     run.search();
     return std::move(run).result();

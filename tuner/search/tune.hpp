@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "tuner/journal/journal.hpp"
 #include "tuner/study/study.hpp"
 #include "tuner/work/workers.hpp"
 
@@ -36,10 +37,11 @@ struct TuneResult {
 };
 
 /// Runs the study. `stop`: set from outside to end after the rollouts under way are dropped. Deterministic:
-/// a function of the study alone, unless max_minutes is set. Throws InputError if the start gains give no
+/// a function of the study alone, unless max_minutes is set. journal: where evaluations are recorded and, if
+/// the run goes on after it was killed, recalled from. Throws InputError if the start gains give no
 /// reference.
 TuneResult tune(const Study& study, Workers& workers, const std::atomic<bool>& stop,
-                const TuneCallbacks& callbacks);
+                const TuneCallbacks& callbacks, Journal* journal = nullptr);
 
 /// Largest |q'|/limit over an evaluation's scenarios.
 double largest_velocity_ratio(const Evaluation& e);

@@ -19,6 +19,8 @@ struct Evaluation {
   bool feasible = false;
   std::string status;                  ///< "completed", or what went wrong first
   std::vector<RolloutResult> results;  ///< one per scenario
+  double seconds = 0.0;                ///< wall time of the run when it was finished
+  bool recalled = false;               ///< from the journal of a run that goes on
 };
 
 /// Feasible before infeasible; among feasible the smaller objective; among infeasible the smaller violation,

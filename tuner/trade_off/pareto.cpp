@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 #include "core/common/error.hpp"
+#include "tuner/journal/evaluator.hpp"
 #include "tuner/work/simulate_points.hpp"
 
 namespace armtune {
@@ -30,13 +30,11 @@ struct Known {
   Costs costs;
 };
 
-using Clock = std::chrono::steady_clock;
-
 class Search {
  public:
   Search(const Study& study, const ParetoOptions& options, Workers& workers, const std::atomic<bool>& stop,
-         const ParetoCallbacks& callbacks)
-      : study_(study), options_(options), workers_(workers), stop_(stop), callbacks_(callbacks) {}
+         const ParetoCallbacks& callbacks, Journal* journal)
+      : study_(study), options_(options), callbacks_(callbacks), evaluator_(study, workers, stop, journal) {}
 
   bool start();
   /// Minimises criterion k, all others held at or under `levels` (infinite: free), from x.
@@ -48,7 +46,6 @@ class Search {
 
  private:
   bool evaluate(const char* phase, const std::vector<double>& x);
-  bool time_left() const;
   void check_reference(const Costs& start) const;
   std::optional<std::size_t> best_under(std::size_t k, const Costs& levels) const;
   const std::vector<double>& beginning(const Costs& levels) const;
@@ -58,25 +55,18 @@ class Search {
 
   const Study& study_;
   const ParetoOptions& options_;
-  Workers& workers_;
-  const std::atomic<bool>& stop_;
   const ParetoCallbacks& callbacks_;
+  Evaluator evaluator_;
   std::optional<Objective> objective_;
   std::map<std::vector<double>, Known> known_;
   std::vector<ParetoPoint> archive_;  ///< feasible, none dominated by another
   std::vector<Costs> axes_;           ///< levels along each criterion but the first
   ParetoResult out_;
   std::string shown_;
-  Clock::time_point began_ = Clock::now();
 };
 
-bool Search::time_left() const {
-  const std::chrono::duration<double> elapsed = Clock::now() - began_;
-  return study_.max_minutes <= 0.0 || elapsed.count() < 60.0 * study_.max_minutes;
-}
-
 bool Search::evaluate(const char* phase, const std::vector<double>& x) {
-  auto evaluations = simulate_points(study_, {x}, workers_, stop_);
+  auto evaluations = evaluator_.next(phase, {x});
   if (!evaluations) {
     out_.interrupted = true;
     return false;
@@ -142,7 +132,7 @@ void Search::minimise(const char* phase, const std::string& shown, std::size_t k
     auto found = known_.find(point);
     if (found == known_.end()) {
       repeats = 0;
-      if (left-- <= 0 || !time_left() || !evaluate(phase, point)) return false;
+      if (left-- <= 0 || !evaluator_.time_left() || !evaluate(phase, point)) return false;
       found = known_.find(point);
     } else if (++repeats > budget) {
       return false;  // going round in a circle
@@ -314,8 +304,8 @@ std::size_t ParetoResult::dominating_start() const {
 }
 
 ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,
-                    const std::atomic<bool>& stop, const ParetoCallbacks& callbacks) {
-  Search search(study, options, workers, stop, callbacks);
+                    const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal) {
+  Search search(study, options, workers, stop, callbacks, journal);
   std::exception_ptr failure;
   try {
     if (search.start()) {

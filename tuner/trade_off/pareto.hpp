@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tuner/journal/journal.hpp"
 #include "tuner/study/study.hpp"
 #include "tuner/trade_off/criterion.hpp"
 #include "tuner/trade_off/front.hpp"
@@ -72,9 +73,10 @@ struct ParetoCallbacks {
 /// Deterministic: a function of study and options alone, unless the study sets max_minutes. The front's ends:
 /// the least of the first criterion, and the least of each other one with none of the rest worse than the
 /// start's (as far as feasible points are that good). Throws InputError if the start gains give no reference
-/// for the objective or a criterion.
+/// for the objective or a criterion. journal: as of tune().
 ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,
-                    const std::atomic<bool>& stop, const ParetoCallbacks& callbacks);
+                    const std::atomic<bool>& stop, const ParetoCallbacks& callbacks,
+                    Journal* journal = nullptr);
 
 /// Simulates the front again in `workers` of its own and takes those results in; throws std::runtime_error
 /// if one differs from what the search saw. False if `stop` became true before.

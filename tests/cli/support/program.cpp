@@ -58,6 +58,10 @@ void Program::interrupt() const {
   ::kill(pid_, SIGINT);
 }
 
+void Program::kill() const {
+  ::kill(pid_, SIGKILL);
+}
+
 bool Program::running() {
   if (!ended_) ended_ = ::waitpid(pid_, &status_, WNOHANG) == pid_;
   return !ended_;

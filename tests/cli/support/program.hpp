@@ -22,6 +22,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void interrupt() const;  ///< SIGINT
+  void kill() const;       ///< SIGKILL
   bool running();
   Finished wait();
 

@@ -40,7 +40,8 @@ TEST_F(Journalled, EveryRowIsOnDiskAtOnceAndHasACellPerColumn) {
   EXPECT_EQ(test::read_csv(path).rows.size(), 0U);
   for (std::size_t i = 0; i < 3; ++i) {
     objective.judge(e_);
-    journal.append("search", e_, 0.25);
+    e_.seconds = 0.25;
+    journal.append("search", e_);
     const auto csv = test::read_csv(path);
     ASSERT_EQ(csv.rows.size(), i + 1);
     EXPECT_EQ(csv.rows[i].size(), csv.header.size());
@@ -60,7 +61,7 @@ TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
   e_.results[0].reason = "diverged at 1 s in leaveSingularity: \"elbow\" is not finite";
   e_.results[0].metrics = {};
   objective.judge(e_);
-  journal.append("search", e_, 0.0);
+  journal.append("search", e_);
   const auto csv = test::read_csv(files_ / "evaluations.csv");
   ASSERT_EQ(csv.rows.size(), 1U);
   EXPECT_EQ(csv.rows[0].size(), csv.header.size());

@@ -24,7 +24,7 @@ class EvaluationsReader : public ::testing::Test {
       e.violation = 2.0 * x;
       e.status = "diverged at 3 s in followTrajectory: a, \"b\"";
       e.results.resize(study_.scenarios.size());
-      journal.append("search", e, 0.1);
+      journal.append("search", e);
     }
     return files_ / "evaluations.csv";
   }

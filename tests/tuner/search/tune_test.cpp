@@ -34,7 +34,7 @@ Tuned run(const Study& study, int workers, const std::string& journal_path, std:
     journal = std::make_unique<EvaluationsFile>(journal_path, study);
   };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
-    journal->append(phase, e, 0.001 * workers);
+    journal->append(phase, e);
     tuned.evaluations.push_back(e);
     const std::string text = test::read_text(journal_path);
     const auto rows = std::count(text.begin(), text.end(), '\n') - 1;

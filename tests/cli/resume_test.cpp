@@ -1,0 +1,160 @@
+// Killed at any moment, a run goes on as if it had not been.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Finished;
+using test::Program;
+using test::run_program;
+using test::ShortStudy;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::size_t lines_of(const std::string& path) {
+  if (!fs::exists(path)) return 0;
+  const std::string text = test::read_text(path);
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// A CSV file without its last column, the wall time.
+std::string without_time(const std::string& path) {
+  std::string text;
+  std::istringstream lines(test::read_text(path));
+  for (std::string line; std::getline(lines, line);) text += line.substr(0, line.rfind(',')) + '\n';
+  return text;
+}
+
+std::size_t finished_in(const std::string& journal) {
+  if (!fs::exists(journal)) return 0;
+  const std::string text = test::read_text(journal);
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find("finished\t", at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+/// Starts the command and kills it once its journal holds that many finished ones.
+void run_and_kill(const std::vector<std::string>& arguments, const std::string& journal,
+                  std::size_t finished) {
+  const test::TemporaryFolder folder;
+  Program program(arguments, folder.path());
+  while (program.running() && finished_in(journal) < finished) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  program.kill();
+  EXPECT_EQ(program.wait().exit_code, -1) << "it was to be killed under way";
+}
+
+void expect_same_run(const std::string& a, const std::string& b, const std::vector<std::string>& files) {
+  EXPECT_EQ(without_time(a + "/evaluations.csv"), without_time(b + "/evaluations.csv"));
+  for (const std::string& file : files) {
+    EXPECT_EQ(test::read_text(a + "/" + file), test::read_text(b + "/" + file)) << file;
+  }
+}
+
+TEST(Resume, ATuningKilledAgainAndAgainEndsAsIfItHadNotBeen) {
+  const ShortStudy files;
+  const std::vector<std::string> begin = {"tune", files.path(), "--no-analysis", "--seed", "3"};
+  auto with = [&begin](const std::string& folder) {
+    auto all = begin;
+    all.insert(all.end(), {"--out", folder});
+    return all;
+  };
+  ASSERT_EQ(run_program(with(files / "whole")).exit_code, 0);
+  run_and_kill(with(files / "killed"), files / "killed/journal.txt", 3);
+  const std::vector<std::string> resume = {"tune", "--resume", files / "killed", "--workers", "1"};
+  run_and_kill(resume, files / "killed/journal.txt", 7);
+  const std::size_t finished = finished_in(files / "killed/journal.txt");
+  const Finished ended = run_program(resume);
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(fmt::format("goes on behind {} finished evaluations", finished)));
+  expect_same_run(files / "whole", files / "killed",
+                  {"gains.yaml", "errors.csv", "study.yaml", "rollout_short.csv"});
+  EXPECT_EQ(finished_in(files / "killed/journal.txt"), lines_of(files / "whole/evaluations.csv") - 1)
+      << "no finished evaluation was repeated";
+
+  const std::string before = test::read_text(files / "killed/run.yaml");
+  const Finished again = run_program(resume);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_THAT(again.out, HasSubstr("there is nothing to resume"));
+  EXPECT_EQ(test::read_text(files / "killed/run.yaml"), before);
+}
+
+TEST(Resume, AFrontKilledEndsAsIfItHadNotBeen) {
+  const ShortStudy files;
+  const std::vector<std::string> begin = {"pareto", files.path(), "--levels", "2", "--max-evaluations", "24"};
+  auto with = [&begin](const std::string& folder) {
+    auto all = begin;
+    all.insert(all.end(), {"--out", folder});
+    return all;
+  };
+  ASSERT_EQ(run_program(with(files / "whole")).exit_code, 0);
+  run_and_kill(with(files / "killed"), files / "killed/journal.txt", 9);
+  ASSERT_EQ(run_program({"pareto", "--resume", files / "killed"}).exit_code, 0);
+  expect_same_run(files / "whole", files / "killed", {"pareto.csv", "study.yaml", "points/001.yaml"});
+}
+
+TEST(Resume, RefusesWhatIsNotTheSameRun) {
+  const ShortStudy files;
+  run_and_kill({"tune", files.path(), "--no-analysis", "--out", files / "run"}, files / "run/journal.txt", 2);
+  const auto refusal = [](const std::vector<std::string>& arguments) {
+    const Finished ended = run_program(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << ended.out;
+    return ended.err;
+  };
+  EXPECT_THAT(refusal({"tune", "--resume", files / "nowhere"}),
+              HasSubstr("nowhere/journal.txt: cannot be read"));
+  EXPECT_THAT(refusal({"pareto", "--resume", files / "run"}), HasSubstr("was begun by 'armtune tune"));
+  EXPECT_THAT(refusal({"tune", "--resume", files / "run", "--seed", "4"}),
+              HasSubstr("'--seed' cannot be changed"));
+
+  const std::string study = test::read_text(files.path());
+  std::string other = study;
+  other.replace(other.find("max_evaluations: 12"), 19, "max_evaluations: 13");
+  files.write("study.yaml", other);
+  EXPECT_THAT(
+      refusal({"tune", "--resume", files / "run"}),
+      AllOf(HasSubstr("study was '"), HasSubstr("max_evaluations: 12"), HasSubstr("max_evaluations: 13")));
+  files.write("study.yaml", study);
+
+  files.write("short.yaml", "base: moving_target\nduration: 8.5\n");
+  EXPECT_THAT(refusal({"tune", "--resume", files / "run"}), HasSubstr("short.yaml was 'fnv1a-"));
+  files.write("short.yaml", "base: moving_target\nduration: 8\n");
+
+  std::string journal = test::read_text(files / "run/journal.txt");
+  journal[journal.find("finished\t0\t") + 20] ^= 1;
+  files.write("run/journal.txt", journal);
+  EXPECT_THAT(refusal({"tune", "--resume", files / "run"}), HasSubstr("record 0 is damaged"));
+}
+
+TEST(Resume, AnInterruptedRunSaysHowToGoOn) {
+  const ShortStudy files;
+  const test::TemporaryFolder folder;
+  Program program({"tune", files.path(), "--no-analysis", "--out", files / "run"}, folder.path());
+  while (program.running() && finished_in(files / "run/journal.txt") < 3) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  program.interrupt();
+  const Finished ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 130);
+  EXPECT_THAT(ended.out, HasSubstr("tune --resume " + (files / "run")));
+  ASSERT_EQ(run_program({"tune", files.path(), "--no-analysis", "--out", files / "whole"}).exit_code, 0);
+  ASSERT_EQ(run_program({"tune", "--resume", files / "run"}).exit_code, 0);
+  expect_same_run(files / "whole", files / "run", {"gains.yaml", "errors.csv"});
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,113 @@
+#include "tuner/journal/evaluator.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/search/tune.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::HasSubstr;
+
+class Recall : public testing::Test {
+ protected:
+  std::unique_ptr<Journal> begin() { return Journal::begin(files_ / "journal.txt", {}); }
+  std::unique_ptr<Journal> resume() {
+    std::string warning;
+    return Journal::resume(files_ / "journal.txt", {}, warning);
+  }
+
+  test::ShortStudy files_;
+  Study study_ = load_study(files_.path());
+  std::atomic<bool> stop_{false};
+};
+
+TEST_F(Recall, WhatIsInTheJournalIsNotSimulatedAgain) {
+  const std::vector<std::vector<double>> points = {{0.2, 0.3}, {0.5, 0.5}, {0.9, 0.1}};
+  Workers workers(study_.scenarios, study_.stepper, 2);
+  std::vector<Evaluation> first;
+  {
+    const auto journal = begin();
+    Evaluator evaluator(study_, workers, stop_, journal.get());
+    first = *evaluator.next("sweep", {points[0], points[1]});
+  }
+  EXPECT_EQ(workers.rollouts_done(), 4);
+  Workers fresh(study_.scenarios, study_.stepper, 2);
+  const auto journal = resume();
+  Evaluator evaluator(study_, fresh, stop_, journal.get());
+  const auto again = *evaluator.next("sweep", points);
+  EXPECT_EQ(fresh.rollouts_done(), 2) << "only the third point is new";
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(again[i].recalled);
+    EXPECT_EQ(again[i].x, first[i].x);
+    EXPECT_NEAR(again[i].seconds, first[i].seconds, 0.001);
+    for (std::size_t s = 0; s < study_.scenarios.size(); ++s) {
+      EXPECT_EQ(test::bits(again[i].results[s].metrics), test::bits(first[i].results[s].metrics));
+    }
+  }
+  EXPECT_FALSE(again[2].recalled);
+  EXPECT_EQ(journal->records(), 3U);
+}
+
+TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
+  Workers workers(study_.scenarios, study_.stepper, 1);
+  {
+    const auto journal = begin();
+    Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, 0.75}});
+  }
+  const auto journal = resume();
+  EXPECT_THAT(
+      test::refusal([&] {
+        Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, std::nextafter(0.75, 1.0)}});
+      }),
+      HasSubstr("another point as evaluation 0"));
+}
+
+TEST_F(Recall, TheTimeIsUpWhereItWas) {
+  study_.max_evaluations = 100000;
+  study_.solver.x_tolerance = 0.0;
+  study_.max_minutes = 1.0 / 60.0;
+  Workers workers(study_.scenarios, study_.stepper, 1);
+  TuneResult whole;
+  {
+    const auto journal = begin();
+    whole = tune(study_, workers, stop_, {}, journal.get());
+    ASSERT_TRUE(journal->time_was_up().has_value());
+    EXPECT_EQ(*journal->time_was_up(), static_cast<std::uint64_t>(whole.evaluations));
+  }
+  ASSERT_GT(whole.evaluations, 1);
+  Workers fresh(study_.scenarios, study_.stepper, 1);
+  const auto journal = resume();
+  const TuneResult again = tune(study_, fresh, stop_, {}, journal.get());
+  EXPECT_EQ(again.evaluations, whole.evaluations) << "although no minute has passed";
+  EXPECT_EQ(again.best.x, whole.best.x);
+  EXPECT_EQ(again.best.objective, whole.best.objective);
+  EXPECT_EQ(fresh.rollouts_done(), 0);
+}
+
+TEST_F(Recall, MinutesOfEarlierSessionsCount) {
+  study_.max_minutes = 1.0;
+  Workers workers(study_.scenarios, study_.stepper, 1);
+  {
+    const auto journal = begin();
+    journal->append(
+        {0, "start", 59.0, study_.space.start_point(), std::vector<RolloutResult>(study_.scenarios.size())});
+    EXPECT_TRUE(Evaluator(study_, workers, stop_, journal.get()).time_left());
+    journal->append(
+        {1, "search", 61.0, study_.space.start_point(), std::vector<RolloutResult>(study_.scenarios.size())});
+  }
+  const auto journal = resume();
+  Evaluator evaluator(study_, workers, stop_, journal.get());
+  EXPECT_TRUE(evaluator.time_left()) << "what is recorded was begun in time";
+  evaluator.next("start", {study_.space.start_point()});
+  evaluator.next("search", {study_.space.start_point()});
+  EXPECT_FALSE(evaluator.time_left());
+  EXPECT_EQ(journal->time_was_up(), 2U);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,196 @@
+#include "tuner/journal/journal.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+RunHeader header_of_run() {
+  return {{"tune", "a study.yaml", "--seed", "7"},
+          "/some where",
+          {{"seed", "7"}, {"study", "a: 1\nb: 2\nc: 3\n"}}};
+}
+
+JournalRecord record_of(std::uint64_t number) {
+  JournalRecord record;
+  record.number = number;
+  record.phase = "search";
+  record.seconds = 0.5 * static_cast<double>(number);
+  record.x = {0.1 + 1e-17, 1.0 / 3.0, -0.0, 5e-324, 1.0 - 1e-16};
+  record.results.resize(2);
+  record.results[0].metrics.value.fill(std::nextafter(0.1, static_cast<double>(number)));
+  record.results[0].metrics[Metric::kGazeRms] = NAN;
+  record.results[0].metrics[Metric::kGazeMax] = HUGE_VAL;
+  record.results[0].metrics.max_ratio_joint = "tab\tand \\ and\nline";
+  record.results[1].status = RolloutStatus::kDiverged;
+  record.results[1].reason = "diverged at 3 s: \"a\", b";
+  record.results[1].end_time = 3.002;
+  return record;
+}
+
+void expect_same(const JournalRecord& a, const JournalRecord& b) {
+  EXPECT_EQ(a.number, b.number);
+  EXPECT_EQ(a.phase, b.phase);
+  EXPECT_EQ(a.seconds, b.seconds);
+  ASSERT_EQ(a.x.size(), b.x.size());
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(a.x[i]), std::bit_cast<std::uint64_t>(b.x[i]));
+  }
+  ASSERT_EQ(a.results.size(), b.results.size());
+  for (std::size_t s = 0; s < a.results.size(); ++s) {
+    EXPECT_EQ(a.results[s].status, b.results[s].status);
+    EXPECT_EQ(a.results[s].reason, b.results[s].reason);
+    EXPECT_EQ(a.results[s].end_time, b.results[s].end_time);
+    EXPECT_EQ(a.results[s].metrics.max_ratio_joint, b.results[s].metrics.max_ratio_joint);
+    EXPECT_EQ(test::bits(a.results[s].metrics), test::bits(b.results[s].metrics));
+  }
+}
+
+class JournalFile : public testing::Test {
+ protected:
+  /// A journal of six records, out of order as several workers finish them.
+  std::string written() {
+    const std::string path = folder_ / "journal.txt";
+    const auto journal = Journal::begin(path, header_of_run());
+    for (const std::uint64_t number : {0, 2, 1, 3, 5, 4}) journal->append(record_of(number));
+    return path;
+  }
+
+  std::unique_ptr<Journal> resumed(const std::string& path) {
+    return Journal::resume(path, header_of_run(), warning_);
+  }
+
+  test::TemporaryFolder folder_;
+  std::string warning_;
+};
+
+TEST_F(JournalFile, GivesBackWhatWasWrittenToTheBit) {
+  const std::string path = written();
+  const auto journal = resumed(path);
+  EXPECT_EQ(warning_, "");
+  EXPECT_EQ(journal->records(), 6U);
+  EXPECT_EQ(journal->seconds(), 2.5);
+  for (std::uint64_t number = 0; number < 6; ++number) expect_same(*journal->find(number), record_of(number));
+  EXPECT_FALSE(journal->find(6).has_value());
+  journal->append(record_of(6));
+  expect_same(*journal->find(6), record_of(6));
+
+  const RunHeader header = read_run_header(path);
+  EXPECT_EQ(header.arguments, header_of_run().arguments);
+  EXPECT_EQ(header.working_folder, header_of_run().working_folder);
+  EXPECT_EQ(header.identity, header_of_run().identity);
+}
+
+TEST_F(JournalFile, RemembersWhenTheTimeWasUpAndThatTheRunIsComplete) {
+  const std::string path = written();
+  {
+    const auto journal = resumed(path);
+    EXPECT_FALSE(journal->time_was_up().has_value());
+    EXPECT_FALSE(journal->exit_code().has_value());
+    journal->time_is_up(6);
+    journal->complete(3);
+  }
+  const auto journal = resumed(path);
+  EXPECT_EQ(journal->time_was_up(), 6U);
+  EXPECT_EQ(journal->exit_code(), 3);
+}
+
+TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
+  const std::string path = written();
+  const auto first = resumed(path);
+  EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("another process is writing it"));
+}
+
+TEST_F(JournalFile, RefusesAnotherRunAndSaysWhatDiffers) {
+  const std::string path = written();
+  RunHeader other = header_of_run();
+  other.identity[0].second = "8";
+  other.identity[1].second = "a: 1\nb: 20\nc: 3\n";
+  other.identity.emplace_back("ur10.urdf", "fnv1a-1");
+  EXPECT_THAT(
+      test::refusal([&] { Journal::resume(path, other, warning_); }),
+      AllOf(HasSubstr(path), HasSubstr("seed was '7', is '8'"), HasSubstr("study was 'b: 2', is 'b: 20'"),
+            HasSubstr("ur10.urdf was '(nothing)', is 'fnv1a-1'"), HasSubstr("--out")));
+  EXPECT_THAT(test::refusal([&] { resumed(folder_ / "none.txt"); }), HasSubstr("cannot be read"));
+  const std::string csv = folder_.write("other.txt", "evaluation,phase\n");
+  EXPECT_THAT(test::refusal([&] { resumed(csv); }), HasSubstr("is no journal"));
+}
+
+TEST_F(JournalFile, CutAnywhereItKeepsEveryWholeRecord) {
+  const std::string whole = test::read_text(written());
+  const std::size_t header = whole.find(" records\n") + 9;
+  ASSERT_GT(header, 100U);
+  std::mt19937 draw(1);
+  for (int i = 0; i < 200; ++i) {
+    const std::size_t place = std::uniform_int_distribution<std::size_t>(0, whole.size() - 1)(draw);
+    const std::string text = whole.substr(0, place);
+    const std::string path = folder_.write("cut.txt", text);
+    if (place < header) {
+      EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("cut.txt")) << "cut at " << place;
+      continue;
+    }
+    const auto lines = static_cast<std::size_t>(
+        std::count(text.begin() + static_cast<std::ptrdiff_t>(header), text.end(), '\n'));
+    {
+      const auto journal = resumed(path);
+      EXPECT_EQ(journal->records(), lines) << "cut at " << place;
+      EXPECT_EQ(warning_.empty(), text.back() == '\n') << warning_;
+      journal->append(record_of(9));  // goes on where the last whole record ends
+    }
+    EXPECT_EQ(resumed(path)->records(), lines + 1);
+    EXPECT_EQ(warning_, "");
+  }
+}
+
+TEST_F(JournalFile, ABitFlippedAnywhereIsFoundNeverTaken) {
+  const std::string whole = test::read_text(written());
+  const std::size_t last = whole.rfind('\n', whole.size() - 2) + 1;
+  std::mt19937 draw(2);
+  int refused = 0;
+  int recovered = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::size_t place = std::uniform_int_distribution<std::size_t>(0, whole.size() - 1)(draw);
+    std::string text = whole;
+    text[place] = static_cast<char>(text[place] ^ (1 << std::uniform_int_distribution<int>(0, 7)(draw)));
+    const std::string path = folder_.write("flipped.txt", text);
+    const std::string refusal = test::refusal([&] {
+      const auto journal = resumed(path);
+      ++recovered;
+      EXPECT_GE(place, last - 1) << "only what can be the end of a torn file is cut off";
+      EXPECT_NE(warning_, "");
+      for (std::uint64_t number = 0; number < 6; ++number) {
+        if (const auto record = journal->find(number)) expect_same(*record, record_of(number));
+      }
+      EXPECT_GE(journal->records(), 4U);
+    });
+    if (refusal.find("flipped.txt") != std::string::npos) ++refused;
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(recovered, 0);
+  EXPECT_EQ(refused + recovered, 200);
+}
+
+TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {
+  std::string text = test::read_text(written());
+  const std::size_t third = text.find("finished\t1\t");
+  ASSERT_NE(third, std::string::npos);
+  text[third + 9] = '7';
+  const std::string path = folder_.write("damaged.txt", text);
+  EXPECT_THAT(test::refusal([&] { resumed(path); }),
+              AllOf(HasSubstr("damaged.txt:"), HasSubstr("record 2 "), HasSubstr("checksum")));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,98 @@
+#include "tuner/cli/resume.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "core/common/error.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace armtune::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kResume = "--resume";
+constexpr const char* kJournal = "/journal.txt";
+/// Options that results do not depend on, and that a resumed run may be given anew.
+constexpr const char* kFree[] = {"--workers", "--rollout-deadline"};
+
+/// An option and its value cut out of the words, in either spelling; nothing if it is not among them.
+std::optional<std::string> cut(std::vector<std::string>& words, const std::string& option) {
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (word->starts_with(option + "=")) {
+      const std::string value = word->substr(option.size() + 1);
+      words.erase(word);
+      return value;
+    }
+    if (*word == option && word + 1 != words.end()) {
+      const std::string value = *(word + 1);
+      words.erase(word, word + 2);
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
+  const auto folder = cut(words, kResume);
+  if (!folder) return words;
+  const RunHeader begun = read_run_header(*folder + kJournal);
+  std::vector<std::string> all = {words.front()};
+  all.insert(all.end(), begun.arguments.begin(), begun.arguments.end());
+  all.insert(all.end(), {kResume, fs::absolute(*folder).lexically_normal().string()});
+  for (const char* option : kFree) {
+    if (const auto value = cut(words, option)) all.insert(all.end(), {option, *value});
+  }
+  if (words.size() < 2 || begun.arguments.empty() || words[1] != begun.arguments.front()) {
+    throw InputError(fmt::format("{} was begun by 'armtune {}'; resume it with: {} {} --resume {}", *folder,
+                                 fmt::join(begun.arguments, " "), program_name(),
+                                 begun.arguments.empty() ? "" : begun.arguments.front(), *folder));
+  }
+  if (words.size() > 2) {
+    throw InputError(
+        fmt::format("--resume goes on with what {} was begun with ('armtune {}'); '{}' cannot be changed, "
+                    "only {}",
+                    *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, " and ")));
+  }
+  std::error_code gone;  // on another machine there may be no such folder, nor need for it
+  fs::current_path(begun.working_folder, gone);
+  return all;
+}
+
+RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
+                     const std::vector<std::string>& inputs) {
+  RunHeader header;
+  header.arguments = command_words();
+  header.arguments.erase(header.arguments.begin());
+  cut(header.arguments, "--out");
+  for (const char* option : kFree) cut(header.arguments, option);
+  header.working_folder = fs::current_path().string();
+  header.identity = std::move(identity);
+  for (auto& version : versions()) header.identity.push_back(std::move(version));
+  for (auto& input : hashes(inputs)) header.identity.push_back(std::move(input));
+  return header;
+}
+
+std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
+                                      const RunHeader& header) {
+  if (resume.empty()) return Journal::begin(folder + kJournal, header);
+  std::string warning;
+  auto journal = Journal::resume(folder + kJournal, header, warning);
+  if (!warning.empty()) fmt::print(stderr, "armtune: warning: {}\n", warning);
+  return journal;
+}
+
+void discard_run(const std::string& folder) {
+  std::error_code ignored;
+  fs::remove(folder + kJournal, ignored);
+  fs::remove(folder, ignored);
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,31 @@
+#pragma once
+// --resume FOLDER: a run goes on where it was killed, with the arguments it was begun with.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tuner/journal/journal.hpp"
+
+namespace armtune::cli {
+
+/// The words of a command line, the program's name first. With --resume: the words that the folder's run was
+/// begun with, then --resume with that folder, then what may differ between the two (--workers); the working
+/// folder becomes the one that run was begun in, if it is still there. Throws InputError if the folder holds
+/// no journal, one of another command, or further words were given.
+std::vector<std::string> resumed_arguments(std::vector<std::string> words);
+
+/// Header of a new run's journal: this command line without --out and what may differ, and all that the
+/// results depend on: `identity` (of the command), versions, hashes of the input files.
+RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
+                     const std::vector<std::string>& inputs);
+
+/// Begins the journal in `folder`, or opens it to go on and says what it found. `resume`: the folder given
+/// there, or empty.
+std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
+                                      const RunHeader& header);
+
+/// Takes away the folder of a new run that ended before anything was finished.
+void discard_run(const std::string& folder);
+
+}  // namespace armtune::cli

@@ -1,0 +1,254 @@
+#include "tuner/journal/journal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/common/error.hpp"
+#include "sim/csv/text_file.hpp"
+#include "tuner/run/hash.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr std::size_t kDigits = 16;
+constexpr std::string_view kFormat = "armtune journal 1";
+constexpr std::string_view kHeaderEnd = "records";
+
+std::string line_of(std::string_view payload) {
+  return fmt::format("{:016x} {}\n", fnv1a(payload), payload);
+}
+
+/// The line without its checksum; nothing if that is not right.
+std::optional<std::string_view> payload_of(std::string_view line) {
+  if (line.size() <= kDigits || line[kDigits] != ' ') return std::nullopt;
+  const std::string_view payload = line.substr(kDigits + 1);
+  if (line.substr(0, kDigits) != fmt::format("{:016x}", fnv1a(payload))) return std::nullopt;
+  return payload;
+}
+
+/// Cuts the word before the first tab off the front.
+std::string_view first_word(std::string_view& rest) {
+  const std::size_t tab = rest.find('\t');
+  const std::string_view word = rest.substr(0, tab);
+  rest = tab == std::string_view::npos ? std::string_view() : rest.substr(tab + 1);
+  return word;
+}
+
+std::uint64_t number_in(std::string_view text) {
+  std::uint64_t number = 0;
+  const char* end = text.data() + text.size();
+  if (text.empty() || std::from_chars(text.data(), end, number).ptr != end) {
+    throw std::invalid_argument(fmt::format("'{}' is no number", text));
+  }
+  return number;
+}
+
+/// A journal line by line, with the place where each begins.
+class Lines {
+ public:
+  explicit Lines(const std::string& path) : file_(path, std::ios::binary) {
+    if (!file_) {
+      throw InputError(
+          path + ": cannot be read; only the folder of a run that has begun can be resumed: begin it anew");
+    }
+  }
+  /// False at the end. `whole`: the line has its end.
+  bool next() {
+    place_ += static_cast<long>(line_.size()) + (whole_ ? 1 : 0);
+    whole_ = false;
+    line_.clear();
+    if (!std::getline(file_, line_)) return false;
+    whole_ = !file_.eof();
+    ++number_;
+    return true;
+  }
+  const std::string& line() const { return line_; }
+  bool whole() const { return whole_; }
+  long place() const { return place_; }
+  long number() const { return number_; }
+
+ private:
+  std::ifstream file_;
+  std::string line_;
+  bool whole_ = false;
+  long place_ = 0;
+  long number_ = 0;
+};
+
+RunHeader read_header(Lines& lines, const std::string& path) {
+  RunHeader header;
+  bool first = true;
+  while (lines.next()) {
+    const auto payload = lines.whole() ? payload_of(lines.line()) : std::nullopt;
+    if (!payload && first) throw InputError(path + ": is no journal of armtune, or its beginning is damaged");
+    if (!payload) {
+      throw InputError(
+          fmt::format("{}:{}: the journal's header is damaged, so the run it belongs to is not known; "
+                      "begin it anew",
+                      path, lines.number()));
+    }
+    std::string_view rest = *payload;
+    const std::string_view kind = first_word(rest);
+    if (first) {
+      if (*payload != kFormat) {
+        throw InputError(fmt::format("{}: '{}' is not '{}': another version of armtune wrote it", path,
+                                     *payload, kFormat));
+      }
+      first = false;
+    } else if (kind == kHeaderEnd) {
+      return header;
+    } else if (kind == "argument") {
+      header.arguments.push_back(unescaped(rest));
+    } else if (kind == "folder") {
+      header.working_folder = unescaped(rest);
+    } else if (kind == "is") {
+      const std::string name = unescaped(first_word(rest));
+      header.identity.emplace_back(name, unescaped(rest));
+    }
+  }
+  throw InputError(path + ": ends within its header, so the run it belongs to is not known; begin it anew");
+}
+
+}  // namespace
+
+RunHeader read_run_header(const std::string& path) {
+  Lines lines(path);
+  return read_header(lines, path);
+}
+
+Journal::Journal(const std::string& path) : path_(path), file_(path, AppendFile::Open::kContinue) {}
+
+std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader& header) {
+  std::string text = line_of(kFormat);
+  for (const std::string& argument : header.arguments) text += line_of("argument\t" + escaped(argument));
+  text += line_of("folder\t" + escaped(header.working_folder));
+  for (const auto& [name, value] : header.identity) {
+    text += line_of("is\t" + escaped(name) + '\t' + escaped(value));
+  }
+  text += line_of(kHeaderEnd);
+  write_text_file(path, text);
+  std::unique_ptr<Journal> journal(new Journal(path));
+  journal->size_ = static_cast<long>(text.size());
+  return journal;
+}
+
+std::unique_ptr<Journal> Journal::resume(const std::string& path, const RunHeader& now,
+                                         std::string& warning) {
+  // Read once before it is opened to write, so that what is no journal is said to be none.
+  read_run_header(path);
+  std::unique_ptr<Journal> journal(new Journal(path));
+  warning = journal->read(now);
+  return journal;
+}
+
+std::string Journal::read(const RunHeader& now) {
+  Lines lines(path_);
+  const RunHeader was = read_header(lines, path_);
+  const std::string other = differences(was, now);
+  if (!other.empty()) {
+    throw InputError(
+        fmt::format("{}: cannot go on with another run than the one it was begun for: {}; put it "
+                    "back, or begin a run of its own with --out",
+                    path_, other));
+  }
+  long damaged = 0;  // number of the first damaged line, none yet
+  long damaged_place = 0;
+  long records = 0;
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(
+        fmt::format("{}:{}: record {} {}, and it is not the last one, which a kill could have torn: "
+                    "take the file from a backup, or begin the run anew",
+                    path_, damaged, records, what));
+  };
+  while (lines.next()) {
+    if (damaged != 0) refuse("is damaged (its checksum is wrong)");
+    const auto payload = lines.whole() ? payload_of(lines.line()) : std::nullopt;
+    if (!payload) {
+      damaged = lines.number();
+      damaged_place = lines.place();
+      continue;
+    }
+    try {
+      take(*payload, lines.place());
+    } catch (const std::invalid_argument& e) {
+      throw InputError(fmt::format("{}:{}: record {} {}; another version of armtune wrote it", path_,
+                                   lines.number(), records, e.what()));
+    }
+    ++records;
+  }
+  size_ = lines.place();
+  if (damaged == 0) return {};
+  file_.truncate(damaged_place);
+  const long cut = size_ - damaged_place;
+  size_ = damaged_place;
+  return fmt::format(
+      "{}:{}: the last record was torn, as a kill or a power cut does; its {} bytes were cut off, and "
+      "what it recorded is done again",
+      path_, damaged, cut);
+}
+
+void Journal::take(std::string_view payload, long place) {
+  std::string_view rest = payload;
+  const std::string_view kind = first_word(rest);
+  if (kind == "finished") {
+    const JournalRecord record = record_from_line(rest);
+    if (!places_.emplace(record.number, place).second) {
+      throw std::invalid_argument(fmt::format("gives number {} a second time", record.number));
+    }
+    seconds_ = std::max(seconds_, record.seconds);
+  } else if (kind == "time-up") {
+    time_was_up_ = number_in(rest);
+  } else if (kind == "complete") {
+    exit_code_ = static_cast<int>(number_in(rest));
+  } else {
+    throw std::invalid_argument(fmt::format("is of the unknown kind '{}'", kind));
+  }
+}
+
+std::optional<JournalRecord> Journal::find(std::uint64_t number) const {
+  const auto place = places_.find(number);
+  if (place == places_.end()) return std::nullopt;
+  std::ifstream file(path_, std::ios::binary);
+  file.seekg(place->second);
+  std::string line;
+  std::getline(file, line);
+  const auto payload = file.eof() ? std::nullopt : payload_of(line);
+  if (!payload) throw InputError(fmt::format("{}: was changed while the run went on", path_));
+  std::string_view rest = *payload;
+  first_word(rest);
+  return record_from_line(rest);
+}
+
+void Journal::write(const std::string& payload) {
+  const std::string line = line_of(payload);
+  try {
+    file_.append(line);
+  } catch (...) {  // half a line in the middle would be damage for whoever reads on
+    file_.truncate(size_);
+    throw;
+  }
+  size_ += static_cast<long>(line.size());
+}
+
+void Journal::append(const JournalRecord& record) {
+  const long place = size_;
+  write("finished\t" + to_line(record));
+  places_.emplace(record.number, place);
+  seconds_ = std::max(seconds_, record.seconds);
+}
+
+void Journal::time_is_up(std::uint64_t number) {
+  write(fmt::format("time-up\t{}", number));
+  time_was_up_ = number;
+}
+
+void Journal::complete(int exit_code) {
+  write(fmt::format("complete\t{}", exit_code));
+  exit_code_ = exit_code;
+}
+
+}  // namespace armtune

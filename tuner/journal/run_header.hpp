@@ -1,0 +1,20 @@
+#pragma once
+// What a run is, so that a resumed one is known to be the same.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace armtune {
+
+struct RunHeader {
+  std::vector<std::string> arguments;  ///< of the command line: the command and what makes its result
+  std::string working_folder;          ///< where relative paths of the arguments begin
+  /// Name and value of everything the results depend on; values may have several lines.
+  std::vector<std::pair<std::string, std::string>> identity;
+};
+
+/// What differs, for a person: "seed was 1, is 2; study was 'max_evaluations: 12', is ...". Empty if nothing.
+std::string differences(const RunHeader& was, const RunHeader& is);
+
+}  // namespace armtune
