@@ -5,10 +5,8 @@
 
 #include <Eigen/Core>
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <thread>
 
@@ -16,6 +14,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune {
 namespace {
@@ -25,16 +24,6 @@ namespace fs = std::filesystem;
 std::string utc(const char* format) {
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   return fmt::format(fmt::runtime(format), fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
-}
-
-/// FNV-1a, 64 bits: tells files apart, guards nothing.
-std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c) {
-    hash = (hash ^ static_cast<unsigned char>(*c)) * 1099511628211ULL;
-  }
-  return fmt::format("fnv1a-{:016x}", hash);
 }
 
 std::string processor() {
