@@ -14,6 +14,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune {
@@ -84,6 +85,8 @@ std::string run_yaml(const Provenance& p) {
     text += fmt::format("  {}: {}\n", library, yaml::quoted(version));
   text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", yaml::quoted(processor()),
                       std::thread::hardware_concurrency());
+  text += fmt::format("arithmetic:\n  level: {}\n  fingerprint: {}\n", arithmetic().level,
+                      arithmetic().fingerprint);
   text += "inputs:\n";
   const std::set<std::string> files(p.inputs.begin(), p.inputs.end());
   for (const std::string& file : files)
