@@ -9,6 +9,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune {
@@ -69,6 +70,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    // It costs a second start, which a bare --version or --help need not wait for.
+    if (argc > 1 && argv[1][0] != '-') armtune::fix_arithmetic(argv);
     return armtune::run(argc, argv);
   } catch (const armtune::InputError& e) {
     fmt::print(stderr, "armtune: {}\n", e.what());

@@ -9,6 +9,7 @@
 
 #include "core/common/error.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -76,6 +77,7 @@ RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
   header.working_folder = fs::current_path().string();
   header.identity = std::move(identity);
   for (auto& version : versions()) header.identity.push_back(std::move(version));
+  header.identity.emplace_back("arithmetic", arithmetic().fingerprint);
   for (auto& input : hashes(inputs)) header.identity.push_back(std::move(input));
   return header;
 }

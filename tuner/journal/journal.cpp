@@ -9,7 +9,7 @@
 
 #include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
-#include "tuner/run/hash.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune {
 namespace {
@@ -18,15 +18,21 @@ constexpr std::size_t kDigits = 16;
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
 
+std::string checksum(std::string_view payload) {
+  Fnv1a hash;
+  hash.add(payload);
+  return fmt::format("{:016x}", hash.value());
+}
+
 std::string line_of(std::string_view payload) {
-  return fmt::format("{:016x} {}\n", fnv1a(payload), payload);
+  return fmt::format("{} {}\n", checksum(payload), payload);
 }
 
 /// The line without its checksum; nothing if that is not right.
 std::optional<std::string_view> payload_of(std::string_view line) {
   if (line.size() <= kDigits || line[kDigits] != ' ') return std::nullopt;
   const std::string_view payload = line.substr(kDigits + 1);
-  if (line.substr(0, kDigits) != fmt::format("{:016x}", fnv1a(payload))) return std::nullopt;
+  if (line.substr(0, kDigits) != checksum(payload)) return std::nullopt;
   return payload;
 }
 

@@ -4,20 +4,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "sim/csv/cell.hpp"
 #include "tuner/robustness/statistics.hpp"
-#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 bool MonteCarloSample::keeps_all() const {
   return std::all_of(broken.begin(), broken.end(), [](const std::string& b) { return b.empty(); });
 }
 
+RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options) {
+  validate(options.perturbation);
+  RolloutPlan plan;
+  plan.scenarios = scenarios;
+  plan.stepper = options.stepper;
+  plan.draw = Draw{options.perturbation, options.seed};
+  return plan;
+}
+
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop) {
-  validate(options.perturbation);
+  Crew crew(monte_carlo_plan(scenarios, options), options.workers);
+  return monte_carlo(crew, gains, options, stop);
+}
+
+std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const MonteCarloOptions& options,
+                                          const std::atomic<bool>& stop) {
+  const std::vector<Scenario>& scenarios = crew.plan().scenarios;
   std::vector<MonteCarloSample> samples(options.samples);
   for (std::size_t k = 0; k < samples.size(); ++k) {
     samples[k].number = options.first + k;
@@ -25,26 +38,27 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
     samples[k].broken.resize(scenarios.size());
   }
   std::vector<std::size_t> done(samples.size(), 0);
-  std::mutex mutex;
   std::size_t rollouts = 0;
   std::size_t reported = 0;
   const std::size_t jobs = samples.size() * scenarios.size();
-  parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
-    const std::size_t k = job / scenarios.size();
-    const std::size_t s = job % scenarios.size();
-    const Scenario arm = perturbed(scenarios[s], options.perturbation, options.seed, samples[k].number);
-    RolloutResult result =
-        Rollout(arm, options.stepper).run(gains, [&stop](const Observation&) { return !stop; });
-    const std::lock_guard lock(mutex);
-    if (result.status == RolloutStatus::kInterrupted) return;
-    samples[k].broken[s] = broken_limit(result, options.limits, scenarios[s]);
-    samples[k].results[s] = std::move(result);
-    ++done[k];
-    for (; options.finished && reported < samples.size() && done[reported] == scenarios.size(); ++reported) {
-      options.finished(samples[reported]);
-    }
-    if (options.progress) options.progress(++rollouts, jobs);
-  });
+  crew.run(
+      jobs,
+      [&](std::size_t job) {
+        return RolloutJob{job % scenarios.size(), samples[job / scenarios.size()].number, gains};
+      },
+      stop,
+      [&](std::size_t job, RolloutResult&& result) {
+        const std::size_t k = job / scenarios.size();
+        const std::size_t s = job % scenarios.size();
+        samples[k].broken[s] = broken_limit(result, options.limits, scenarios[s]);
+        samples[k].results[s] = std::move(result);
+        ++done[k];
+        for (; options.finished && reported < samples.size() && done[reported] == scenarios.size();
+             ++reported) {
+          options.finished(samples[reported]);
+        }
+        if (options.progress) options.progress(++rollouts, jobs);
+      });
   std::vector<MonteCarloSample> whole;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if (done[k] == scenarios.size()) whole.push_back(std::move(samples[k]));

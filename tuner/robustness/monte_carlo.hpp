@@ -7,6 +7,7 @@
 
 #include "sim/scenario/perturbation.hpp"
 #include "tuner/robustness/limits.hpp"
+#include "tuner/work/crew.hpp"
 
 namespace armtune {
 
@@ -33,10 +34,16 @@ struct MonteCarloOptions {
   std::function<void(const MonteCarloSample&)> finished;
 };
 
+/// What its workers have to know. Throws InputError if the perturbation is not valid.
+RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options);
+
 /// Samples in the order of their numbers; those that were not done when `stop` became true are missing. A
 /// sample is a function of scenarios, gains, perturbation, seed and its number alone.
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
+/// The same with workers of that plan: the options' own number of them does not count.
+std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const MonteCarloOptions& options,
+                                          const std::atomic<bool>& stop);
 
 /// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric.
 /// Numbers read back to the same bits.

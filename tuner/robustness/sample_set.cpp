@@ -15,17 +15,6 @@ std::span<const char* const> risk_measure_names() {
   return names;
 }
 
-std::vector<Scenario> drawn(const std::vector<Scenario>& scenarios, const SampleSet& set) {
-  std::vector<Scenario> all;
-  all.reserve(scenarios.size() * set.samples);
-  for (const Scenario& scenario : scenarios) {
-    for (std::size_t k = 0; k < set.samples; ++k) {
-      all.push_back(perturbed(scenario, set.perturbation, set.seed, k));
-    }
-  }
-  return all;
-}
-
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values) {
   if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) return NAN;
   if (set.measure == RiskMeasure::kMean) {

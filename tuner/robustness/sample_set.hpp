@@ -30,9 +30,6 @@ struct SampleSet {
   Perturbation perturbation;
 };
 
-/// Every scenario as each sample's arm meets it: scenario s of sample k at s * samples + k.
-std::vector<Scenario> drawn(const std::vector<Scenario>& scenarios, const SampleSet& set);
-
 /// The measure of the values (at least one); NaN if any is: an arm that gave no value is not one that did
 /// well.
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values);

@@ -5,10 +5,8 @@
 
 #include <Eigen/Core>
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <thread>
 
@@ -16,7 +14,8 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
-#include "tuner/run/hash.hpp"
+#include "tuner/run/arithmetic.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune {
 namespace {
@@ -26,12 +25,6 @@ namespace fs = std::filesystem;
 std::string utc(const char* format) {
   const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
   return fmt::format(fmt::runtime(format), fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
-}
-
-std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  return fmt::format("fnv1a-{:016x}", fnv1a(text));
 }
 
 std::string processor() {
@@ -100,6 +93,8 @@ std::string run_yaml(const Provenance& p) {
     text += fmt::format("  {}: {}\n", library, yaml::quoted(version));
   text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", yaml::quoted(processor()),
                       std::thread::hardware_concurrency());
+  text += fmt::format("arithmetic:\n  level: {}\n  fingerprint: {}\n", arithmetic().level,
+                      arithmetic().fingerprint);
   text += "inputs:\n";
   for (const auto& [file, hash] : hashes(p.inputs))
     text += fmt::format("  {}: {}\n", yaml::quoted(file), hash);

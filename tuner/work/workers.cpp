@@ -1,32 +1,30 @@
 #include "tuner/work/workers.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
-
-#include "tuner/work/parallel.hpp"
 
 namespace armtune {
 
-Workers::Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
-                 std::optional<SampleSet> samples)
-    : samples_(std::move(samples)),
-      scenarios_(samples_ ? drawn(scenarios, *samples_) : scenarios),
-      stepper_(stepper),
-      longest_first_(scenarios_.size()) {
-  for (int w = 0; w < count; ++w) rollouts_.emplace_back(scenarios_.size());
-  std::iota(longest_first_.begin(), longest_first_.end(), std::size_t{0});
-  std::stable_sort(longest_first_.begin(), longest_first_.end(), [this](std::size_t a, std::size_t b) {
-    return scenarios_[a].periods() > scenarios_[b].periods();
-  });
+RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
+                    const std::optional<SampleSet>& samples) {
+  RolloutPlan plan;
+  plan.scenarios = scenarios;
+  plan.stepper = stepper;
+  if (samples) plan.draw = Draw{samples->perturbation, samples->seed};
+  return plan;
 }
 
-Workers::~Workers() = default;
+Workers::Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
+                 std::optional<SampleSet> samples)
+    : Workers(std::make_unique<Crew>(plan_of(scenarios, stepper, samples), count), samples) {}
 
-Rollout& Workers::rollout(std::size_t worker, std::size_t scenario) {
-  auto& slot = rollouts_[worker][scenario];
-  if (!slot) slot = std::make_unique<Rollout>(scenarios_[scenario], stepper_);
-  return *slot;
+Workers::Workers(std::unique_ptr<Crew> crew, std::optional<SampleSet> samples)
+    : crew_(std::move(crew)), samples_(std::move(samples)), longest_first_(crew_->plan().scenarios.size()) {
+  const auto& scenarios = crew_->plan().scenarios;
+  std::iota(longest_first_.begin(), longest_first_.end(), std::size_t{0});
+  std::stable_sort(longest_first_.begin(), longest_first_.end(), [&scenarios](std::size_t a, std::size_t b) {
+    return scenarios[a].periods() > scenarios[b].periods();
+  });
 }
 
 std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) const {
@@ -41,27 +39,25 @@ std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) con
 std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
                                                                     const std::atomic<bool>& stop,
                                                                     const Finished& finished) {
-  std::vector<std::vector<RolloutResult>> results(candidates.size(),
-                                                  std::vector<RolloutResult>(scenarios_.size()));
-  std::vector<std::size_t> left(candidates.size(), scenarios_.size());
-  std::mutex mutex;
+  const std::size_t each = longest_first_.size() * samples();
+  std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
+  std::vector<std::size_t> left(candidates.size(), each);
   // All candidates of the longest scenario first: short rollouts fill the gaps at the end.
-  parallel_for(candidates.size() * scenarios_.size(), count(), stop,
-               [&](std::size_t worker, std::size_t job) {
-                 const std::size_t scenario = longest_first_[job / candidates.size()];
-                 const std::size_t candidate = job % candidates.size();
-                 RolloutResult result =
-                     rollout(worker, scenario).run(candidates[candidate], [&stop](const Observation&) {
-                       return !stop;
-                     });
-                 ++done_;
-                 const std::lock_guard lock(mutex);
-                 const bool whole = result.status != RolloutStatus::kInterrupted;
-                 results[candidate][scenario] = std::move(result);
-                 if (!whole || --left[candidate] > 0) return;
-                 results[candidate] = fold(std::move(results[candidate]));
-                 if (finished) finished(candidate, results[candidate]);
-               });
+  const auto scenario_of = [&](std::size_t i) { return longest_first_[i / candidates.size() / samples()]; };
+  const auto sample_of = [&](std::size_t i) { return i / candidates.size() % samples(); };
+  crew_->run(
+      candidates.size() * each,
+      [&](std::size_t i) {
+        return RolloutJob{scenario_of(i), sample_of(i), candidates[i % candidates.size()]};
+      },
+      stop,
+      [&](std::size_t i, RolloutResult&& result) {
+        const std::size_t candidate = i % candidates.size();
+        results[candidate][scenario_of(i) * samples() + sample_of(i)] = std::move(result);
+        if (--left[candidate] > 0) return;
+        results[candidate] = fold(std::move(results[candidate]));
+        if (finished) finished(candidate, results[candidate]);
+      });
   if (stop) return std::nullopt;
   return results;
 }

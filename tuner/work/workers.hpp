@@ -1,6 +1,6 @@
 #pragma once
-// Rollouts in parallel. The unit of work is one rollout; every worker has plants of its own, so results do
-// not depend on the number of workers.
+// Candidates in parallel. The unit of work is one rollout; every worker has plants of its own, so results do
+// not depend on the number of workers, nor on where they are.
 
 #include <atomic>
 #include <functional>
@@ -9,10 +9,14 @@
 #include <span>
 #include <vector>
 
-#include "sim/rollout/rollout.hpp"
 #include "tuner/robustness/sample_set.hpp"
+#include "tuner/work/crew.hpp"
 
 namespace armtune {
+
+/// Scenarios as they are, or as each arm of a sample set meets them.
+RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
+                    const std::optional<SampleSet>& samples);
 
 class Workers {
  public:
@@ -20,10 +24,11 @@ class Workers {
   /// folded to one per scenario.
   Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
           std::optional<SampleSet> samples = std::nullopt);
-  ~Workers();
+  /// crew: of the plan_of these samples.
+  Workers(std::unique_ptr<Crew> crew, std::optional<SampleSet> samples);
 
-  int count() const { return static_cast<int>(rollouts_.size()); }
-  long rollouts_done() const { return done_; }
+  int count() const { return crew_->count(); }
+  long rollouts_done() const { return crew_->rollouts_done(); }
 
   /// Called once per candidate, as soon as all its scenarios are done: in any order, one call at a time, from
   /// any thread.
@@ -38,15 +43,11 @@ class Workers {
  private:
   /// One result per scenario as given.
   std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
-  Rollout& rollout(std::size_t worker, std::size_t scenario);
+  std::size_t samples() const { return samples_ ? samples_->samples : 1; }
 
+  std::unique_ptr<Crew> crew_;
   std::optional<SampleSet> samples_;
-  std::vector<Scenario>
-      scenarios_;  ///< as they are run: with samples, scenario s of sample k at s * samples + k
-  Stepper stepper_;
-  std::vector<std::vector<std::unique_ptr<Rollout>>> rollouts_;  ///< [worker][scenario], made when first used
-  std::vector<std::size_t> longest_first_;
-  std::atomic<long> done_{0};
+  std::vector<std::size_t> longest_first_;  ///< scenarios
 };
 
 }  // namespace armtune

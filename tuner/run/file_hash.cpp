@@ -1,0 +1,21 @@
+#include "tuner/run/file_hash.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace armtune {
+
+std::string Fnv1a::text() const {
+  return fmt::format("fnv1a-{:016x}", hash_);
+}
+
+std::string hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  Fnv1a hash;
+  for (std::istreambuf_iterator<char> c(file), end; c != end; ++c) hash.add(static_cast<unsigned char>(*c));
+  return hash.text();
+}
+
+}  // namespace armtune

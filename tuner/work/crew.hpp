@@ -1,0 +1,36 @@
+#pragma once
+// The workers of a plan, and the one way jobs are shared out to them.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "tuner/work/worker.hpp"
+
+namespace armtune {
+
+class Crew {
+ public:
+  /// `threads` (>= 1) workers in this process.
+  Crew(RolloutPlan plan, int threads);
+  /// Workers (at least one) made for that plan; each is called from one thread at a time.
+  Crew(std::shared_ptr<const RolloutPlan> plan, std::vector<std::unique_ptr<Worker>> workers);
+
+  const RolloutPlan& plan() const { return *plan_; }
+  int count() const { return static_cast<int>(workers_.size()); }
+  long rollouts_done() const { return done_; }
+
+  /// Runs job(0) .. job(count - 1), started in that order; `finished` gets each result that is whole, in any
+  /// order, one call at a time, from any thread. No job is started once `stop` is true, and those under way
+  /// are interrupted. The first exception ends the rest and is thrown again here.
+  void run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
+           const std::atomic<bool>& stop, const std::function<void(std::size_t, RolloutResult&&)>& finished);
+
+ private:
+  std::shared_ptr<const RolloutPlan> plan_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::atomic<long> done_{0};
+};
+
+}  // namespace armtune

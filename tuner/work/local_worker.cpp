@@ -1,0 +1,49 @@
+#include "tuner/work/local_worker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace armtune {
+
+Rollout& LocalWorker::rollout(std::size_t scenario, std::uint64_t sample) {
+  constexpr std::size_t kKept = 64;
+  ++uses_;
+  for (Ready& r : ready_) {
+    if (r.scenario != scenario || r.sample != sample) continue;
+    r.used = uses_;
+    return *r.rollout;
+  }
+  if (ready_.size() == kKept) {
+    ready_.erase(std::min_element(ready_.begin(), ready_.end(),
+                                  [](const Ready& a, const Ready& b) { return a.used < b.used; }));
+  }
+  ready_.push_back(
+      {scenario, sample, uses_, std::make_unique<Rollout>(arm_of(plan_, scenario, sample), plan_.stepper)});
+  return *ready_.back().rollout;
+}
+
+RolloutResult LocalWorker::run(const RolloutJob& job, const std::atomic<bool>& stop) {
+  return run_until(job, [&stop] { return stop.load(); });
+}
+
+RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<bool()>& stop) {
+  using Clock = std::chrono::steady_clock;
+  const auto began = Clock::now();
+  const Scenario& scenario = plan_.scenarios[job.scenario];
+  const std::chrono::duration<double> deadline(deadline_of(plan_, scenario));
+  return rollout(job.scenario, job.sample).run(job.gains, [&](const Observation& o) {
+    if (Clock::now() - began > deadline) {
+      throw std::runtime_error(fmt::format(
+          "{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s; allow "
+          "more with --rollout-deadline, or find out what slows it down",
+          scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", o.time, scenario.duration,
+          deadline.count()));
+    }
+    return !stop();
+  });
+}
+
+}  // namespace armtune

@@ -1,0 +1,50 @@
+#include "tuner/work/rollout_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "tuner/run/file_hash.hpp"
+
+namespace armtune {
+
+double deadline_of(const RolloutPlan& plan, const Scenario& scenario) {
+  constexpr double kAnyhow = 20.0;
+  constexpr double kPerSecond = 2.0;
+  return plan.deadline > 0.0 ? plan.deadline : kAnyhow + kPerSecond * scenario.duration;
+}
+
+Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample) {
+  const Scenario& own = plan.scenarios[scenario];
+  return plan.draw ? perturbed(own, plan.draw->perturbation, plan.draw->seed, sample) : own;
+}
+
+std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan) {
+  auto facts = plan.facts;
+  facts.emplace_back("number of scenarios", fmt::format("{}", plan.scenarios.size()));
+  for (const Scenario& scenario : plan.scenarios) {
+    facts.emplace_back(fmt::format("duration and control period of {}", scenario.name),
+                       fmt::format("{} s, {} s", scenario.duration, scenario.control_period));
+    const std::set<std::string> files(scenario.inputs.begin(), scenario.inputs.end());
+    for (const std::string& file : files) {
+      // Folders may differ from machine to machine, contents may not.
+      facts.emplace_back(
+          fmt::format("{} of {}", std::filesystem::path(file).filename().string(), scenario.name),
+          hash_of_file(file));
+    }
+  }
+  facts.emplace_back("stepper", name(plan.stepper));
+  facts.emplace_back("rollout deadline", fmt::format("{}", plan.deadline));
+  facts.emplace_back("seed of the arms",
+                     plan.draw ? fmt::format("{}", plan.draw->seed) : "no arms are drawn");
+  if (plan.draw) {
+    for (const PerturbationField& field : perturbation_fields()) {
+      facts.emplace_back(field.name, fmt::format("{}", plan.draw->perturbation.*field.width));
+    }
+    facts.emplace_back("phases", plan.draw->perturbation.phases ? "drawn" : "fixed");
+  }
+  return facts;
+}
+
+}  // namespace armtune

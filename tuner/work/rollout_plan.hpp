@@ -1,0 +1,49 @@
+#pragma once
+// What all workers of a run know before it begins, and the unit of work: one rollout.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/control/gains.hpp"
+#include "sim/plant/stepper.hpp"
+#include "sim/scenario/perturbation.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune {
+
+/// Arms drawn at random in place of the scenarios' own.
+struct Draw {
+  Perturbation perturbation;
+  std::uint64_t seed = 1;
+};
+
+struct RolloutPlan {
+  std::vector<Scenario> scenarios;
+  Stepper stepper = Stepper::kMidpoint;
+  std::optional<Draw> draw;
+  double deadline = 0.0;  ///< of one rollout, wall clock [s]; 0: by its simulated duration
+  /// What beside the scenarios has to be the same in every process, such as hashes of files: what, value.
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+
+struct RolloutJob {
+  std::size_t scenario = 0;  ///< index into the plan's
+  std::uint64_t sample = 0;  ///< number of the arm; 0 without a draw
+  Gains gains;
+};
+
+/// How long a rollout of the scenario may take [s of wall clock]: the plan's deadline, or 20 s and twice the
+/// simulated duration. Many times what any processor needs: it ends what would never end.
+double deadline_of(const RolloutPlan& plan, const Scenario& scenario);
+
+/// The scenario as the sample's arm meets it.
+Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample);
+
+/// Everything two processes must agree on to be workers of one run: what, value. Reads the input files, for
+/// their hashes.
+std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan);
+
+}  // namespace armtune
