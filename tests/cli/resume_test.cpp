@@ -107,6 +107,33 @@ TEST(Resume, AFrontKilledEndsAsIfItHadNotBeen) {
   expect_same_run(files / "whole", files / "killed", {"pareto.csv", "study.yaml", "points/001.yaml"});
 }
 
+TEST(Resume, SamplesOfAKilledRunAreNotDrawnAgain) {
+  const ShortStudy files;
+  const std::vector<std::string> begin = {"robustness",
+                                          files / "gains.yaml",
+                                          "--scenarios",
+                                          files / "short.yaml",
+                                          files / "short_realistic.yaml",
+                                          "--samples",
+                                          "9",
+                                          "--seed",
+                                          "4"};
+  auto with = [&begin](const std::string& folder) {
+    auto all = begin;
+    all.insert(all.end(), {"--out", folder});
+    return all;
+  };
+  ASSERT_EQ(run_program(with(files / "whole")).exit_code, 0);
+  run_and_kill(with(files / "killed"), files / "killed/journal.txt", 4);
+  const Finished ended = run_program({"robustness", "--resume", files / "killed"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("goes on behind "));
+  for (const char* file : {"/samples.csv", "/summary.csv"}) {
+    EXPECT_EQ(test::read_text(files / "whole" + file), test::read_text(files / "killed" + file)) << file;
+  }
+  EXPECT_EQ(finished_in(files / "killed/journal.txt"), 9U);
+}
+
 TEST(Resume, RefusesWhatIsNotTheSameRun) {
   const ShortStudy files;
   run_and_kill({"tune", files.path(), "--no-analysis", "--out", files / "run"}, files / "run/journal.txt", 2);

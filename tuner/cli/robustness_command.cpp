@@ -10,10 +10,12 @@
 #include <optional>
 
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/resume.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
 #include "tuner/run/append_file.hpp"
@@ -28,6 +30,7 @@ struct Arguments {
   std::vector<std::string> scenarios;
   std::vector<std::string> limits;
   std::string folder;
+  std::string resume;  ///< the folder of the run to go on with
   std::string stepper = "midpoint";
   long only = -1;
   long seed = 1;
@@ -74,6 +77,26 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
   }
 }
 
+RunHeader header_of(const std::vector<Scenario>& scenarios, const Gains& gains,
+                    const MonteCarloOptions& options) {
+  std::vector<std::string> inputs;
+  add_inputs(scenarios, inputs);
+  std::string uncertainty;
+  for (const PerturbationField& f : perturbation_fields()) {
+    uncertainty += fmt::format("{}: {}\n", f.name, options.perturbation.*f.width);
+  }
+  uncertainty += fmt::format("phases: {}\n", options.perturbation.phases);
+  std::string limits;
+  for (const MetricLimit& limit : options.limits) limits += to_string(limit) + '\n';
+  return run_header({{"seed", fmt::format("{}", options.seed)},
+                     {"samples", fmt::format("{}", options.samples)},
+                     {"uncertainty", uncertainty},
+                     {"limits", limits},
+                     {"stepper", name(options.stepper)},
+                     {"gains", gains_yaml(gains, {})}},
+                    inputs);
+}
+
 int run(Arguments args) {
   MonteCarloOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
@@ -88,8 +111,23 @@ int run(Arguments args) {
       scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
   const GainSet set = load_gain_set(args.set, scenarios);
   validate(options.perturbation);
+  const bool resumed = !args.resume.empty();
+  if (resumed) args.folder = args.resume;
   if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
-  if (!args.folder.empty()) make_run_folder(args.folder);
+  std::unique_ptr<Journal> journal;
+  if (!args.folder.empty()) {
+    if (!resumed) make_run_folder(args.folder);
+    journal = open_journal(args.folder, args.resume, header_of(scenarios, set.gains, options));
+    if (journal->exit_code()) {
+      fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
+      return *journal->exit_code();
+    }
+    if (resumed) fmt::print("goes on behind {} finished samples\n", journal->records());
+    options.known = [&journal](std::uint64_t number) {
+      auto record = journal->find(number);
+      return record ? std::optional(std::move(record->results)) : std::nullopt;
+    };
+  }
 
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [began] {
@@ -102,12 +140,20 @@ int run(Arguments args) {
   };
   std::optional<AppendFile> rows;
   if (!args.folder.empty()) {
-    rows.emplace(args.folder + "/samples.csv");
-    rows->append(samples_header());
-    options.finished = [&](const MonteCarloSample& sample) { rows->append(sample_rows(scenarios, sample)); };
+    rows.emplace(args.folder + "/samples.csv", AppendFile::Open::kReplace);
+    rows->append(samples_header(), false);
+    options.finished = [&](const MonteCarloSample& sample) {
+      rows->append(sample_rows(scenarios, sample), false);
+    };
+    const double before = journal->seconds();
+    options.whole = [&, before](const MonteCarloSample& sample) {
+      journal->append({sample.number, "sample", before + seconds(), {}, sample.results});
+      rows->publish();
+    };
   }
   const auto samples = monte_carlo(scenarios, set.gains, options, stop_requested());
   line.clear();
+  if (rows) rows->publish();
   if (!samples.empty()) {
     print_yield(scenarios, samples, options.limits);
     print_spreads(scenarios, samples);
@@ -124,6 +170,11 @@ int run(Arguments args) {
     p.extra = {{"samples", fmt::format("{}", samples.size())}, {"stepper", args.stepper}};
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
     fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml\n", args.folder);
+    if (stop_requested()) {
+      fmt::print("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder);
+    } else {
+      journal->complete(kDone);
+    }
   }
   return stop_requested() ? kInterrupted : kDone;
 }
@@ -166,6 +217,10 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->folder,
                       "new folder for samples.csv, summary.csv and run.yaml (default: "
                       "runs/robustness_<time>; with --sample none)");
+  command->add_option(
+      "--resume", args->resume,
+      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
+      "been; everything but --workers is as it was begun");
   command->add_option("--workers", args->options.workers, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

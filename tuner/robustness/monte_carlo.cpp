@@ -32,31 +32,45 @@ std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const 
                                           const std::atomic<bool>& stop) {
   const std::vector<Scenario>& scenarios = crew.plan().scenarios;
   std::vector<MonteCarloSample> samples(options.samples);
+  std::vector<std::size_t> done(samples.size(), 0);
+  std::vector<std::size_t> missing;
+  const auto judge = [&](std::size_t k, std::size_t s) {
+    samples[k].broken[s] = broken_limit(samples[k].results[s], options.limits, scenarios[s]);
+  };
   for (std::size_t k = 0; k < samples.size(); ++k) {
     samples[k].number = options.first + k;
     samples[k].results.resize(scenarios.size());
     samples[k].broken.resize(scenarios.size());
+    if (auto known = options.known ? options.known(samples[k].number) : std::nullopt) {
+      samples[k].results = std::move(*known);
+      for (std::size_t s = 0; s < scenarios.size(); ++s) judge(k, s);
+      done[k] = scenarios.size();
+    } else {
+      missing.push_back(k);
+    }
   }
-  std::vector<std::size_t> done(samples.size(), 0);
-  std::size_t rollouts = 0;
   std::size_t reported = 0;
-  const std::size_t jobs = samples.size() * scenarios.size();
+  const auto report = [&] {
+    for (; options.finished && reported < samples.size() && done[reported] == scenarios.size(); ++reported) {
+      options.finished(samples[reported]);
+    }
+  };
+  report();
+  std::size_t rollouts = 0;
+  const std::size_t jobs = missing.size() * scenarios.size();
   crew.run(
       jobs,
       [&](std::size_t job) {
-        return RolloutJob{job % scenarios.size(), samples[job / scenarios.size()].number, gains};
+        return RolloutJob{job % scenarios.size(), samples[missing[job / scenarios.size()]].number, gains};
       },
       stop,
       [&](std::size_t job, RolloutResult&& result) {
-        const std::size_t k = job / scenarios.size();
+        const std::size_t k = missing[job / scenarios.size()];
         const std::size_t s = job % scenarios.size();
-        samples[k].broken[s] = broken_limit(result, options.limits, scenarios[s]);
         samples[k].results[s] = std::move(result);
-        ++done[k];
-        for (; options.finished && reported < samples.size() && done[reported] == scenarios.size();
-             ++reported) {
-          options.finished(samples[reported]);
-        }
+        judge(k, s);
+        if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);
+        report();
         if (options.progress) options.progress(++rollouts, jobs);
       });
   std::vector<MonteCarloSample> whole;

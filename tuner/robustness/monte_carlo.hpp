@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "sim/scenario/perturbation.hpp"
@@ -29,6 +30,10 @@ struct MonteCarloOptions {
   Stepper stepper = Stepper::kMidpoint;
   int workers = 1;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
+  /// Results per scenario of a sample that an earlier session finished, or nothing; may be empty.
+  std::function<std::optional<std::vector<RolloutResult>>(std::uint64_t number)> known;
+  /// Each whole sample that was not known, as soon as it is whole, in any order. One call at a time.
+  std::function<void(const MonteCarloSample&)> whole;
   /// Each whole sample, in the order of their numbers, as soon as all before it are whole too. One call at a
   /// time.
   std::function<void(const MonteCarloSample&)> finished;
