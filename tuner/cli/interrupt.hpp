@@ -9,13 +9,15 @@ namespace armtune::cli {
 /// True once the user asked to stop. The first signal is polite; a second one ends the program at once.
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
+/// Of a process that another one tells when to stop.
+void ignore_interrupts();
 
 /// The command line as typed, for provenance.
 std::string& command_line();
 /// Its first word, to name the program in advice.
 std::string program_name();
 
-/// Threads to use when the user says nothing: one per processor.
+/// Threads to use when the user says nothing: one per processor; one among ranks.
 int default_workers();
 
 }  // namespace armtune::cli

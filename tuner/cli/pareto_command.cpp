@@ -13,10 +13,12 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -29,6 +31,7 @@ struct Arguments {
   long seed = -1;
   std::string folder;
   int workers = default_workers();
+  double deadline = 0.0;
 };
 
 ParetoOptions options_of(const Arguments& args, const Study& study) {
@@ -84,18 +87,19 @@ std::vector<ExtraColumn> criteria_columns(const Study& study, const ParetoOption
   return columns;
 }
 
-int run(Arguments args) {
+int run(Arguments args, Team& team) {
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
   Study study = load_study(args.study);
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const ParetoOptions options = options_of(args, study);
   if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
   refuse_used_folder(args.folder);
 
-  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers workers(team.crew(), study.robust);
   std::optional<EvaluationsFile> journal;
   std::optional<Objective> objective;
   ProgressLine line;
@@ -133,7 +137,7 @@ int run(Arguments args) {
   // First as the search saw it: whatever becomes of the rest, the front is there.
   write_front(study, options, result, args.folder);
   line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
-  Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers fresh(team.crew(), study.robust);
   const bool verified =
       !result.interrupted && verify(study, *objective, options, result, fresh, stop_requested());
   line.clear();
@@ -146,7 +150,7 @@ int run(Arguments args) {
   p.inputs = {study.source, study.gains};
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
-  p.workers = args.workers;
+  p.workers = workers.count();
   p.wall_seconds = seconds();
   p.extra = {{"study", shown_path(study.source)},
              {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
@@ -190,15 +194,17 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
       ->check(CLI::Range(0L, 1000000000000L));
   command->add_option("--out", args->folder, "new folder (default: runs/pareto_<study>_<time>)");
-  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+  command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "The study's constraints hold for every point. The front ends where a criterion cannot fall further "
       "without "
       "another one being worse than with the start gains.\n\nExample:\n  armtune pareto ur10_gaze --criteria "
       "gaze/rms joint_velocity/max_ratio effort_rate/rms --levels 5\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli

@@ -13,11 +13,13 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
 #include "tuner/run/append_file.hpp"
 #include "tuner/run/comparison.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -31,6 +33,7 @@ struct Arguments {
   std::string stepper = "midpoint";
   long only = -1;
   long seed = 1;
+  double deadline = 0.0;
   MonteCarloOptions options;
 };
 
@@ -74,7 +77,7 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
   }
 }
 
-int run(Arguments args) {
+int run(Arguments args, Team& team) {
   MonteCarloOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
   options.seed = static_cast<std::uint64_t>(args.seed);
@@ -87,7 +90,11 @@ int run(Arguments args) {
   const std::vector<Scenario> scenarios =
       scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
   const GainSet set = load_gain_set(args.set, scenarios);
-  validate(options.perturbation);
+  RolloutPlan plan = monte_carlo_plan(scenarios, options);
+  plan.deadline = args.deadline;
+  plan.facts = {{"gains", hash_of_file(set.path)}};
+  if (!team.begin(std::move(plan), options.workers)) return kDone;
+  const auto crew = team.crew();
   if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
   if (!args.folder.empty()) make_run_folder(args.folder);
 
@@ -106,7 +113,7 @@ int run(Arguments args) {
     rows->append(samples_header());
     options.finished = [&](const MonteCarloSample& sample) { rows->append(sample_rows(scenarios, sample)); };
   }
-  const auto samples = monte_carlo(scenarios, set.gains, options, stop_requested());
+  const auto samples = monte_carlo(*crew, set.gains, options, stop_requested());
   line.clear();
   if (!samples.empty()) {
     print_yield(scenarios, samples, options.limits);
@@ -119,7 +126,7 @@ int run(Arguments args) {
     p.inputs = {set.path};
     add_inputs(scenarios, p.inputs);
     p.seed = options.seed;
-    p.workers = options.workers;
+    p.workers = crew->count();
     p.wall_seconds = seconds();
     p.extra = {{"samples", fmt::format("{}", samples.size())}, {"stepper", args.stepper}};
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
@@ -166,13 +173,15 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->folder,
                       "new folder for samples.csv, summary.csv and run.yaml (default: "
                       "runs/robustness_<time>; with --sample none)");
-  command->add_option("--workers", args->options.workers, "threads")
+  command->add_option("--workers", args->options.workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli

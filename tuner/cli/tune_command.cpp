@@ -13,6 +13,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/journal/evaluations_file.hpp"
@@ -36,6 +37,7 @@ struct Arguments {
   std::string study = "ur10_gaze";
   std::string folder;
   int workers = default_workers();
+  double deadline = 0.0;
   long max_evaluations = 0;
   long seed = -1;
   int record_every = 5;
@@ -87,9 +89,10 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
 
 /// Of a study on many arms: the measure of fresh rollouts of all of them, which has to be what the search
 /// saw, as robust_errors.csv and for the table.
-std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result, const Arguments& args) {
+std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result, const Arguments& args,
+                                       Team& team) {
   const std::atomic<bool> never{false};
-  Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers fresh(team.crew(), study.robust);
   const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never);
   std::vector<ComparedSet> sets = {{"start", {}}, {"tuned", {}}};
   for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -133,7 +136,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 }
 
 void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
-                   const Arguments& args, double seconds) {
+                   const Arguments& args, int workers, double seconds) {
   const std::string& folder = args.folder;
   write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
@@ -145,7 +148,7 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   p.inputs = {study.source, study.gains};
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
-  p.workers = args.workers;
+  p.workers = workers;
   p.wall_seconds = seconds;
   p.extra = {{"study", shown_path(study.source)},
              {"evaluations", fmt::format("{}", result.evaluations)},
@@ -225,13 +228,14 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   return true;
 }
 
-int run(Arguments args) {
+int run(Arguments args, Team& team) {
   const auto began = Clock::now();
   const Study study = load(args);
+  if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
   refuse_used_folder(args.folder);
 
-  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers workers(team.crew(), study.robust);
   std::unique_ptr<EvaluationsFile> journal;
   std::optional<Objective> objective;
   ProgressLine line;
@@ -270,10 +274,10 @@ int run(Arguments args) {
   line.show("fresh rollouts of the start and the tuned gains");
   const auto sets = verify(study, result, args);
   line.clear();
-  write_reports(study, result, sets, args, seconds_since(began));
+  write_reports(study, result, sets, args, workers.count(), seconds_since(began));
 
   if (study.robust) {
-    const auto robust = verify_robust(study, result, args);
+    const auto robust = verify_robust(study, result, args, team);
     fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
                robust_text(study), comparison_table(robust, headline_metrics()));
   }
@@ -322,9 +326,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
   command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
-  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+  command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command
       ->add_option("--max-evaluations", args->max_evaluations,
                    "budget, start and sweep included (default: the study's)")
@@ -338,7 +343,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
   command->footer(help_footer);
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli
