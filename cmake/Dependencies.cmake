@@ -23,6 +23,15 @@ if(ARMTUNE_IDENTIFICATION)
   target_link_libraries(SuiteSparse::spqr INTERFACE ${SPQR_LIBRARY} ${CHOLMOD_LIBRARY})
 endif()
 
+# Only the C interface: MPI::MPI_C.
+if(ARMTUNE_MPI)
+  enable_language(C)
+  find_package(MPI COMPONENTS C)
+  if(NOT MPI_C_FOUND)
+    message(FATAL_ERROR "No MPI found: install Open MPI (scripts/setup does), or build without with -DARMTUNE_MPI=OFF.")
+  endif()
+endif()
+
 # Debian has two CMake packages of that name; the C interface is in either.
 if(NOT TARGET NLopt::nlopt)
   add_library(NLopt::nlopt ALIAS NLopt::nlopt_cxx)

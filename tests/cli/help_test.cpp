@@ -34,6 +34,10 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
                                   HasSubstr("slerpDurationErrorGain"), HasSubstr("reacquisition/time"),
                                   HasSubstr("--max-evaluations"), HasSubstr("--seed")));
   EXPECT_THAT(help("robustness"), AllOf(HasSubstr("--payload"), HasSubstr("--limit"), HasSubstr("1000")));
+  for (const char* command : {"tune", "pareto", "robustness", "sensitivity"}) {
+    EXPECT_THAT(help(command), AllOf(HasSubstr("--rollout-deadline"), HasSubstr("every rank is one worker")))
+        << command;
+  }
   EXPECT_THAT(help("margins"), AllOf(HasSubstr("control_rate"), HasSubstr("1 % of the control periods"),
                                      HasSubstr("--limit"), HasSubstr("armtune margins extended_tuned")));
   EXPECT_THAT(help("compare"), AllOf(HasSubstr("--scenarios"), HasSubstr("midpoint")));
@@ -43,7 +47,7 @@ TEST(Help, VersionNamesTheLibraries) {
   const Finished version = run_program({"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, AllOf(HasSubstr("armtune 0."), HasSubstr("simbody 3."), HasSubstr("nlopt "),
-                                 HasSubstr("eigen 3."), HasSubstr("yaml_cpp ")));
+                                 HasSubstr("eigen 3."), HasSubstr("yaml_cpp "), HasSubstr("open_mpi ")));
 }
 
 TEST(Help, WrongUsageEndsWithTwo) {

@@ -4,6 +4,8 @@
 #include <csignal>
 #include <thread>
 
+#include "tuner/work/transport.hpp"
+
 namespace armtune::cli {
 namespace {
 
@@ -29,6 +31,11 @@ void catch_interrupts() {
   std::signal(SIGTERM, on_signal);
 }
 
+void ignore_interrupts() {
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+}
+
 std::vector<std::string>& command_words() {
   static std::vector<std::string> words;
   return words;
@@ -44,6 +51,7 @@ std::string program_name() {
 }
 
 int default_workers() {
+  if (rank_place().size > 1) return 1;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -10,6 +10,8 @@ namespace armtune::cli {
 /// True once the user asked to stop. The first signal is polite; a second one ends the program at once.
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
+/// Of a process that another one tells when to stop.
+void ignore_interrupts();
 
 /// The words of the command line, for provenance; of a resumed run those it was begun with.
 std::vector<std::string>& command_words();
@@ -18,7 +20,7 @@ std::string& command_line();
 /// Its first word, to name the program in advice.
 std::string program_name();
 
-/// Threads to use when the user says nothing: one per processor.
+/// Threads to use when the user says nothing: one per processor; one among ranks.
 int default_workers();
 
 }  // namespace armtune::cli

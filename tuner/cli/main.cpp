@@ -5,9 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/common/error.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -24,8 +24,10 @@ std::string version_text() {
 
 int run(int argc, char** argv) {
   cli::command_line() = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  const bool first = rank_place().rank == 0;
+  // Rank 0 decides when the others stop.
+  first ? cli::catch_interrupts() : cli::ignore_interrupts();
   cli::command_words() = cli::resumed_arguments({argv, argv + argc});
-  cli::catch_interrupts();
 
   CLI::App app{
       "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
@@ -51,15 +53,19 @@ int run(int argc, char** argv) {
   cli::add_identify_command(app, exit_code);
 #endif
   if (argc == 1) {
+    if (!first) return cli::kDone;
     fmt::print(stderr, "{}", app.help());
     return cli::kBadInput;
   }
+  // Before the command itself is called.
+  app.parse_complete_callback([&app] { cli::refuse_ranks(app.get_subcommands().front()->get_name()); });
   try {
     std::vector<const char*> words;
     words.reserve(cli::command_words().size());
     for (const std::string& word : cli::command_words()) words.push_back(word.c_str());
     app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& e) {
+    if (!first) return cli::kDone;
     return app.exit(e) == 0 ? cli::kDone : cli::kBadInput;
   }
   return exit_code;
@@ -73,11 +79,7 @@ int main(int argc, char** argv) {
     // It costs a second start, which a bare --version or --help need not wait for.
     if (argc > 1 && argv[1][0] != '-') armtune::fix_arithmetic(argv);
     return armtune::run(argc, argv);
-  } catch (const armtune::InputError& e) {
-    fmt::print(stderr, "armtune: {}\n", e.what());
-    return armtune::cli::kBadInput;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "armtune: failed: {}\n", e.what());
-    return armtune::cli::kFailed;
+  } catch (...) {
+    return armtune::cli::report(std::current_exception());
   }
 }

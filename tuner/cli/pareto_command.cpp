@@ -13,11 +13,13 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
+#include "tuner/work/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -31,6 +33,7 @@ struct Arguments {
   std::string folder;
   std::string resume;  ///< the folder of the run to go on with
   int workers = default_workers();
+  double deadline = 0.0;
 };
 
 ParetoOptions options_of(const Arguments& args, const Study& study) {
@@ -98,13 +101,14 @@ RunHeader header_of(const Study& study, const Arguments& args, const ParetoOptio
                     inputs);
 }
 
-int run(Arguments args) {
+int run(Arguments args, Team& team) {
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
   Study study = load_study(args.study);
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const ParetoOptions options = options_of(args, study);
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
@@ -115,7 +119,7 @@ int run(Arguments args) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
     return *journal->exit_code();
   }
-  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers workers(team.crew(), study.robust);
   std::optional<EvaluationsFile> evaluations;
   std::optional<Objective> objective;
   ProgressLine line;
@@ -166,7 +170,7 @@ int run(Arguments args) {
   // First as the search saw it: whatever becomes of the rest, the front is there.
   write_front(study, options, result, args.folder);
   line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
-  Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers fresh(team.crew(), study.robust);
   const bool verified =
       !result.interrupted && verify(study, *objective, options, result, fresh, stop_requested());
   line.clear();
@@ -179,7 +183,7 @@ int run(Arguments args) {
   p.inputs = {study.source, study.gains};
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
-  p.workers = args.workers;
+  p.workers = workers.count();
   p.wall_seconds = seconds();
   p.extra = {{"study", shown_path(study.source)},
              {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
@@ -231,16 +235,18 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->add_option(
       "--resume", args->resume,
       "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
-      "been; everything but --workers is as it was begun");
-  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+      "been; everything but --workers and --rollout-deadline is as it was begun");
+  command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "The study's constraints hold for every point. The front ends where a criterion cannot fall further "
       "without "
       "another one being worse than with the start gains.\n\nExample:\n  armtune pareto ur10_gaze --criteria "
       "gaze/rms joint_velocity/max_ratio effort_rate/rms --levels 5\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli

@@ -14,12 +14,14 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
 #include "tuner/run/append_file.hpp"
 #include "tuner/run/comparison.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -34,6 +36,7 @@ struct Arguments {
   std::string stepper = "midpoint";
   long only = -1;
   long seed = 1;
+  double deadline = 0.0;
   MonteCarloOptions options;
 };
 
@@ -97,7 +100,7 @@ RunHeader header_of(const std::vector<Scenario>& scenarios, const Gains& gains,
                     inputs);
 }
 
-int run(Arguments args) {
+int run(Arguments args, Team& team) {
   MonteCarloOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
   options.seed = static_cast<std::uint64_t>(args.seed);
@@ -110,7 +113,11 @@ int run(Arguments args) {
   const std::vector<Scenario> scenarios =
       scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
   const GainSet set = load_gain_set(args.set, scenarios);
-  validate(options.perturbation);
+  RolloutPlan plan = monte_carlo_plan(scenarios, options);
+  plan.deadline = args.deadline;
+  plan.facts = {{"gains", hash_of_file(set.path)}};
+  if (!team.begin(std::move(plan), options.workers)) return kDone;
+  const auto crew = team.crew();
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
@@ -151,7 +158,7 @@ int run(Arguments args) {
       rows->publish();
     };
   }
-  const auto samples = monte_carlo(scenarios, set.gains, options, stop_requested());
+  const auto samples = monte_carlo(*crew, set.gains, options, stop_requested());
   line.clear();
   if (rows) rows->publish();
   if (!samples.empty()) {
@@ -165,7 +172,7 @@ int run(Arguments args) {
     p.inputs = {set.path};
     add_inputs(scenarios, p.inputs);
     p.seed = options.seed;
-    p.workers = options.workers;
+    p.workers = crew->count();
     p.wall_seconds = seconds();
     p.extra = {{"samples", fmt::format("{}", samples.size())}, {"stepper", args.stepper}};
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
@@ -220,14 +227,16 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option(
       "--resume", args->resume,
       "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
-      "been; everything but --workers is as it was begun");
-  command->add_option("--workers", args->options.workers, "threads")
+      "been; everything but --workers and --rollout-deadline is as it was begun");
+  command->add_option("--workers", args->options.workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli

@@ -11,6 +11,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -23,18 +24,20 @@ struct Arguments {
   std::string run;
   std::string folder;
   int workers = default_workers();
+  double deadline = 0.0;
 };
 
-int run(const Arguments& args) {
+int run(const Arguments& args, Team& team) {
   const auto began = std::chrono::steady_clock::now();
   const Study study = load_study(args.run + "/study.yaml");
+  if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const std::string gains_path = args.run + "/gains.yaml";
   const Gains best = load_gains(gains_path, joint_names(*study.scenarios.front().robot));
   const std::string journal_path = args.run + "/evaluations.csv";
   const auto journal = read_evaluations(journal_path, study);
   if (!args.folder.empty()) make_run_folder(args.folder);
 
-  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers workers(team.crew(), study.robust);
   ProgressLine line;
   std::optional<Sensitivity> result;
   if (const auto start = simulate_points(study, {study.space.start_point()}, workers, stop_requested())) {
@@ -62,7 +65,7 @@ int run(const Arguments& args) {
   p.inputs = {study.source, study.gains, gains_path, journal_path};
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
-  p.workers = args.workers;
+  p.workers = workers.count();
   p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   write_text_file(args.folder + "/run.yaml", run_yaml(p));
   fmt::print(
@@ -82,9 +85,10 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
       "--out", args->folder,
       "new folder for sensitivity.csv and reduced_study.yaml, the study with the less important half "
       "of the gains fixed at their start");
-  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+  command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "importance  what the merit loses when this gain alone goes back to its start\n"
       "local       largest relative change of the merit for a step of 2 % of the gain's range\n"
@@ -92,7 +96,8 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
       "global      rank correlation of gain and merit over the run's evaluations\n"
       "merit       objective + penalty * relative violations, with the study's search/penalty\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli

@@ -13,6 +13,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
@@ -38,6 +39,7 @@ struct Arguments {
   std::string folder;
   std::string resume;  ///< the folder of the run to go on with
   int workers = default_workers();
+  double deadline = 0.0;
   long max_evaluations = 0;
   long seed = -1;
   int record_every = 5;
@@ -89,9 +91,10 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
 
 /// Of a study on many arms: the measure of fresh rollouts of all of them, which has to be what the search
 /// saw, as robust_errors.csv and for the table.
-std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result, const Arguments& args) {
+std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result, const Arguments& args,
+                                       Team& team) {
   const std::atomic<bool> never{false};
-  Workers fresh(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers fresh(team.crew(), study.robust);
   const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never);
   std::vector<ComparedSet> sets = {{"start", {}}, {"tuned", {}}};
   for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -135,7 +138,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 }
 
 void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
-                   const Arguments& args, double seconds) {
+                   const Arguments& args, int workers, double seconds) {
   const std::string& folder = args.folder;
   write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
@@ -147,7 +150,7 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   p.inputs = {study.source, study.gains};
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
-  p.workers = args.workers;
+  p.workers = workers;
   p.wall_seconds = seconds;
   p.extra = {{"study", shown_path(study.source)},
              {"evaluations", fmt::format("{}", result.evaluations)},
@@ -279,9 +282,10 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
   return result;
 }
 
-int run(Arguments args) {
+int run(Arguments args, Team& team) {
   const auto began = Clock::now();
   const Study study = load(args);
+  if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
@@ -291,7 +295,7 @@ int run(Arguments args) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
     return *journal->exit_code();
   }
-  Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
+  Workers workers(team.crew(), study.robust);
   std::optional<Objective> objective;
   TuneResult result;
   try {
@@ -310,10 +314,10 @@ int run(Arguments args) {
   line.show("fresh rollouts of the start and the tuned gains");
   const auto sets = verify(study, result, args);
   line.clear();
-  write_reports(study, result, sets, args, seconds_since(began));
+  write_reports(study, result, sets, args, workers.count(), seconds_since(began));
 
   if (study.robust) {
-    const auto robust = verify_robust(study, result, args);
+    const auto robust = verify_robust(study, result, args, team);
     fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
                robust_text(study), comparison_table(robust, headline_metrics()));
   }
@@ -368,10 +372,11 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option(
       "--resume", args->resume,
       "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
-      "been; everything but --workers is as it was begun");
-  command->add_option("--workers", args->workers, "threads; results do not depend on it")
+      "been; everything but --workers and --rollout-deadline is as it was begun");
+  command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command
       ->add_option("--max-evaluations", args->max_evaluations,
                    "budget, start and sweep included (default: the study's)")
@@ -385,7 +390,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
   command->footer(help_footer);
-  command->callback([args, &exit_code] { exit_code = run(*args); });
+  command->callback(
+      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }
 
 }  // namespace armtune::cli

@@ -12,7 +12,11 @@
 #include "tuner/run/file_hash.hpp"
 
 #if __has_include(<sys/platform/x86.h>)
+#ifdef __clang__
+#define _Bool bool  // the header is C's
+#endif
 #include <sys/platform/x86.h>
+#undef _Bool
 #define ARMTUNE_GLIBC_X86
 #endif
 

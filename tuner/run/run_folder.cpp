@@ -16,6 +16,7 @@
 #include "sim/yaml/quoted.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/work/transport.hpp"
 
 namespace armtune {
 namespace {
@@ -66,6 +67,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"suitesparse", ARMTUNE_SUITESPARSE_VERSION},
           {"urdfdom", ARMTUNE_URDFDOM_VERSION},
           {"yaml_cpp", ARMTUNE_YAML_VERSION},
+          {"open_mpi", mpi_version()},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
 }
 

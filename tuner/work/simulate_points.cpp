@@ -1,6 +1,15 @@
 #include "tuner/work/simulate_points.hpp"
 
+#include "tuner/run/file_hash.hpp"
+
 namespace armtune {
+
+RolloutPlan plan_of(const Study& study, double deadline) {
+  RolloutPlan plan = plan_of(study.scenarios, study.stepper, study.robust);
+  plan.deadline = deadline;
+  plan.facts = {{"study", hash_of_file(study.source)}, {"start gains", hash_of_file(study.gains)}};
+  return plan;
+}
 
 std::optional<std::vector<Evaluation>> simulate_points(
     const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,

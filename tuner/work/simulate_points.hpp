@@ -11,6 +11,9 @@
 
 namespace armtune {
 
+/// What workers of a study have to know. deadline: of one rollout [s], 0 for the default.
+RolloutPlan plan_of(const Study& study, double deadline);
+
 /// One evaluation per point, in order, with x, gains and results; still to be judged by an Objective. Nothing
 /// if `stop` became true before all were done.
 /// finished: once per point, as soon as it is whole: in any order, one call at a time, from any thread.

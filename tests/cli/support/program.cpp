@@ -32,9 +32,11 @@ std::string unique_path(const char* stream) {
 
 }  // namespace
 
-Program::Program(const std::vector<std::string>& arguments, const std::string& folder)
+Program::Program(const std::vector<std::string>& arguments, const std::string& folder,
+                 const std::vector<std::string>& launcher)
     : out_path_(unique_path("out")), err_path_(unique_path("err")) {
-  std::vector<std::string> all = {ARMTUNE_PROGRAM};
+  std::vector<std::string> all = launcher;
+  all.emplace_back(ARMTUNE_PROGRAM);
   all.insert(all.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& argument : all) pointers.push_back(argument.data());

@@ -15,8 +15,10 @@ struct Finished {
 /// A program under way. Its output goes to files, so that it never waits for a reader.
 class Program {
  public:
-  /// Arguments without the program's own name; `folder`: where it runs.
-  Program(const std::vector<std::string>& arguments, const std::string& folder);
+  /// Arguments without the program's own name; `folder`: where it runs. launcher: what starts it, by its
+  /// path, with arguments of its own; none: the program itself.
+  Program(const std::vector<std::string>& arguments, const std::string& folder,
+          const std::vector<std::string>& launcher = {});
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -24,6 +26,7 @@ class Program {
   void interrupt() const;  ///< SIGINT
   void kill() const;       ///< SIGKILL
   bool running();
+  int pid() const { return pid_; }
   Finished wait();
 
  private:

@@ -1,0 +1,122 @@
+#include "tuner/work/messages.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/control/gain_fields.hpp"
+#include "tests/sim/support/rollouts.hpp"
+#include "tuner/work/bytes.hpp"
+
+namespace armtune {
+namespace {
+
+/// Every number another one, switches away from their defaults.
+NumberedJob some_job() {
+  NumberedJob job{7, 3, {2, std::numeric_limits<std::uint64_t>::max(), {}}};
+  Gains& gains = job.job.gains;
+  double next = 0.1;
+  for (const GainField& field : gain_fields()) {
+    if (const auto* joints = std::get_if<JointVector Gains::*>(&field.member)) (gains.**joints).setZero(6);
+    if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) gains.** flag = !(gains.**flag);
+    for (double& value : numbers(gains, field)) value = next += 1.0 / 3.0;
+  }
+  gains.slerp_reference = SlerpReference::kCurrent;
+  return job;
+}
+
+RolloutResult some_result() {
+  RolloutResult result;
+  result.status = RolloutStatus::kDiverged;
+  result.end_time = 0.1 + 0.2;
+  result.reason = std::string("a\0b\n\xff", 5);
+  result.metrics.max_ratio_joint = "elbow_joint";
+  for (std::size_t m = 0; m < kMetricCount; ++m)
+    result.metrics.value[m] = std::exp(static_cast<double>(m) / 3.0);
+  result.metrics.value[0] = -0.0;
+  result.metrics.value[1] = std::bit_cast<double>(std::uint64_t{0xFFF4000000001234U});  // signalling NaN
+  result.metrics.value[2] = std::numeric_limits<double>::denorm_min();
+  result.metrics.value[3] = -std::numeric_limits<double>::infinity();
+  return result;
+}
+
+template <typename Read>
+void expect_only_the_whole_is_read(const std::string& message, Read&& read) {
+  EXPECT_NO_THROW(read(message));
+  for (std::size_t length = 0; length < message.size(); ++length) {
+    EXPECT_THROW(read(message.substr(0, length)), std::runtime_error) << length;
+  }
+  EXPECT_THROW(read(message + '\0'), std::runtime_error);
+}
+
+TEST(Bytes, ComeBackTheSameToTheBit) {
+  const std::uint64_t patterns[] = {0,
+                                    0x8000000000000000U,
+                                    0x7FF8000000000000U,
+                                    0xFFF8DEADBEEF0001U,
+                                    0x7FF0000000000001U,
+                                    std::bit_cast<std::uint64_t>(1.0 / 3.0),
+                                    std::numeric_limits<std::uint64_t>::max()};
+  ByteWriter writer;
+  for (const std::uint64_t pattern : patterns) writer.add(std::bit_cast<double>(pattern));
+  for (const std::uint64_t pattern : patterns) writer.add(pattern);
+  writer.add(std::string_view("text\0more", 9));
+  ByteReader reader(writer.bytes());
+  for (const std::uint64_t pattern : patterns)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(reader.number()), pattern);
+  for (const std::uint64_t pattern : patterns) EXPECT_EQ(reader.integer(), pattern);
+  EXPECT_EQ(reader.text(), std::string("text\0more", 9));
+  EXPECT_NO_THROW(reader.end());
+  EXPECT_THROW(reader.integer(), std::runtime_error);
+}
+
+TEST(Messages, AJobComesBackWithEveryGain) {
+  const NumberedJob sent = some_job();
+  const NumberedJob got = read_job(job_message(sent));
+  EXPECT_EQ(got.number, sent.number);
+  EXPECT_EQ(got.crew, sent.crew);
+  EXPECT_EQ(got.job.scenario, sent.job.scenario);
+  EXPECT_EQ(got.job.sample, sent.job.sample);
+  for (const GainField& field : gain_fields()) {
+    const auto a = numbers(sent.job.gains, field);
+    const auto b = numbers(got.job.gains, field);
+    EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end())) << field.name;
+    if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
+      EXPECT_EQ(got.job.gains.**flag, sent.job.gains.**flag) << field.name;
+    }
+  }
+  EXPECT_EQ(got.job.gains.slerp_reference, SlerpReference::kCurrent);
+  expect_only_the_whole_is_read(job_message(sent), read_job);
+}
+
+TEST(Messages, AResultComesBackBitByBit) {
+  const RolloutResult sent = some_result();
+  const auto [number, got] = read_result(result_message(11, sent));
+  EXPECT_EQ(number, 11U);
+  EXPECT_EQ(got.status, sent.status);
+  EXPECT_EQ(got.end_time, sent.end_time);
+  EXPECT_EQ(got.reason, sent.reason);
+  EXPECT_EQ(got.metrics.max_ratio_joint, sent.metrics.max_ratio_joint);
+  EXPECT_EQ(test::bits(got.metrics), test::bits(sent.metrics));
+  expect_only_the_whole_is_read(result_message(11, sent), read_result);
+}
+
+TEST(Messages, TheOthersComeBackAndAreToldApart) {
+  const Hello hello{"host", "no such file", {{"what", "value"}, {"", ""}}};
+  const Hello got = read_hello(hello_message(hello));
+  EXPECT_EQ(got.host, hello.host);
+  EXPECT_EQ(got.failure, hello.failure);
+  EXPECT_EQ(got.facts, hello.facts);
+  expect_only_the_whole_is_read(hello_message(hello), read_hello);
+  EXPECT_EQ(read_failure(failure_message(4, "why")), std::make_pair(std::uint64_t{4}, std::string("why")));
+  expect_only_the_whole_is_read(failure_message(4, "why"), read_failure);
+  expect_only_the_whole_is_read(stop_message(5), read_stop);
+  EXPECT_EQ(kind_of(plain_message(MessageKind::kBye)), MessageKind::kBye);
+  EXPECT_THROW(read_stop(failure_message(4, "why")), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace armtune

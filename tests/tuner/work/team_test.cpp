@@ -1,0 +1,210 @@
+// Ranks as threads of one process: everything but MPI itself.
+
+#include "tuner/work/team.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "core/common/error.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
+#include "tuner/work/workers.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr int kRanks = 3;
+
+/// Letter boxes, one per pair of ranks.
+struct Post {
+  std::mutex mutex;
+  std::array<std::array<std::deque<std::string>, kRanks>, kRanks> boxes;  ///< [to][from]
+};
+
+class PostTransport final : public Transport {
+ public:
+  PostTransport(std::shared_ptr<Post> post, int rank) : post_(std::move(post)), rank_(rank) {}
+  int rank() const override { return rank_; }
+  int size() const override { return kRanks; }
+  void send(int to, std::string message) override {
+    const std::lock_guard lock(post_->mutex);
+    box(to, rank_).push_back(std::move(message));
+  }
+  std::optional<std::string> receive(int from) override {
+    const std::lock_guard lock(post_->mutex);
+    auto& letters = box(rank_, from);
+    if (letters.empty()) return std::nullopt;
+    std::string first = std::move(letters.front());
+    letters.pop_front();
+    return first;
+  }
+  void end() override {}
+  void abort(int) override { ADD_FAILURE() << "rank " << rank_ << " gave up"; }
+
+ private:
+  std::deque<std::string>& box(int to, int from) {
+    return post_->boxes[static_cast<std::size_t>(to)][static_cast<std::size_t>(from)];
+  }
+  std::shared_ptr<Post> post_;
+  int rank_;
+};
+
+RolloutPlan short_plan() {
+  RolloutPlan plan;
+  plan.scenarios = {test::scenario_of("moving_target", 3.0),
+                    test::scenario_of("realistic_moving_target", 4.0)};
+  plan.draw = Draw{};
+  return plan;
+}
+
+/// plan_of: what a rank begins with, or it throws.
+void among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::function<void(Team&)>& lead) {
+  const auto post = std::make_shared<Post>();
+  std::vector<std::jthread> others;
+  for (int rank = 1; rank < kRanks; ++rank) {
+    others.emplace_back([&plan_of, post, rank] {
+      Team team(std::make_unique<PostTransport>(post, rank));
+      std::optional<RolloutPlan> plan;
+      try {
+        plan = plan_of(rank);
+      } catch (const InputError& e) {
+        team.fail(e.what());
+        return;
+      }
+      EXPECT_FALSE(team.begin(*plan, 1));
+    });
+  }
+  Team team(std::make_unique<PostTransport>(post, 0));
+  lead(team);
+  EXPECT_TRUE(team.end());
+}
+
+TEST(Team, RanksGiveWhatThreadsGive) {
+  const RolloutPlan plan = short_plan();
+  const Gains gains = test::quick_gains(plan.scenarios[0]);
+  const std::atomic<bool> never{false};
+  SampleSet set;
+  set.samples = 3;
+  set.seed = plan.draw->seed;
+  std::vector<Gains> candidates(2, gains);
+  candidates[1].task_space_gains_p *= 1.2;
+  candidates[1].gaze_feedforward = true;  // switches travel too
+  Workers threads(plan.scenarios, plan.stepper, 1, set);
+  const auto expected = threads.run(candidates, never);
+  ASSERT_TRUE(expected.has_value());
+  among_ranks([&plan](int) { return RolloutPlan(plan); },
+              [&](Team& team) {
+                ASSERT_TRUE(team.begin(plan, 1));
+                for (int again = 0; again < 2; ++again) {
+                  Workers ranks(team.crew(), set);
+                  EXPECT_EQ(ranks.count(), kRanks);
+                  const auto found = ranks.run(candidates, never);
+                  ASSERT_TRUE(found.has_value());
+                  EXPECT_EQ(ranks.rollouts_done(), 12);
+                  for (std::size_t c = 0; c < candidates.size(); ++c) {
+                    for (std::size_t s = 0; s < plan.scenarios.size(); ++s) {
+                      EXPECT_EQ(test::bits((*found)[c][s].metrics), test::bits((*expected)[c][s].metrics));
+                      EXPECT_EQ((*found)[c][s].reason, (*expected)[c][s].reason);
+                    }
+                  }
+                }
+              });
+}
+
+TEST(Team, AStopInterruptsTheRollouts) {
+  RolloutPlan plan = short_plan();
+  for (Scenario& scenario : plan.scenarios) scenario.duration = 10000.0;  // never done within a test
+  std::atomic<bool> stop{false};
+  among_ranks([&plan](int) { return RolloutPlan(plan); },
+              [&](Team& team) {
+                ASSERT_TRUE(team.begin(plan, 1));
+                const Gains gains = test::quick_gains(plan.scenarios[0]);
+                const std::jthread later([&stop] {
+                  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+                  stop = true;
+                });
+                team.crew()->run(
+                    10,
+                    [&gains](std::size_t k) {
+                      return RolloutJob{0, k, gains};
+                    },
+                    stop, [](std::size_t, RolloutResult&&) { ADD_FAILURE() << "a rollout was done"; });
+              });
+}
+
+TEST(Team, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
+  RolloutPlan plan = short_plan();
+  plan.scenarios[1].duration = 10000.0;
+  plan.deadline = 0.5;
+  const std::atomic<bool> never{false};
+  among_ranks([&plan](int) { return RolloutPlan(plan); },
+              [&](Team& team) {
+                ASSERT_TRUE(team.begin(plan, 1));
+                const Gains gains = test::quick_gains(plan.scenarios[0]);
+                try {
+                  team.crew()->run(
+                      3,
+                      [&gains](std::size_t k) {
+                        return RolloutJob{1, k, gains};
+                      },
+                      never, [](std::size_t, RolloutResult&&) {});
+                  FAIL() << "nothing was thrown";
+                } catch (const std::runtime_error& e) {
+                  EXPECT_THAT(e.what(),
+                              AllOf(HasSubstr("realistic_moving_target, sample"), HasSubstr("of 10000 s"),
+                                    HasSubstr("deadline of 0.5 s"), HasSubstr("--rollout-deadline")));
+                }
+              });
+}
+
+/// What rank 0 says when rank 2 begins with something else.
+std::string refused(const std::function<RolloutPlan()>& of_rank_2) {
+  std::string said;
+  among_ranks([&](int rank) { return rank == 2 ? of_rank_2() : short_plan(); },
+              [&said](Team& team) { said = test::refusal([&team] { team.begin(short_plan(), 1); }); });
+  return said;
+}
+
+TEST(Team, ARankWithAnotherPlanIsRefused) {
+  EXPECT_THAT(
+      refused([] {
+        RolloutPlan other = short_plan();
+        other.scenarios[1].duration = 5.0;
+        return other;
+      }),
+      AllOf(HasSubstr("rank 2 on "), HasSubstr("realistic_moving_target: 5 s"), HasSubstr("rank 0 has 4 s")));
+  EXPECT_THAT(refused([] {
+                RolloutPlan other = short_plan();
+                other.draw->seed = 2;
+                return other;
+              }),
+              AllOf(HasSubstr("rank 2 on "), HasSubstr("seed")));
+  EXPECT_THAT(refused([] {
+                RolloutPlan other = short_plan();
+                other.draw->perturbation.mass = 0.25;
+                return other;
+              }),
+              AllOf(HasSubstr("another mass: 0.25"), HasSubstr("rank 0 has 0.2")));
+  EXPECT_THAT(refused([]() -> RolloutPlan { throw InputError("study.yaml: cannot be read"); }),
+              AllOf(HasSubstr("rank 2 on "), HasSubstr("study.yaml: cannot be read")));
+}
+
+TEST(Team, ThreadsBesideRanksAreRefused) {
+  among_ranks([](int) { return short_plan(); },
+              [](Team& team) {
+                EXPECT_THAT(
+                    test::refusal([&team] { team.begin(short_plan(), 4); }),
+                    AllOf(HasSubstr("--workers is 4"), HasSubstr("3 ranks"), HasSubstr("start more ranks")));
+              });
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,31 @@
+#pragma once
+// Commands whose rollouts may be done by several processes, and those that may not.
+
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "tuner/work/team.hpp"
+
+namespace armtune::cli {
+
+/// Runs a command in this process alone, or among the ranks that mpirun or srun started, and gives its exit
+/// code. Only rank 0 prints. Every rank calls `command`, which calls Team::begin and returns kDone where that
+/// is false.
+int on_ranks(const std::function<int(Team&)>& command);
+
+/// Throws InputError if several ranks were started for a command that does not use them.
+void refuse_ranks(const std::string& command);
+
+/// Prints what went wrong and gives the exit code. Ranks but 0 are silent, and done: all of them see what is
+/// wrong with the command line.
+int report(const std::exception_ptr& failure);
+
+/// What --help says of --workers and of --rollout-deadline.
+inline constexpr const char* kWorkersHelp =
+    "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
+inline constexpr const char* kDeadlineHelp =
+    "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
+    "simulated second)";
+
+}  // namespace armtune::cli

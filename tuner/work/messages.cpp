@@ -1,0 +1,188 @@
+#include "tuner/work/messages.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <type_traits>
+
+#include "core/control/gain_fields.hpp"
+#include "tuner/work/bytes.hpp"
+
+namespace armtune {
+namespace {
+
+ByteWriter begun(MessageKind kind) {
+  ByteWriter writer;
+  writer.add(static_cast<std::uint64_t>(kind));
+  return writer;
+}
+
+ByteReader opened(const std::string& message, MessageKind kind) {
+  ByteReader reader(message);
+  const std::uint64_t found = reader.integer();
+  if (found != static_cast<std::uint64_t>(kind)) {
+    throw std::runtime_error(
+        fmt::format("a message is of kind {}, not {}", found, static_cast<std::uint64_t>(kind)));
+  }
+  return reader;
+}
+
+/// Every field of a gain set, switches too, each with how many numbers it has.
+void add_gains(ByteWriter& writer, const Gains& gains) {
+  for (const GainField& field : gain_fields()) {
+    if (field.is_number()) {
+      const auto values = numbers(gains, field);
+      writer.add(std::uint64_t{values.size()});
+      for (const double value : values) writer.add(value);
+    } else if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
+      writer.add(std::uint64_t{gains.**flag ? 1U : 0U});
+    } else {
+      writer.add(static_cast<std::uint64_t>(gains.*std::get<SlerpReference Gains::*>(field.member)));
+    }
+  }
+}
+
+Gains read_gains(ByteReader& reader) {
+  Gains gains;
+  for (const GainField& field : gain_fields()) {
+    const std::uint64_t first = reader.integer();
+    if (!field.is_number()) {
+      if (first > 1) throw std::runtime_error(fmt::format("a message's {} is {}", field.name, first));
+      if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
+        gains.** flag = first == 1;
+      } else {
+        gains.*std::get<SlerpReference Gains::*>(field.member) = static_cast<SlerpReference>(first);
+      }
+      continue;
+    }
+    if (const auto* joints = std::get_if<JointVector Gains::*>(&field.member)) {
+      if (first > static_cast<std::uint64_t>(kMaxJoints)) {
+        throw std::runtime_error(fmt::format("a message's {} has {} numbers", field.name, first));
+      }
+      (gains.**joints).resize(static_cast<Eigen::Index>(first));
+    }
+    const auto values = numbers(gains, field);
+    if (values.size() != first) {
+      throw std::runtime_error(
+          fmt::format("a message's {} has {} numbers, not {}", field.name, first, values.size()));
+    }
+    for (double& value : values) value = reader.number();
+  }
+  return gains;
+}
+
+}  // namespace
+
+MessageKind kind_of(const std::string& message) {
+  return static_cast<MessageKind>(ByteReader(message).integer());
+}
+
+std::string plain_message(MessageKind kind) {
+  return begun(kind).bytes();
+}
+
+std::string hello_message(const Hello& hello) {
+  ByteWriter writer = begun(MessageKind::kHello);
+  writer.add(std::string_view(hello.host));
+  writer.add(std::string_view(hello.failure));
+  writer.add(std::uint64_t{hello.facts.size()});
+  for (const auto& [what, value] : hello.facts) {
+    writer.add(std::string_view(what));
+    writer.add(std::string_view(value));
+  }
+  return writer.bytes();
+}
+
+Hello read_hello(const std::string& message) {
+  ByteReader reader = opened(message, MessageKind::kHello);
+  Hello hello;
+  hello.host = reader.text();
+  hello.failure = reader.text();
+  for (std::uint64_t left = reader.integer(); left > 0; --left) {
+    std::string what = reader.text();
+    hello.facts.emplace_back(std::move(what), reader.text());
+  }
+  reader.end();
+  return hello;
+}
+
+std::string job_message(const NumberedJob& job) {
+  ByteWriter writer = begun(MessageKind::kJob);
+  writer.add(job.number);
+  writer.add(job.crew);
+  // A member that is added has to be sent too: then these do not compile.
+  const auto& [scenario, sample, gains] = job.job;
+  writer.add(std::uint64_t{scenario});
+  writer.add(sample);
+  add_gains(writer, gains);
+  return writer.bytes();
+}
+
+NumberedJob read_job(const std::string& message) {
+  ByteReader reader = opened(message, MessageKind::kJob);
+  NumberedJob job;
+  job.number = reader.integer();
+  job.crew = reader.integer();
+  job.job.scenario = reader.integer();
+  job.job.sample = reader.integer();
+  job.job.gains = read_gains(reader);
+  reader.end();
+  return job;
+}
+
+std::string stop_message(std::uint64_t number) {
+  ByteWriter writer = begun(MessageKind::kStop);
+  writer.add(number);
+  return writer.bytes();
+}
+
+std::uint64_t read_stop(const std::string& message) {
+  ByteReader reader = opened(message, MessageKind::kStop);
+  const std::uint64_t number = reader.integer();
+  reader.end();
+  return number;
+}
+
+std::string result_message(std::uint64_t number, const RolloutResult& result) {
+  ByteWriter writer = begun(MessageKind::kResult);
+  writer.add(number);
+  const auto& [status, end_time, reason, metrics] = result;
+  writer.add(static_cast<std::uint64_t>(status));
+  writer.add(end_time);
+  writer.add(std::string_view(reason));
+  writer.add(std::string_view(metrics.max_ratio_joint));
+  for (const double value : metrics.value) writer.add(value);
+  return writer.bytes();
+}
+
+std::pair<std::uint64_t, RolloutResult> read_result(const std::string& message) {
+  ByteReader reader = opened(message, MessageKind::kResult);
+  const std::uint64_t number = reader.integer();
+  RolloutResult result;
+  const std::uint64_t status = reader.integer();
+  result.status = static_cast<RolloutStatus>(status);
+  if (!*name(result.status)) throw std::runtime_error(fmt::format("a message's status is {}", status));
+  result.end_time = reader.number();
+  result.reason = reader.text();
+  result.metrics.max_ratio_joint = reader.text();
+  for (double& value : result.metrics.value) value = reader.number();
+  reader.end();
+  return {number, result};
+}
+
+std::string failure_message(std::uint64_t number, const std::string& what) {
+  ByteWriter writer = begun(MessageKind::kFailure);
+  writer.add(number);
+  writer.add(std::string_view(what));
+  return writer.bytes();
+}
+
+std::pair<std::uint64_t, std::string> read_failure(const std::string& message) {
+  ByteReader reader = opened(message, MessageKind::kFailure);
+  const std::uint64_t number = reader.integer();
+  std::string what = reader.text();
+  reader.end();
+  return {number, std::move(what)};
+}
+
+}  // namespace armtune

@@ -1,0 +1,82 @@
+#pragma once
+// The processes that do one command's rollouts together: this one alone, with threads, or ranks, of which
+// rank 0 leads and the others work for it.
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tuner/work/crew.hpp"
+#include "tuner/work/transport.hpp"
+
+namespace armtune {
+
+class LocalWorker;
+
+/// Another rank, as rank 0 knows it.
+struct Peer {
+  int rank = 0;
+  std::string host;
+  std::uint64_t jobs = 0;  ///< sent so far
+  bool lost = false;       ///< it gave no answer in time
+};
+
+class Team {
+ public:
+  /// transport: none where this process is alone.
+  explicit Team(std::unique_ptr<Transport> transport);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  bool several() const { return transport_ != nullptr; }
+  bool leads() const { return !transport_ || transport_->rank() == 0; }
+  int ranks() const { return transport_ ? transport_->size() : 1; }
+
+  /// Every process of a command calls it once, as soon as it knows the plan. True in the one that leads. In
+  /// any other it does jobs until the leader needs no more, and is false then: nothing is left to do.
+  /// threads: of a process that is alone; every rank is one worker. Throws InputError in rank 0 if that is
+  /// more than 1 among ranks, if a rank could not make its plan, or if a rank is not the same: another
+  /// version, arithmetic, plan. Throws std::runtime_error if a rank says nothing for two minutes.
+  bool begin(RolloutPlan plan, int threads);
+
+  /// Workers of the plan that have done nothing yet, for the process that leads. Those of an earlier call
+  /// may be used again, but not at the same time.
+  std::unique_ptr<Crew> crew();
+
+  /// In any rank but 0: what kept it from calling begin(). Rank 0 throws it; here it returns once the leader
+  /// has heard it.
+  void fail(const std::string& what);
+
+  /// In rank 0, whatever became of the work: sends the others home. False if one of them was given up
+  /// before, with an exception; throws std::runtime_error if one does not leave. What is left then is
+  /// abort().
+  bool end();
+  void abort(int exit_code) { transport_->abort(exit_code); }
+
+ private:
+  void meet();
+  void serve();
+  std::string next_from_leader();
+  void work(const std::string& message);
+
+  std::unique_ptr<Transport> transport_;
+  int parent_ = 0;  ///< process id of what started this one
+  std::shared_ptr<const RolloutPlan> plan_;
+  int threads_ = 1;
+  std::vector<Peer> peers_;
+  bool met_ = false;
+  std::uint64_t crews_ = 0;
+
+  // Of a rank that works.
+  std::deque<std::string> pending_;  ///< came while a job was under way
+  std::unique_ptr<LocalWorker> worker_;
+  std::uint64_t crew_ = 0;
+};
+
+/// In rank 0: the worker that is `peer`. All three outlive it.
+std::unique_ptr<Worker> rank_worker(Transport& transport, Peer& peer, std::uint64_t crew,
+                                    const RolloutPlan& plan);
+
+}  // namespace armtune

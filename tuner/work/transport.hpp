@@ -1,0 +1,45 @@
+#pragma once
+// Messages between the processes (ranks) of one run, and where a process stands among them. MPI is behind it,
+// where armtune was built with it.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace armtune {
+
+/// What the launcher (mpirun, srun) says through the environment, before MPI is begun.
+struct RankPlace {
+  int rank = 0;
+  int size = 1;  ///< 1 where nothing launched this process, or launched it alone
+};
+RankPlace rank_place();
+
+/// Calls come from any thread; none waits for another process, but end().
+class Transport {
+ public:
+  Transport() = default;
+  virtual ~Transport() = default;
+  Transport(const Transport&) = delete;
+  Transport& operator=(const Transport&) = delete;
+
+  virtual int rank() const = 0;
+  virtual int size() const = 0;
+  /// Keeps the message until it is taken. Those of one rank to another arrive in order.
+  virtual void send(int to, std::string message) = 0;
+  /// The next message of a rank, if there is one.
+  virtual std::optional<std::string> receive(int from) = 0;
+  /// Leaves together with all others. Nothing may be called after it.
+  virtual void end() = 0;
+  /// Ends the processes of all ranks at once.
+  virtual void abort(int exit_code) = 0;
+};
+
+/// Begins MPI, once in a process's life. Throws InputError if armtune was built without it, or if it sees
+/// other ranks than the launcher started.
+std::unique_ptr<Transport> begin_mpi();
+
+/// Version of the MPI library linked, or "not built in".
+std::string mpi_version();
+
+}  // namespace armtune
