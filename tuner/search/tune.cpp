@@ -48,7 +48,7 @@ bool Run::budget_left() const {
 }
 
 bool Run::evaluate(const char* phase, const std::vector<std::vector<double>>& points) {
-  auto evaluations = simulate_points(study_, points, workers_, stop_);
+  auto evaluations = simulate_points(study_, points, workers_, stop_, end_limits(objective_));
   if (!evaluations) return false;
   for (Evaluation& e : *evaluations) {
     if (!objective_) {

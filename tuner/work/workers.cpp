@@ -40,28 +40,31 @@ std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) con
 
 std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
                                                                     const std::atomic<bool>& stop,
-                                                                    const Finished& finished) {
+                                                                    const Finished& finished,
+                                                                    const std::vector<EndLimits>& limits) {
+  const std::size_t arms = samples_ ? samples_->samples : 1;
+  const EndLimits none;
   std::vector<std::vector<RolloutResult>> results(candidates.size(),
                                                   std::vector<RolloutResult>(scenarios_.size()));
   std::vector<std::size_t> left(candidates.size(), scenarios_.size());
   std::mutex mutex;
   // All candidates of the longest scenario first: short rollouts fill the gaps at the end.
-  parallel_for(candidates.size() * scenarios_.size(), count(), stop,
-               [&](std::size_t worker, std::size_t job) {
-                 const std::size_t scenario = longest_first_[job / candidates.size()];
-                 const std::size_t candidate = job % candidates.size();
-                 RolloutResult result =
-                     rollout(worker, scenario).run(candidates[candidate], [&stop](const Observation&) {
-                       return !stop;
-                     });
-                 ++done_;
-                 const std::lock_guard lock(mutex);
-                 const bool whole = result.status != RolloutStatus::kInterrupted;
-                 results[candidate][scenario] = std::move(result);
-                 if (!whole || --left[candidate] > 0) return;
-                 results[candidate] = fold(std::move(results[candidate]));
-                 if (finished) finished(candidate, results[candidate]);
-               });
+  parallel_for(
+      candidates.size() * scenarios_.size(), count(), stop, [&](std::size_t worker, std::size_t job) {
+        const std::size_t scenario = longest_first_[job / candidates.size()];
+        const std::size_t candidate = job % candidates.size();
+        RolloutResult result = rollout(worker, scenario)
+                                   .run(
+                                       candidates[candidate], [&stop](const Observation&) { return !stop; },
+                                       limits.empty() ? none : limits[scenario / arms]);
+        ++done_;
+        const std::lock_guard lock(mutex);
+        const bool whole = result.status != RolloutStatus::kInterrupted;
+        results[candidate][scenario] = std::move(result);
+        if (!whole || --left[candidate] > 0) return;
+        results[candidate] = fold(std::move(results[candidate]));
+        if (finished) finished(candidate, results[candidate]);
+      });
   if (stop) return std::nullopt;
   return results;
 }
