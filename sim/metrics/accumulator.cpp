@@ -116,36 +116,63 @@ void MetricAccumulator::add_limits(const Observation& o) {
   last_torque_ = o.control->torque;
 }
 
+double MetricAccumulator::so_far(Metric m) const {
+  switch (m) {
+    case Metric::kPositionXMax:
+      return position_axis_[0].max();
+    case Metric::kPositionYMax:
+      return position_axis_[1].max();
+    case Metric::kPositionZMax:
+      return position_axis_[2].max();
+    case Metric::kPositionMax:
+      return position_.max();
+    case Metric::kOrientationXMax:
+      return orientation_axis_[0].max();
+    case Metric::kOrientationYMax:
+      return orientation_axis_[1].max();
+    case Metric::kOrientationZMax:
+      return orientation_axis_[2].max();
+    case Metric::kOrientationMax:
+      return orientation_.max();
+    case Metric::kLinearVelocityMax:
+      return linear_velocity_.max();
+    case Metric::kAngularVelocityMax:
+      return angular_velocity_.max();
+    case Metric::kGazeMax:
+      return gaze_.max();
+    case Metric::kGazeRateErrorMax:
+      return gaze_rate_.max();
+    case Metric::kGazeTimeOutside:
+      return gaze_.count() > 0 ? static_cast<double>(periods_outside_) * period_ : NAN;
+    case Metric::kJointVelocityMaxRatio:
+      return max_ratio_;
+    case Metric::kJointPositionMinMargin:
+      return min_margin_ < kInfinity ? min_margin_ : NAN;
+    case Metric::kJointEffortMaxRatio:
+      return max_effort_ratio_;
+    case Metric::kObstacleMinClearance:
+      return min_clearance_ < kInfinity ? min_clearance_ : NAN;
+    default:
+      return NAN;
+  }
+}
+
 Metrics MetricAccumulator::result(double end) {
   Metrics m;
-  const Metric position_axes[] = {Metric::kPositionXMax, Metric::kPositionYMax, Metric::kPositionZMax};
-  const Metric orientation_axes[] = {Metric::kOrientationXMax, Metric::kOrientationYMax,
-                                     Metric::kOrientationZMax};
-  for (int axis = 0; axis < 3; ++axis) {
-    m[position_axes[axis]] = position_axis_[axis].max();
-    m[orientation_axes[axis]] = orientation_axis_[axis].max();
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    const auto metric = static_cast<Metric>(i);
+    if (only_worsens(metric)) m[metric] = so_far(metric);
   }
   m[Metric::kPositionRms] = position_.rms();
-  m[Metric::kPositionMax] = position_.max();
   m[Metric::kOrientationRms] = orientation_.rms();
-  m[Metric::kOrientationMax] = orientation_.max();
   m[Metric::kLinearVelocityRms] = linear_velocity_.rms();
-  m[Metric::kLinearVelocityMax] = linear_velocity_.max();
   m[Metric::kAngularVelocityRms] = angular_velocity_.rms();
-  m[Metric::kAngularVelocityMax] = angular_velocity_.max();
   m[Metric::kSamples] = static_cast<double>(position_.count());
   m[Metric::kGazeRms] = gaze_.rms();
-  m[Metric::kGazeMax] = gaze_.max();
   m[Metric::kGazeRateErrorRms] = gaze_rate_.rms();
-  m[Metric::kGazeRateErrorMax] = gaze_rate_.max();
-  if (gaze_.count() > 0) m[Metric::kGazeTimeOutside] = static_cast<double>(periods_outside_) * period_;
   m[Metric::kReacquisitionTime] = reacquisition_.longest(end);
-  m[Metric::kJointVelocityMaxRatio] = max_ratio_;
   m[Metric::kJointVelocityMaxRatioTime] = max_ratio_time_;
-  if (min_margin_ < kInfinity) m[Metric::kJointPositionMinMargin] = min_margin_;
-  m[Metric::kJointEffortMaxRatio] = max_effort_ratio_;
   m[Metric::kEffortRateRms] = effort_rate_.rms();
-  if (min_clearance_ < kInfinity) m[Metric::kObstacleMinClearance] = min_clearance_;
   m[Metric::kCompensationErrorRms] = compensation_.rms();
   m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;
   return m;

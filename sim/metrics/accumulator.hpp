@@ -51,6 +51,8 @@ class MetricAccumulator {
   MetricAccumulator(const RobotModel& model, double threshold, double period);
 
   void add(const Observation& o);
+  /// Value that a metric of which only_worsens() holds has by now; NaN before it has one, and for all others.
+  double so_far(Metric m) const;
   /// end: time of the last period's end [s].
   Metrics result(double end);
 

@@ -76,4 +76,29 @@ bool larger_is_better(Metric m) {
          m == Metric::kSamples || m == Metric::kResponseBandwidth;
 }
 
+bool only_worsens(Metric m) {
+  switch (m) {
+    case Metric::kPositionXMax:
+    case Metric::kPositionYMax:
+    case Metric::kPositionZMax:
+    case Metric::kPositionMax:
+    case Metric::kOrientationXMax:
+    case Metric::kOrientationYMax:
+    case Metric::kOrientationZMax:
+    case Metric::kOrientationMax:
+    case Metric::kLinearVelocityMax:
+    case Metric::kAngularVelocityMax:
+    case Metric::kGazeMax:
+    case Metric::kGazeRateErrorMax:
+    case Metric::kGazeTimeOutside:
+    case Metric::kJointVelocityMaxRatio:
+    case Metric::kJointPositionMinMargin:
+    case Metric::kJointEffortMaxRatio:
+    case Metric::kObstacleMinClearance:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace armtune

@@ -69,6 +69,10 @@ std::vector<Metric> all_metrics();
 std::optional<Metric> metric_from_name(std::string_view name);
 /// True for the few of which more is better, such as clearance; of all others less is.
 bool larger_is_better(Metric m);
+/// True for extremes over the periods of a rollout, which more periods can only make worse (larger, or
+/// smaller where larger is better): what they passed once stays passed. All of these can be asked for while a
+/// rollout runs.
+bool only_worsens(Metric m);
 
 /// Values of one rollout. A metric that had nothing to judge is NaN in memory and an empty cell in files.
 struct Metrics {

@@ -32,6 +32,14 @@ std::string divergence(const RobotModel& model, const JointVector& q, const Join
   return {};
 }
 
+/// The first limit that is reached, or null.
+const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metrics) {
+  for (const EndLimit& limit : limits) {
+    if (limit.reached_by(metrics.so_far(limit.metric))) return &limit;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Rollout::Rollout(const Scenario& scenario, Stepper stepper)
@@ -41,7 +49,7 @@ Rollout::Rollout(const Scenario& scenario, Stepper stepper)
       theta_true_(theta_of(plant_model_.chain)),
       plant_(make_simbody_plant(plant_model_, stepper)) {}
 
-RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
+RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits) {
   const FlushDenormals flush;
   const double period = scenario_.control_period;
   const int periods = scenario_.periods();
@@ -90,6 +98,13 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer) {
     if (observer && !observer(o)) {
       result.status = RolloutStatus::kInterrupted;
       result.reason = fmt::format("interrupted at {:.3f} s", time);
+      break;
+    }
+    if (const EndLimit* limit = reached(limits, metrics)) {
+      result.status = RolloutStatus::kHopeless;
+      result.reason = fmt::format("{} reached {:.4g} at {:.3f} s in {}; beyond repair from {:.4g} on",
+                                  name(limit->metric), metrics.so_far(limit->metric), time,
+                                  name(o.control->state), limit->value);
       break;
     }
     try {

@@ -8,6 +8,7 @@
 #include "core/control/gains.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/plant/plant.hpp"
+#include "sim/rollout/end_limit.hpp"
 #include "sim/rollout/observation.hpp"
 #include "sim/scenario/scenario.hpp"
 
@@ -16,6 +17,7 @@ namespace armtune {
 enum class RolloutStatus {
   kCompleted,
   kDiverged,    ///< the state left every sensible range, or the engine gave up
+  kHopeless,    ///< it passed one of its end limits, beyond repair
   kNoSamples,   ///< it ran to the end, but no period counted as tracking
   kInterrupted  ///< the caller asked it to stop
 };
@@ -26,6 +28,8 @@ constexpr const char* name(RolloutStatus status) {
       return "completed";
     case RolloutStatus::kDiverged:
       return "diverged";
+    case RolloutStatus::kHopeless:
+      return "hopeless";
     case RolloutStatus::kNoSamples:
       return "no_samples";
     case RolloutStatus::kInterrupted:
@@ -51,7 +55,9 @@ class Rollout {
 
   /// Runs the scenario from its start with these gains (valid for its robot). Nothing carries over from an
   /// earlier run. Diverging is a status, not an exception.
-  RolloutResult run(const Gains& gains, const Observer& observer = {});
+  /// limits: metrics, each one that only worsens, that end the rollout when they pass a value; none: it runs
+  /// whole. Up to its end a rollout with limits is the one without.
+  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {});
 
   const Scenario& scenario() const { return scenario_; }
 

@@ -40,7 +40,7 @@ int run(const Arguments& args, Team& team) {
   Workers workers(team.crew(), study.robust);
   ProgressLine line;
   std::optional<Sensitivity> result;
-  if (const auto start = simulate_points(study, {study.space.start_point()}, workers, stop_requested())) {
+  if (const auto start = simulate_points(study, {study.space.start_point()}, workers, stop_requested(), {})) {
     const Objective objective(study.terms, study.constraints, study.scenarios, start->front().results,
                               study.source);
     result = sensitivity(study, objective, best, journal, workers, stop_requested(),

@@ -95,7 +95,7 @@ std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& res
                                        Team& team) {
   const std::atomic<bool> never{false};
   Workers fresh(team.crew(), study.robust);
-  const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never);
+  const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never, {});
   std::vector<ComparedSet> sets = {{"start", {}}, {"tuned", {}}};
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const Evaluation& seen = i == 0 ? result.start : result.best;
@@ -358,6 +358,22 @@ std::string help_footer() {
   for (const MetricField& field : metric_fields()) {
     text += fmt::format("  {:<34} {} [{}]\n", field.name, field.meaning, field.unit);
   }
+  text +=
+      "\nA rollout of the search ends where a constraint is broken beyond repair (study file, "
+      "constraints/hopeless:\n"
+      "auto, never, or a value beyond the limit). By default that is twice the limit of "
+      "joint_velocity/max_ratio and\n"
+      "0.1 rad beyond that of joint_position/min_margin, never for others; a value can be given for at_most "
+      "of\n"
+      " ";
+  for (const Metric m : all_metrics()) {
+    if (can_be_hopeless(m, true)) text += fmt::format(" {}", name(m));
+  }
+  text += "\nand for at_least of\n ";
+  for (const Metric m : all_metrics()) {
+    if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
+  }
+  text += "\n";
   return text;
 }
 

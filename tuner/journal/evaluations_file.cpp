@@ -26,7 +26,9 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   add("phase", "", "start, sweep, search; of a front: start, anchor, level");
   add("objective", "1", "weighted metrics relative to the start gains, which score 1");
   add("feasible", "1", "1 if every constraint holds in every scenario");
-  add("violation", "1", "sum of the violations relative to their limits");
+  add("violation", "1",
+      "sum of the violations relative to their limits; larger than that of any completed candidate if a "
+      "scenario did not complete");
   add("status", "", "completed, or what went wrong first");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
   for (const ObjectiveTerm& term : study.terms) {

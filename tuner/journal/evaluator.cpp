@@ -39,7 +39,8 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const std::str
 }
 
 std::optional<std::vector<Evaluation>> Evaluator::next(const std::string& phase,
-                                                       const std::vector<std::vector<double>>& points) {
+                                                       const std::vector<std::vector<double>>& points,
+                                                       const std::vector<EndLimits>& limits) {
   std::vector<Evaluation> evaluations(points.size());
   std::vector<std::size_t> missing;
   std::vector<std::vector<double>> to_simulate;
@@ -54,7 +55,7 @@ std::optional<std::vector<Evaluation>> Evaluator::next(const std::string& phase,
   if (!to_simulate.empty()) {
     std::vector<double> finished_at(to_simulate.size(), 0.0);
     auto fresh =
-        simulate_points(study_, to_simulate, workers_, stop_, [&](std::size_t k, const Evaluation& e) {
+        simulate_points(study_, to_simulate, workers_, stop_, limits, [&](std::size_t k, const Evaluation& e) {
           finished_at[k] = seconds();
           if (journal_ == nullptr) return;
           journal_->append({count_ + missing[k], phase, finished_at[k], e.x, e.results});

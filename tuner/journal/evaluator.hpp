@@ -19,10 +19,12 @@ class Evaluator {
   Evaluator(const Study& study, Workers& workers, const std::atomic<bool>& stop, Journal* journal);
 
   /// The next points of the run, in order, simulated but not judged. Each is in the journal as soon as it is
-  /// finished, whatever becomes of the others. Nothing if `stop` became true before all were. Throws
+  /// finished, whatever becomes of the others. limits: per scenario, where rollouts end before their time; empty:
+  /// nowhere. Nothing if `stop` became true before all were. Throws
   /// InputError if the journal holds another point at that place than the search now asks for.
   std::optional<std::vector<Evaluation>> next(const std::string& phase,
-                                              const std::vector<std::vector<double>>& points);
+                                              const std::vector<std::vector<double>>& points,
+                                              const std::vector<EndLimits>& limits);
 
   /// False once the study's max_minutes are over. A run that goes on takes them to be over where they were
   /// before, and counts its minutes on.

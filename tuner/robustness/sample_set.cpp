@@ -35,13 +35,14 @@ double measured(const SampleSet& set, bool larger_is_better, std::vector<double>
 
 RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples) {
   RolloutResult result;
-  result.end_time = HUGE_VAL;
+  result.end_time = samples.front().end_time;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    result.end_time = std::min(result.end_time, samples[k].end_time);
-    if (samples[k].status != RolloutStatus::kCompleted && result.status == RolloutStatus::kCompleted) {
-      result.status = samples[k].status;
-      result.reason = fmt::format("sample {}: {}", k, samples[k].reason);
-    }
+    const RolloutResult& sample = samples[k];
+    if (sample.status == RolloutStatus::kCompleted) continue;
+    if (result.status != RolloutStatus::kCompleted && sample.end_time >= result.end_time) continue;
+    result.status = sample.status;
+    result.end_time = sample.end_time;
+    result.reason = fmt::format("sample {}: {}", k, sample.reason);
   }
   double largest = -1.0;
   for (const RolloutResult& sample : samples) {

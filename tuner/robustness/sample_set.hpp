@@ -34,8 +34,8 @@ struct SampleSet {
 /// well.
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values);
 
-/// One scenario's results over the samples as one: every metric measured; completed if all are, else the
-/// first failure (its sample named) and the earliest end.
+/// One scenario's results (at least one) over the samples as one: every metric measured; completed if all
+/// are, else status, end and reason of the sample that ended first, which is named.
 RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples);
 
 }  // namespace armtune

@@ -48,7 +48,7 @@ bool Run::budget_left() {
 }
 
 bool Run::evaluate(const char* phase, const std::vector<std::vector<double>>& points) {
-  auto evaluations = evaluator_.next(phase, points);
+  auto evaluations = evaluator_.next(phase, points, end_limits(objective_));
   if (!evaluations) return false;
   for (Evaluation& e : *evaluations) {
     if (!objective_) {

@@ -75,7 +75,7 @@ std::optional<Sensitivity> sensitivity(
     auto done = simulate_points(study,
                                 {points.begin() + static_cast<std::ptrdiff_t>(first),
                                  points.begin() + static_cast<std::ptrdiff_t>(end)},
-                                workers, stop);
+                                workers, stop, objective.end_limits());
     if (!done) return std::nullopt;
     for (Evaluation& e : *done) {
       objective.judge(e);

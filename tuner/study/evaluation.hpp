@@ -15,7 +15,8 @@ struct Evaluation {
   double objective = 0.0;           ///< finite; the start scores 1
   std::vector<double> constraints;  ///< g <= 0 holds, in natural units
   std::vector<double> relative;     ///< the same over their limits, for the search
-  double violation = 0.0;           ///< sum of relative violations; 0 if feasible
+  double violation = 0.0;           ///< sum of relative violations; 0 if feasible, larger than that of any
+                                    ///< completed candidate if a scenario did not complete
   bool feasible = false;
   std::string status;                  ///< "completed", or what went wrong first
   std::vector<RolloutResult> results;  ///< one per scenario

@@ -17,6 +17,10 @@ constexpr double kLargestRatio = 10.0;
 /// Ratio that a term scores, at least, in a scenario that did not complete: above any completed one.
 constexpr double kIncompletePenalty = 2.0 * kLargestRatio;
 
+double scale_of(double bound) {
+  return bound != 0.0 ? std::abs(bound) : 1.0;
+}
+
 }  // namespace
 
 Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
@@ -55,11 +59,51 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
       }
     }
   }
+  set_end_limits(scenarios, where);
+}
+
+void Objective::set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where) {
+  end_limits_.resize(scenarios.size());
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const Constraint& constraint = constraints_[c];
+    if (constraint.hopeless.kind == Hopeless::Kind::kNever) continue;
+    const bool stated = constraint.hopeless.kind == Hopeless::Kind::kFrom;
+    for (const std::size_t s : constraint.scenarios) {
+      if (!judged_[c][s]) continue;
+      const auto value = stated ? std::optional(constraint.hopeless.value)
+                                : default_hopeless(constraint.metric, constraint.upper, limit(c, s));
+      if (!value) continue;
+      const EndLimit end{constraint.metric, *value};
+      if (!end.reached_by(start_[s][constraint.metric])) {
+        end_limits_[s].push_back(end);
+      } else if (stated) {
+        throw InputError(fmt::format(
+            "{}: {} of the start gains in {} is {}, hopeless from {} on; a search that begins there "
+            "learns nothing: give a 'hopeless' beyond that, or never",
+            where, name(constraint.metric), scenarios[s].name, start_[s][constraint.metric], *value));
+      }
+    }
+  }
+}
+
+double Objective::how_far(const RolloutResult& result, std::size_t s) const {
+  double worst = 0.0;
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const Constraint& constraint = constraints_[c];
+    if (!judged_[c][s] || !can_be_hopeless(constraint.metric, constraint.upper)) continue;
+    const double bound = limit(c, s);
+    const double v = result.metrics[constraint.metric];
+    const double relative = (constraint.upper ? v - bound : bound - v) / scale_of(bound);
+    if (relative > worst) worst = std::min(relative, kLargestRatio);
+  }
+  return worst / (1.0 + worst);
 }
 
 double Objective::incompleteness(const RolloutResult& result, std::size_t s) const {
   if (result.status == RolloutStatus::kCompleted) return 0.0;
-  return 2.0 - std::clamp(result.end_time / durations_[s], 0.0, 1.0);
+  const double left = 1.0 - std::clamp(result.end_time / durations_[s], 0.0, 1.0);
+  const double far = result.status == RolloutStatus::kHopeless ? how_far(result, s) : 1.0;
+  return 1.0 + left * (1.0 + far) / 2.0;
 }
 
 double Objective::limit(std::size_t c, std::size_t s) const {
@@ -101,7 +145,7 @@ void Objective::judge(Evaluation& e) const {
       const double bound = limit(c, s);
       // Nothing to judge here, as clearance without obstacles.
       if (!judged_[c][s]) continue;
-      const double scale = bound != 0.0 ? std::abs(bound) : 1.0;
+      const double scale = scale_of(bound);
       const double v = e.results[s].metrics[constraint.metric];
       double g = constraint.upper ? v - bound : bound - v;
       if (!std::isfinite(g)) g = scale * std::max(1.0, incompleteness(e.results[s], s));
@@ -119,6 +163,8 @@ void Objective::judge(Evaluation& e) const {
     const double here = incompleteness(e.results[s], s);
     if (here > 0.0 && e.status == "completed") e.status = e.results[s].reason;
     incomplete += here;
+    // What was not simulated could have broken every constraint: behind all that were.
+    if (here > 0.0) e.violation += kLargestRatio * static_cast<double>(constraints_.size());
   }
   e.constraints.back() = incomplete;
   e.relative.back() = incomplete;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tuner/study/evaluation.hpp"
+#include "tuner/study/hopeless.hpp"
 
 namespace armtune {
 
@@ -23,20 +24,26 @@ struct Constraint {
   bool upper = true;            ///< at_most, else at_least
   std::optional<double> limit;  ///< in the metric's unit; none: the start gains' own value
   std::vector<std::size_t> scenarios;
+  Hopeless hopeless = {};  ///< from where on a rollout ends, where the metric applies
 };
 
 class Objective {
  public:
   /// start: results of the start gains, one per scenario. Throws InputError, with `where` in front, if they
   /// give no reference: a scenario did not complete, or a term's
-  /// metric has no value or no positive one, or that of a constraint `start` none.
+  /// metric has no value or no positive one, that of a constraint `start` none, or one is hopeless by a value
+  /// that the study gives. By default a constraint is never hopeless in a scenario where the start would be.
   Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
             const std::string& where);
 
   /// Sets objective, constraints, violation, feasible and status of `e` from its results. A scenario that did
-  /// not complete makes it infeasible and scores a finite penalty that grows with how early it ended.
+  /// not complete makes it infeasible and scores a finite penalty that grows with how early it ended and, of
+  /// a hopeless one, with how far its constraints were broken by then: more than any that did complete.
   void judge(Evaluation& e) const;
+
+  /// Where rollouts of a candidate end, beyond repair, per scenario of the study. Not for the start's own.
+  const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
   const std::vector<ObjectiveTerm>& terms() const { return terms_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
@@ -48,14 +55,24 @@ class Objective {
   std::size_t constraint_count() const { return constraints_.size() + 1; }
 
  private:
-  /// 0 if completed, else 1 .. 2: larger the earlier it ended.
+  /// 0 if completed, else 1 .. 2: larger the earlier it ended, and of a hopeless one the farther it had gone;
+  /// one that diverged went as far as can be.
   double incompleteness(const RolloutResult& result, std::size_t s) const;
+  /// 0 .. 1: by how much, relative to its limit, the worst of the constraints that can be hopeless is broken.
+  double how_far(const RolloutResult& result, std::size_t s) const;
+  void set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where);
 
   std::vector<ObjectiveTerm> terms_;
   std::vector<Constraint> constraints_;
   std::vector<std::vector<bool>> judged_;  ///< [constraint][scenario]: listed there, and the metric applies
+  std::vector<EndLimits> end_limits_;      ///< [scenario]
   std::vector<double> durations_;
   std::vector<Metrics> start_;
 };
+
+/// Where rollouts end while a search goes on: nowhere before the start gains made the objective.
+inline std::vector<EndLimits> end_limits(const std::optional<Objective>& objective) {
+  return objective ? objective->end_limits() : std::vector<EndLimits>{};
+}
 
 }  // namespace armtune

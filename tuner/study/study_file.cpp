@@ -89,9 +89,24 @@ std::vector<Constraint> read_constraints(const yaml::Node& node, const std::vect
     const yaml::Node& limit = map.required(constraint.upper ? "at_most" : "at_least");
     if (!limit.is_word("start")) constraint.limit = limit.as_number();
     constraint.scenarios = read_subset(map.optional("scenarios"), scenarios);
+    constraint.hopeless =
+        read_hopeless(map.optional("hopeless"), constraint.metric, constraint.upper, constraint.limit);
     map.finish();
   }
   return constraints;
+}
+
+/// One arm past a value decides where the worst arm counts; under every other measure the rest may make up
+/// for it, so that nothing is hopeless.
+void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constraints) {
+  for (std::size_t c = 0; c < constraints.size(); ++c) {
+    if (constraints[c].hopeless.kind == Hopeless::Kind::kFrom) {
+      node.items()[c]
+          .find("hopeless")
+          ->fail("one arm beyond it decides only with 'measure: worst' under 'robust'; leave the key out");
+    }
+    constraints[c].hopeless.kind = Hopeless::Kind::kNever;
+  }
 }
 
 /// Entries that a name stands for: one number, or all of a field.
@@ -303,6 +318,9 @@ Study load_study(const std::string& name_or_path) {
     study.sweep = read_sweep(*node, gain_entries(joints), study.space);
   }
   if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node);
+  if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {
+    end_no_sample_early(map.required("constraints"), study.constraints);
+  }
   if (const yaml::Node* node = map.optional("search")) read_search(*node, study);
   map.finish();
   return study;

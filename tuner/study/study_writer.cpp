@@ -29,6 +29,17 @@ const char* constraint_handling_name(ConstraintHandling handling) {
   return "";
 }
 
+/// What `hopeless: auto` stands for, as a comment: written as a number it would be a demand on the start
+/// gains, which the default is not.
+std::string auto_text(const Constraint& c) {
+  if (c.hopeless.kind != Hopeless::Kind::kAuto) return {};
+  if (!default_hopeless(c.metric, c.upper, 0.0)) return "  # hopeless: never";
+  if (!c.limit)
+    return fmt::format("  # hopeless: {}", c.upper ? "from twice the start's on" : "0.1 below the start's");
+  return fmt::format("  # hopeless from {} on, where the start is not",
+                     *default_hopeless(c.metric, c.upper, *c.limit));
+}
+
 }  // namespace
 
 std::string study_yaml(const Study& study, const std::string& gains_file) {
@@ -52,9 +63,9 @@ std::string study_yaml(const Study& study, const std::string& gains_file) {
   }
   if (!study.constraints.empty()) text += "constraints:\n";
   for (const Constraint& c : study.constraints) {
-    text += fmt::format("  - {{metric: {}, {}: {}, scenarios: {}}}\n", name(c.metric),
+    text += fmt::format("  - {{metric: {}, {}: {}, hopeless: {}, scenarios: {}}}{}\n", name(c.metric),
                         c.upper ? "at_most" : "at_least", c.limit ? fmt::format("{}", *c.limit) : "start",
-                        subset_text(c.scenarios, study.scenarios));
+                        hopeless_text(c.hopeless), subset_text(c.scenarios, study.scenarios), auto_text(c));
   }
   if (!study.sweep.empty()) text += "sweep:\n";
   for (const SweepAxis& axis : study.sweep) {

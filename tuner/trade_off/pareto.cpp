@@ -66,7 +66,7 @@ class Search {
 };
 
 bool Search::evaluate(const char* phase, const std::vector<double>& x) {
-  auto evaluations = evaluator_.next(phase, {x});
+  auto evaluations = evaluator_.next(phase, {x}, end_limits(objective_));
   if (!evaluations) {
     out_.interrupted = true;
     return false;
@@ -327,7 +327,7 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
   std::vector<std::vector<double>> points;
   points.reserve(result.front.size());
   for (const ParetoPoint& point : result.front) points.push_back(point.e.x);
-  auto fresh = simulate_points(study, points, workers, stop);
+  auto fresh = simulate_points(study, points, workers, stop, {});
   if (!fresh) return false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     Evaluation& e = (*fresh)[i];

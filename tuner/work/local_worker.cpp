@@ -34,7 +34,7 @@ RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<
   const auto began = Clock::now();
   const Scenario& scenario = plan_.scenarios[job.scenario];
   const std::chrono::duration<double> deadline(deadline_of(plan_, scenario));
-  return rollout(job.scenario, job.sample).run(job.gains, [&](const Observation& o) {
+  const auto observer = [&](const Observation& o) {
     if (Clock::now() - began > deadline) {
       throw std::runtime_error(fmt::format(
           "{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s; allow "
@@ -43,7 +43,8 @@ RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<
           deadline.count()));
     }
     return !stop();
-  });
+  };
+  return rollout(job.scenario, job.sample).run(job.gains, observer, job.limits);
 }
 
 }  // namespace armtune

@@ -111,10 +111,15 @@ std::string job_message(const NumberedJob& job) {
   writer.add(job.number);
   writer.add(job.crew);
   // A member that is added has to be sent too: then these do not compile.
-  const auto& [scenario, sample, gains] = job.job;
+  const auto& [scenario, sample, gains, limits] = job.job;
   writer.add(std::uint64_t{scenario});
   writer.add(sample);
   add_gains(writer, gains);
+  writer.add(std::uint64_t{limits.size()});
+  for (const auto& [metric, value] : limits) {
+    writer.add(static_cast<std::uint64_t>(metric));
+    writer.add(value);
+  }
   return writer.bytes();
 }
 
@@ -126,6 +131,11 @@ NumberedJob read_job(const std::string& message) {
   job.job.scenario = reader.integer();
   job.job.sample = reader.integer();
   job.job.gains = read_gains(reader);
+  for (std::uint64_t left = reader.integer(); left > 0; --left) {
+    const std::uint64_t metric = reader.integer();
+    if (metric >= kMetricCount) throw std::runtime_error(fmt::format("a message's metric is {}", metric));
+    job.job.limits.push_back({static_cast<Metric>(metric), reader.number()});
+  }
   reader.end();
   return job;
 }

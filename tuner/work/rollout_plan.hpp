@@ -9,6 +9,7 @@
 
 #include "core/control/gains.hpp"
 #include "sim/plant/stepper.hpp"
+#include "sim/rollout/end_limit.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "sim/scenario/scenario.hpp"
 
@@ -33,6 +34,7 @@ struct RolloutJob {
   std::size_t scenario = 0;  ///< index into the plan's
   std::uint64_t sample = 0;  ///< number of the arm; 0 without a draw
   Gains gains;
+  EndLimits limits = {};  ///< where the rollout ends before its time
 };
 
 /// How long a rollout of the scenario may take [s of wall clock]: the plan's deadline, or 20 s and twice the

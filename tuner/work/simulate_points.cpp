@@ -13,7 +13,8 @@ RolloutPlan plan_of(const Study& study, double deadline) {
 
 std::optional<std::vector<Evaluation>> simulate_points(
     const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
-    const std::atomic<bool>& stop, const std::function<void(std::size_t, const Evaluation&)>& finished) {
+    const std::atomic<bool>& stop, const std::vector<EndLimits>& limits,
+    const std::function<void(std::size_t, const Evaluation&)>& finished) {
   std::vector<Gains> gains;
   std::vector<Evaluation> evaluations(points.size());
   gains.reserve(points.size());
@@ -23,11 +24,13 @@ std::optional<std::vector<Evaluation>> simulate_points(
     gains.push_back(evaluations[i].gains);
   }
   const bool whole = workers
-                         .run(gains, stop,
-                              [&](std::size_t i, const std::vector<RolloutResult>& results) {
-                                evaluations[i].results = results;
-                                if (finished) finished(i, evaluations[i]);
-                              })
+                         .run(
+                             gains, stop,
+                             [&](std::size_t i, const std::vector<RolloutResult>& results) {
+                               evaluations[i].results = results;
+                               if (finished) finished(i, evaluations[i]);
+                             },
+                             limits)
                          .has_value();
   if (!whole) return std::nullopt;
   return evaluations;

@@ -38,7 +38,8 @@ std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) con
 
 std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
                                                                     const std::atomic<bool>& stop,
-                                                                    const Finished& finished) {
+                                                                    const Finished& finished,
+                                                                    const std::vector<EndLimits>& limits) {
   const std::size_t each = longest_first_.size() * samples();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
@@ -48,7 +49,8 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   crew_->run(
       candidates.size() * each,
       [&](std::size_t i) {
-        return RolloutJob{scenario_of(i), sample_of(i), candidates[i % candidates.size()]};
+        return RolloutJob{scenario_of(i), sample_of(i), candidates[i % candidates.size()],
+                          limits.empty() ? EndLimits() : limits[scenario_of(i)]};
       },
       stop,
       [&](std::size_t i, RolloutResult&& result) {

@@ -33,13 +33,13 @@ TEST_F(Recall, WhatIsInTheJournalIsNotSimulatedAgain) {
   {
     const auto journal = begin();
     Evaluator evaluator(study_, workers, stop_, journal.get());
-    first = *evaluator.next("sweep", {points[0], points[1]});
+    first = *evaluator.next("sweep", {points[0], points[1]}, {});
   }
   EXPECT_EQ(workers.rollouts_done(), 4);
   Workers fresh(study_.scenarios, study_.stepper, 2);
   const auto journal = resume();
   Evaluator evaluator(study_, fresh, stop_, journal.get());
-  const auto again = *evaluator.next("sweep", points);
+  const auto again = *evaluator.next("sweep", points, {});
   EXPECT_EQ(fresh.rollouts_done(), 2) << "only the third point is new";
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(again[i].recalled);
@@ -57,12 +57,12 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
   Workers workers(study_.scenarios, study_.stepper, 1);
   {
     const auto journal = begin();
-    Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, 0.75}});
+    Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, 0.75}}, {});
   }
   const auto journal = resume();
   EXPECT_THAT(
       test::refusal([&] {
-        Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, std::nextafter(0.75, 1.0)}});
+        Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, std::nextafter(0.75, 1.0)}}, {});
       }),
       HasSubstr("another point as evaluation 0"));
 }
@@ -103,8 +103,8 @@ TEST_F(Recall, MinutesOfEarlierSessionsCount) {
   const auto journal = resume();
   Evaluator evaluator(study_, workers, stop_, journal.get());
   EXPECT_TRUE(evaluator.time_left()) << "what is recorded was begun in time";
-  evaluator.next("start", {study_.space.start_point()});
-  evaluator.next("search", {study_.space.start_point()});
+  evaluator.next("start", {study_.space.start_point()}, {});
+  evaluator.next("search", {study_.space.start_point()}, {});
   EXPECT_FALSE(evaluator.time_left());
   EXPECT_EQ(journal->time_was_up(), 2U);
 }

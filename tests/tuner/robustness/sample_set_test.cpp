@@ -63,6 +63,27 @@ TEST(FoldedResult, IsCompletedOnlyIfEverySampleIs) {
   EXPECT_EQ(all.end_time, 3.0);
 }
 
+TEST(FoldedResult, OfSeveralFailuresIsTheOneThatEndedFirst) {
+  std::vector<RolloutResult> samples(4);
+  const auto fail = [&samples](std::size_t k, RolloutStatus status, double end) {
+    samples[k].status = status;
+    samples[k].end_time = end;
+    samples[k].reason = name(status);
+  };
+  samples[0].end_time = 8.0;
+  fail(1, RolloutStatus::kNoSamples, 8.0);
+  fail(2, RolloutStatus::kHopeless, 5.0);
+  fail(3, RolloutStatus::kDiverged, 2.0);
+  RolloutResult all = folded(set_of(RiskMeasure::kWorst), samples);
+  EXPECT_EQ(all.status, RolloutStatus::kDiverged);
+  EXPECT_EQ(all.end_time, 2.0);
+  EXPECT_EQ(all.reason, "sample 3: diverged");
+  fail(3, RolloutStatus::kDiverged, 6.0);
+  all = folded(set_of(RiskMeasure::kWorst), samples);
+  EXPECT_EQ(all.status, RolloutStatus::kHopeless);
+  EXPECT_EQ(all.reason, "sample 2: hopeless");
+}
+
 const std::string kRobust =
     "robust:\n  samples: 3\n  seed: 4\n  measure: worst\n"
     "  uncertainty: {mass: 0.3, payload: 2, delay: 1, noise: 0, phases: false}\n";

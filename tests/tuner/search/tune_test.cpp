@@ -158,6 +158,46 @@ TEST(Tune, SweepsBeforeItSearchesAndRemembersTheBestOfTheSweep) {
   EXPECT_LE(result.evaluations, 9);
 }
 
+TEST(Tune, EndsHopelessRolloutsEarlyAndStillSeesTheBestOneWhole) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [1.2, 2.2]}\n"
+                         "search: {max_evaluations: 7}\n");
+  Study study = load_study(files.path());
+  // Beyond repair: halfway between what the start needs and the stiffest wrist of the sweep.
+  const Tuned whole = run(study, 2, files / "whole.csv");
+  const double start = largest_velocity_ratio(whole.evaluations[0]);
+  const double fastest = largest_velocity_ratio(whole.evaluations.at(2));
+  ASSERT_GT(fastest, 1.05 * start);
+  const double limit = 0.75 * start + 0.25 * fastest;
+  const Hopeless beyond = {Hopeless::Kind::kFrom, 0.5 * (start + fastest)};
+  study.constraints = {{Metric::kJointVelocityMaxRatio, true, limit, {0, 1}, beyond}};
+  const Tuned one = run(study, 1, files / "one.csv");
+  const Tuned two = run(study, 2, files / "two.csv");
+  EXPECT_EQ(without_times(one.journal), without_times(two.journal));
+
+  std::size_t hopeless = 0;
+  for (const Evaluation& e : one.evaluations) {
+    for (const RolloutResult& r : e.results) {
+      if (r.status != RolloutStatus::kHopeless) continue;
+      ++hopeless;
+      EXPECT_FALSE(e.feasible);
+      EXPECT_THAT(e.status, testing::HasSubstr("beyond repair"));
+      EXPECT_THAT(one.journal, testing::HasSubstr(e.status));
+      EXPECT_LT(r.end_time, study.scenarios[0].duration);
+      // Simulated whole it breaks the limit all the same.
+      Rollout again(study.scenarios[static_cast<std::size_t>(&r - e.results.data())], study.stepper);
+      EXPECT_GE(again.run(e.gains).metrics[Metric::kJointVelocityMaxRatio], beyond.value);
+    }
+  }
+  EXPECT_GT(hopeless, 0U);
+  const Evaluation& best = one.result.best;
+  ASSERT_TRUE(best.feasible);
+  for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+    const RolloutResult again = Rollout(study.scenarios[s], study.stepper).run(best.gains);
+    EXPECT_EQ(test::bits(again.metrics), test::bits(best.results[s].metrics));
+  }
+}
+
 TEST(Tune, ASweepOfWorsePointsLeavesTheStartTheBest) {
   const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
                          "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.5, 0.6]}\n"

@@ -119,6 +119,112 @@ TEST_F(ObjectiveOfTwoScenarios, WhatDivergesIsInfeasibleAndWorseTheEarlierItEnds
   }
 }
 
+/// Ended at `end` with this velocity ratio, every other bound kept.
+RolloutResult hopeless(double end, double ratio) {
+  RolloutResult r = completed(0.001, 0.01, ratio, 0.3);
+  r.status = RolloutStatus::kHopeless;
+  r.end_time = end;
+  r.reason = "beyond repair";
+  return r;
+}
+
+TEST_F(ObjectiveOfTwoScenarios, WhatIsHopelessIsWorseTheEarlierItEnded) {
+  double objective = HUGE_VAL;
+  double violation = HUGE_VAL;
+  for (const double end : {0.0, 0.002, 1.0, 5.0, 9.998}) {
+    const Evaluation e = judged({start_[0], hopeless(end, 2.0)});
+    EXPECT_FALSE(e.feasible);
+    EXPECT_EQ(e.status, "beyond repair");
+    EXPECT_LT(e.objective, objective) << end;
+    EXPECT_LT(e.violation, violation) << end;
+    EXPECT_LT(e.relative.back(), 2.0) << "no more than one that diverged at once";
+    objective = e.objective;
+    violation = e.violation;
+  }
+}
+
+TEST_F(ObjectiveOfTwoScenarios, WhatIsHopelessIsWorseTheFartherItWentInTheSameTime) {
+  double objective = 0.0;
+  double violation = 0.0;
+  for (const double ratio : {1.8, 1.9, 3.0, 9.0}) {
+    const Evaluation e = judged({start_[0], hopeless(4.0, ratio)});
+    EXPECT_GT(e.objective, objective) << ratio;
+    EXPECT_GT(e.violation, violation) << ratio;
+    objective = e.objective;
+    violation = e.violation;
+  }
+  for (const double ratio : {1e9, HUGE_VAL}) {
+    const Evaluation e = judged({start_[0], hopeless(4.0, ratio)});
+    EXPECT_TRUE(std::isfinite(e.objective)) << ratio;
+    EXPECT_TRUE(std::isfinite(e.violation)) << ratio;
+    EXPECT_GE(e.objective, objective) << ratio;
+  }
+}
+
+TEST_F(ObjectiveOfTwoScenarios, WhatDivergedIsNoBetterThanWhatWasHopelessByThen) {
+  for (const double end : {0.5, 5.0, 9.9}) {
+    RolloutResult far = hopeless(end, 1e9);
+    RolloutResult gone = far;
+    gone.status = RolloutStatus::kDiverged;
+    EXPECT_GT(judged({start_[0], gone}).objective, judged({start_[0], far}).objective) << end;
+    EXPECT_TRUE(better(judged({start_[0], far}), judged({start_[0], gone}))) << end;
+  }
+}
+
+TEST_F(ObjectiveOfTwoScenarios, WhateverCompletesIsBetterThanWhatIsHopeless) {
+  const Evaluation late = judged({start_[0], hopeless(9.998, 1.8)});
+  for (const double clearance : {0.3, -1e9}) {
+    for (const double ratio : {0.5, 1e9}) {
+      const Evaluation wild =
+          judged({completed(1e9, 1e9, ratio, NAN), completed(1e9, 1e9, ratio, clearance)});
+      EXPECT_TRUE(better(wild, late)) << ratio << " " << clearance;
+      EXPECT_FALSE(better(late, wild)) << ratio << " " << clearance;
+    }
+  }
+  // With all other scenarios alike the objective says so too.
+  EXPECT_LT(judged({start_[0], completed(1e9, 1e9, 1e9, -1e9)}).objective, late.objective);
+}
+
+TEST_F(ObjectiveOfTwoScenarios, EndsRolloutsAtTwiceTheVelocityLimitWhereItIsJudged) {
+  constraints_[0].scenarios = {1};
+  const Objective o = objective();
+  ASSERT_EQ(o.end_limits().size(), 2U);
+  EXPECT_TRUE(o.end_limits()[0].empty()) << "the constraint does not list it";
+  ASSERT_EQ(o.end_limits()[1].size(), 1U) << "clearance is never hopeless by default";
+  EXPECT_EQ(o.end_limits()[1][0].metric, Metric::kJointVelocityMaxRatio);
+  EXPECT_DOUBLE_EQ(o.end_limits()[1][0].value, 1.8);
+  constraints_[0].hopeless.kind = Hopeless::Kind::kNever;
+  EXPECT_TRUE(objective().end_limits()[1].empty());
+}
+
+TEST_F(ObjectiveOfTwoScenarios, EndsRolloutsAtTwiceTheStartsValueWhereThatIsTheLimit) {
+  constraints_[0].limit.reset();
+  EXPECT_DOUBLE_EQ(objective().end_limits()[0].at(0).value, 2.0 * 0.4);
+  EXPECT_DOUBLE_EQ(objective().end_limits()[1].at(0).value, 2.0 * 0.8);
+}
+
+TEST_F(ObjectiveOfTwoScenarios, AStatedEndHoldsOnlyWhereTheMetricApplies) {
+  constraints_[1].hopeless = {Hopeless::Kind::kFrom, 0.05};
+  EXPECT_EQ(objective().end_limits()[0].size(), 1U) << "no obstacles there";
+  ASSERT_EQ(objective().end_limits()[1].size(), 2U);
+  const EndLimit end = objective().end_limits()[1][1];
+  EXPECT_TRUE(end.reached_by(0.05));
+  EXPECT_FALSE(end.reached_by(0.051)) << "of clearance more is better";
+  EXPECT_FALSE(end.reached_by(NAN));
+}
+
+TEST_F(ObjectiveOfTwoScenarios, TheStartIsNeverHopeless) {
+  start_[1].metrics[Metric::kJointVelocityMaxRatio] = 1.9;
+  EXPECT_FALSE(objective().end_limits()[0].empty());
+  EXPECT_TRUE(objective().end_limits()[1].empty()) << "where the start passes the default there is none";
+  constraints_[0].hopeless = {Hopeless::Kind::kFrom, 1.8};
+  EXPECT_THAT(test::refusal([&] { objective(); }),
+              testing::AllOf(testing::StartsWith("study.yaml"), HasSubstr("joint_velocity/max_ratio"),
+                             HasSubstr("hard"), HasSubstr("1.9"), HasSubstr("1.8"), HasSubstr("never")));
+  constraints_[0].hopeless.value = 1.95;
+  EXPECT_FALSE(objective().end_limits()[1].empty());
+}
+
 TEST_F(ObjectiveOfTwoScenarios, MoreDivergedScenariosAreWorse) {
   EXPECT_GT(judged({diverged(5.0), diverged(5.0)}).violation, judged({start_[0], diverged(5.0)}).violation);
   EXPECT_GT(judged({diverged(5.0), diverged(5.0)}).objective, judged({start_[0], diverged(5.0)}).objective);

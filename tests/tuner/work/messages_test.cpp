@@ -16,7 +16,7 @@ namespace {
 
 /// Every number another one, switches away from their defaults.
 NumberedJob some_job() {
-  NumberedJob job{7, 3, {2, std::numeric_limits<std::uint64_t>::max(), {}}};
+  NumberedJob job{7, 3, {2, std::numeric_limits<std::uint64_t>::max(), {}, {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}}}};
   Gains& gains = job.job.gains;
   double next = 0.1;
   for (const GainField& field : gain_fields()) {
@@ -89,6 +89,12 @@ TEST(Messages, AJobComesBackWithEveryGain) {
     }
   }
   EXPECT_EQ(got.job.gains.slerp_reference, SlerpReference::kCurrent);
+  ASSERT_EQ(got.job.limits.size(), sent.job.limits.size());
+  for (std::size_t i = 0; i < sent.job.limits.size(); ++i) {
+    EXPECT_EQ(got.job.limits[i].metric, sent.job.limits[i].metric);
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(got.job.limits[i].value),
+              std::bit_cast<std::uint64_t>(sent.job.limits[i].value));
+  }
   expect_only_the_whole_is_read(job_message(sent), read_job);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/work/parallel.hpp"
 
@@ -30,6 +32,38 @@ TEST(Workers, GiveEachCandidateItsRolloutsWhateverTheirNumber) {
         EXPECT_EQ((*results)[c][s].reason, expected.reason);
       }
     }
+  }
+}
+
+TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
+  const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 3.0),
+                                           test::scenario_of("realistic_moving_target", 3.5)};
+  const std::vector<Gains> candidates = {test::quick_gains(scenarios[0])};
+  // A hundredth of the velocity limit is passed on the way out of the singularity.
+  const std::vector<EndLimits> limits = {{}, {{Metric::kJointVelocityMaxRatio, 0.01}}};
+  SampleSet set;
+  set.samples = 2;
+  set.measure = RiskMeasure::kWorst;
+  const std::atomic<bool> never{false};
+  for (const int count : {1, 3}) {
+    Workers plain(scenarios, Stepper::kMidpoint, count);
+    const auto ended = (*plain.run(candidates, never, {}, limits))[0];
+    EXPECT_EQ(ended[0].status, RolloutStatus::kNoSamples) << "it ran whole";
+    EXPECT_EQ(ended[1].status, RolloutStatus::kHopeless);
+    const RolloutResult alone = Rollout(scenarios[1], Stepper::kMidpoint).run(candidates[0], {}, limits[1]);
+    EXPECT_EQ(test::bits(ended[1].metrics), test::bits(alone.metrics));
+    EXPECT_EQ(ended[1].end_time, alone.end_time);
+
+    Workers arms(scenarios, Stepper::kMidpoint, count, set);
+    const auto folded_results = (*arms.run(candidates, never, {}, limits))[0];
+    double first = HUGE_VAL;
+    for (std::uint64_t k = 0; k < 2; ++k) {
+      const Scenario arm = perturbed(scenarios[1], set.perturbation, set.seed, k);
+      first = std::min(first, Rollout(arm, Stepper::kMidpoint).run(candidates[0], {}, limits[1]).end_time);
+    }
+    EXPECT_EQ(folded_results[0].status, RolloutStatus::kNoSamples);
+    EXPECT_EQ(folded_results[1].status, RolloutStatus::kHopeless);
+    EXPECT_EQ(folded_results[1].end_time, first);
   }
 }
 

@@ -1,0 +1,68 @@
+#include "tuner/study/hopeless.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+namespace armtune {
+namespace {
+
+/// The drives' limit is the arm's end of speed, the study's limit lies below it: at twice that no gain set is
+/// near to a good one.
+constexpr double kVelocityFactor = 2.0;
+/// A joint this far past its bound [rad, m] has long met its stop.
+constexpr double kMarginBeyond = 0.1;
+
+std::vector<std::string> names_of_those_that_can(bool upper) {
+  std::vector<std::string> names;
+  for (const Metric m : all_metrics()) {
+    if (can_be_hopeless(m, upper)) names.emplace_back(name(m));
+  }
+  return names;
+}
+
+}  // namespace
+
+bool can_be_hopeless(Metric metric, bool upper) {
+  return only_worsens(metric) && upper != larger_is_better(metric);
+}
+
+std::optional<double> default_hopeless(Metric metric, bool upper, double limit) {
+  if (!can_be_hopeless(metric, upper)) return std::nullopt;
+  if (metric == Metric::kJointVelocityMaxRatio) return kVelocityFactor * limit;
+  if (metric == Metric::kJointPositionMinMargin) return limit - kMarginBeyond;
+  return std::nullopt;
+}
+
+Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::optional<double> limit) {
+  if (node == nullptr || node->is_word("auto")) return {};
+  if (node->is_word("never")) return {Hopeless::Kind::kNever, 0.0};
+  const double value = node->as_number();
+  const char* bound = upper ? "at_most" : "at_least";
+  if (!can_be_hopeless(metric, upper)) {
+    node->fail(
+        fmt::format("{} with {} can recover while a rollout runs, so no value is beyond repair; leave the "
+                    "key out; metrics that cannot, with {}: {}",
+                    name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
+  }
+  if (limit && (upper ? value <= *limit : value >= *limit)) {
+    node->fail(fmt::format("{} does not lie beyond {} {}; give a value {} it, or never", value, bound, *limit,
+                           upper ? "above" : "below"));
+  }
+  return {Hopeless::Kind::kFrom, value};
+}
+
+std::string hopeless_text(const Hopeless& hopeless) {
+  switch (hopeless.kind) {
+    case Hopeless::Kind::kAuto:
+      return "auto";
+    case Hopeless::Kind::kNever:
+      return "never";
+    case Hopeless::Kind::kFrom:
+      return fmt::format("{}", hopeless.value);
+  }
+  return "";
+}
+
+}  // namespace armtune
