@@ -14,6 +14,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
@@ -94,6 +95,7 @@ int run(Arguments args) {
   const ParetoOptions options = options_of(args, study);
   if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
   refuse_used_folder(args.folder);
+  warn_of_clamped(study);
 
   Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
   std::optional<EvaluationsFile> journal;
@@ -110,7 +112,8 @@ int run(Arguments args) {
     make_folder(args.folder + "/start");
     write_text_file(args.folder + "/start/gains.yaml",
                     gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
-    write_text_file(args.folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
+    write_text_file(args.folder + "/study.yaml",
+                    study_yaml(study, "start/gains.yaml", write_warm(study, args.folder)));
     journal.emplace(args.folder + "/evaluations.csv", study, criteria_columns(study, options));
   };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) { journal->append(phase, e, seconds()); };
@@ -144,6 +147,7 @@ int run(Arguments args) {
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
+  if (study.warm) p.inputs.push_back(study.warm->source);
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = args.workers;

@@ -15,6 +15,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
@@ -40,13 +41,22 @@ struct Arguments {
   long seed = -1;
   int record_every = 5;
   bool analysis = true;
+  WarmArguments warm;
 };
 
 Study load(const Arguments& args) {
   Study study = load_study(args.study);
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  apply(args.warm, study);
   return study;
+}
+
+/// "CRS2, then BOBYQA from 4 starts"
+std::string search_text(const Study& study) {
+  return fmt::format("{}{}{}", study.global_algorithm.empty() ? "" : study.global_algorithm + ", then ",
+                     study.solver.algorithm,
+                     study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
 }
 
 /// " (worst of 5 arms each)" where a study tunes on samples.
@@ -119,7 +129,7 @@ void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
   write_text_file(folder + "/start/gains.yaml",
                   gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
-  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
+  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml", write_warm(study, folder)));
 }
 
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
@@ -143,13 +153,14 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
+  if (study.warm) p.inputs.push_back(study.warm->source);
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = args.workers;
   p.wall_seconds = seconds;
   p.extra = {{"study", shown_path(study.source)},
              {"evaluations", fmt::format("{}", result.evaluations)},
-             {"algorithm", study.solver.algorithm},
+             {"algorithm", search_text(study)},
              {"stepper", name(study.stepper)},
              {"ended", result.reason},
              {"feasible", result.best.feasible ? "true" : "false"},
@@ -230,6 +241,7 @@ int run(Arguments args) {
   const Study study = load(args);
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
   refuse_used_folder(args.folder);
+  warn_of_clamped(study);
 
   Workers workers(study.scenarios, study.stepper, args.workers, study.robust);
   std::unique_ptr<EvaluationsFile> journal;
@@ -241,7 +253,7 @@ int run(Arguments args) {
     objective = o;
     fmt::print("study {}: {} gains over {} scenarios{}, {} and {} evaluations at most; results go to {}\n",
                study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
-               study.solver.algorithm, study.max_evaluations, args.folder);
+               search_text(study), study.max_evaluations, args.folder);
     std::fflush(stdout);
     make_run_folder(args.folder);
     write_start(study, args.folder);
@@ -300,7 +312,20 @@ int run(Arguments args) {
 std::string help_footer() {
   std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
                                  fmt::join(bundled_names("studies"), " "));
-  for (const AlgorithmInfo& a : algorithms()) text += fmt::format("  {:<12} {}\n", a.name, a.meaning);
+  for (const AlgorithmInfo& a : algorithms()) {
+    text += fmt::format("  {:<12} {}{}{}{}\n", a.name, a.meaning,
+                        a.takes_constraints ? "; takes constraints" : "",
+                        a.uses_differences ? "; uses differences, evaluated in parallel" : "",
+                        a.draws_random_numbers ? "; draws random numbers" : "");
+  }
+  text +=
+      "Around those that do not take constraints an augmented Lagrangian or a penalty is put "
+      "(search/constraints).\n"
+      "Also in search: global and global_share (another algorithm first, for that part of the evaluations), "
+      "starts\n"
+      "(several local searches at once), differences (forward, central) and difference_step. warm_start: "
+      "from,\n"
+      "parameters, box, step, as the options above.\n";
   text += "\nGains (study file, parameters; * tuned by default):\n";
   for (const GainField& field : gain_fields()) {
     if (!field.is_number()) continue;
@@ -337,6 +362,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
+  add_warm_options(*command, args->warm);
   command->footer(help_footer);
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
