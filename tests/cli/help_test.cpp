@@ -33,7 +33,9 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   EXPECT_THAT(help("tune"),
               AllOf(HasSubstr("ur10_gaze"), HasSubstr("COBYLA"), HasSubstr("ISRES"),
                     HasSubstr("slerpDurationErrorGain"), HasSubstr("reacquisition/time"),
-                    HasSubstr("--max-evaluations"), HasSubstr("--seed"), HasSubstr("hopeless")));
+                    HasSubstr("--max-evaluations"), HasSubstr("--seed"), HasSubstr("--warm-start"),
+                    HasSubstr("hopeless"), HasSubstr("global_share"), HasSubstr("takes constraints"),
+                    HasSubstr("uses differences"), HasSubstr("draws random numbers")));
   EXPECT_THAT(help("robustness"), AllOf(HasSubstr("--payload"), HasSubstr("--limit"), HasSubstr("1000")));
   for (const char* command : {"tune", "pareto", "robustness", "sensitivity"}) {
     EXPECT_THAT(help(command), AllOf(HasSubstr("--rollout-deadline"), HasSubstr("every rank is one worker")))

@@ -180,5 +180,57 @@ TEST(TuneCommand, OnManyArmsItReportsTheMeasureAndTheScenariosOwnArmApart) {
   EXPECT_EQ(start.at(0, "error/orientation/rms"), journal.at(0, "short/error/orientation/rms"));
 }
 
+TEST(TuneCommand, AWarmStartIsKeptInTheRunFolderSoThatTheRunItCameFromMayGo) {
+  const ShortStudy files;
+  const auto tune = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"tune"});
+    arguments.insert(arguments.end(), {"--workers", "2", "--max-evaluations", "5", "--no-analysis"});
+    return run_program(arguments);
+  };
+  ASSERT_EQ(tune({files.path(), "--out", files / "first"}).exit_code, 0);
+  const Finished warm =
+      tune({files.path(), "--warm-start", files / "first", "--warm-parameters", "task_space_gains_p",
+            "--warm-box", "0.3", "--warm-step", "0.05", "--out", files / "warm"});
+  ASSERT_EQ(warm.exit_code, 0) << warm.err;
+  const auto journal = test::read_csv(files / "warm/evaluations.csv");
+  EXPECT_EQ(journal.at(1, "phase"), "warm");
+  fs::remove_all(files / "first");
+  const Finished again = tune({files / "warm/study.yaml", "--out", files / "again"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto repeated = test::read_csv(files / "again/evaluations.csv");
+  ASSERT_EQ(repeated.rows.size(), journal.rows.size());
+  for (std::size_t r = 0; r < journal.rows.size(); ++r) {
+    EXPECT_EQ(repeated.at(r, "objective"), journal.at(r, "objective"));
+  }
+}
+
+TEST(TuneCommand, SaysWhichGainsOfAWarmStartItsBoundsDoNotAllow) {
+  const ShortStudy files;
+  Gains gains = load_study(files.path()).space.start;
+  gains.slerpDurationErrorGain = 77.0;
+  files.write("far.yaml", gains_yaml(gains, {}));
+  const Finished tuned = run_program({"tune", files.path(), "--warm-start", files / "far.yaml", "--out",
+                                      files / "run", "--max-evaluations", "3", "--no-analysis"});
+  ASSERT_TRUE(tuned.exit_code == 0 || tuned.exit_code == 3) << tuned.err;
+  EXPECT_THAT(tuned.err, testing::AllOf(HasSubstr("warning"), HasSubstr("slerpDurationErrorGain 77"),
+                                        HasSubstr("1 .. 4")));
+}
+
+TEST(TuneCommand, AWarmStartThatIsNoneIsRefused) {
+  const ShortStudy files;
+  const auto refused = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"tune", files.path(), "--out", files / "run"});
+    const Finished finished = run_program(arguments);
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_FALSE(fs::exists(files / "run"));
+    return finished.err;
+  };
+  EXPECT_THAT(refused({"--warm-box", "0.5"}), HasSubstr("--warm-start"));
+  EXPECT_THAT(refused({"--warm-start", files / "nowhere.yaml"}), HasSubstr("nowhere.yaml"));
+  EXPECT_THAT(refused({"--warm-start", files / "gains.yaml", "--warm-parameters", "adaptation_gain"}),
+              HasSubstr("'adaptation_gain' is not tuned"));
+  EXPECT_THAT(refused({"--warm-start", files / "gains.yaml", "--warm-box", "1.5"}), HasSubstr("--warm-box"));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -16,6 +16,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
@@ -90,15 +91,11 @@ std::vector<ExtraColumn> criteria_columns(const Study& study, const ParetoOption
 }
 
 RunHeader header_of(const Study& study, const Arguments& args, const ParetoOptions& options) {
-  std::vector<std::string> inputs;
-  add_inputs(study.scenarios, inputs);
-  return run_header({{"seed", fmt::format("{}", study.solver.seed)},
-                     {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
-                     {"levels", fmt::format("{}", options.levels)},
-                     {"max_evaluations", fmt::format("{}", options.max_evaluations)},
-                     {"study", study_yaml(study, "start/gains.yaml")},
-                     {"start gains", gains_yaml(study.space.start, {})}},
-                    inputs);
+  auto identity = identity_of(study);
+  identity.emplace_back("criteria", fmt::format("{}", fmt::join(args.criteria, " ")));
+  identity.emplace_back("levels", fmt::format("{}", options.levels));
+  identity.emplace_back("max_evaluations", fmt::format("{}", options.max_evaluations));
+  return run_header(std::move(identity), inputs_of(study));
 }
 
 int run(Arguments args, Team& team) {
@@ -119,6 +116,7 @@ int run(Arguments args, Team& team) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
     return *journal->exit_code();
   }
+  warn_of_clamped(study);
   Workers workers(team.crew(), study.robust);
   std::optional<EvaluationsFile> evaluations;
   std::optional<Objective> objective;
@@ -135,7 +133,8 @@ int run(Arguments args, Team& team) {
     make_folder(args.folder + "/start");
     write_text_file(args.folder + "/start/gains.yaml",
                     gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
-    write_text_file(args.folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
+    write_text_file(args.folder + "/study.yaml",
+                    study_yaml(study, "start/gains.yaml", write_warm(study, args.folder)));
     evaluations.emplace(args.folder + "/evaluations.csv", study, criteria_columns(study, options),
                         AppendFile::Open::kReplace);
   };
@@ -181,6 +180,7 @@ int run(Arguments args, Team& team) {
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
+  if (study.warm) p.inputs.push_back(study.warm->source);
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = workers.count();

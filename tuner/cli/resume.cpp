@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/common/error.hpp"
+#include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -65,6 +66,22 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   std::error_code gone;  // on another machine there may be no such folder, nor need for it
   fs::current_path(begun.working_folder, gone);
   return all;
+}
+
+std::vector<std::pair<std::string, std::string>> identity_of(const Study& study) {
+  const std::string warm = study.warm ? "start/warm_gains.yaml" : "";
+  std::vector<std::pair<std::string, std::string>> identity = {
+      {"seed", fmt::format("{}", study.solver.seed)},
+      {"study", study_yaml(study, "start/gains.yaml", warm)},
+      {"start gains", gains_yaml(study.space.start, {})}};
+  if (study.warm) identity.emplace_back("warm gains", gains_yaml(study.warm->gains, {}));
+  return identity;
+}
+
+std::vector<std::string> inputs_of(const Study& study) {
+  std::vector<std::string> inputs;
+  add_inputs(study.scenarios, inputs);
+  return inputs;
 }
 
 RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,

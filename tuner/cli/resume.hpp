@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tuner/journal/journal.hpp"
+#include "tuner/study/study.hpp"
 
 namespace armtune::cli {
 
@@ -14,6 +16,10 @@ namespace armtune::cli {
 /// folder becomes the one that run was begun in, if it is still there. Throws InputError if the folder holds
 /// no journal, one of another command, or further words were given.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
+
+/// All that a study's results depend on but the files its scenarios are made from, and those files.
+std::vector<std::pair<std::string, std::string>> identity_of(const Study& study);
+std::vector<std::string> inputs_of(const Study& study);
 
 /// Header of a new run's journal: this command line without --out and what may differ, and all that the
 /// results depend on: `identity` (of the command), versions, hashes of the input files.

@@ -17,6 +17,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
@@ -44,13 +45,22 @@ struct Arguments {
   long seed = -1;
   int record_every = 5;
   bool analysis = true;
+  WarmArguments warm;
 };
 
 Study load(const Arguments& args) {
   Study study = load_study(args.study);
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
+  apply(args.warm, study);
   return study;
+}
+
+/// "CRS2, then BOBYQA from 4 starts"
+std::string search_text(const Study& study) {
+  return fmt::format("{}{}{}", study.global_algorithm.empty() ? "" : study.global_algorithm + ", then ",
+                     study.solver.algorithm,
+                     study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
 }
 
 /// " (worst of 5 arms each)" where a study tunes on samples.
@@ -124,7 +134,7 @@ void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
   write_text_file(folder + "/start/gains.yaml",
                   gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
-  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml"));
+  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml", write_warm(study, folder)));
 }
 
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
@@ -148,13 +158,14 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};
+  if (study.warm) p.inputs.push_back(study.warm->source);
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = workers;
   p.wall_seconds = seconds;
   p.extra = {{"study", shown_path(study.source)},
              {"evaluations", fmt::format("{}", result.evaluations)},
-             {"algorithm", study.solver.algorithm},
+             {"algorithm", search_text(study)},
              {"stepper", name(study.stepper)},
              {"ended", result.reason},
              {"feasible", result.best.feasible ? "true" : "false"},
@@ -230,20 +241,10 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   return true;
 }
 
-/// All that the results depend on, for the journal.
-RunHeader header_of(const Study& study) {
-  std::vector<std::string> inputs;
-  add_inputs(study.scenarios, inputs);
-  return run_header({{"seed", fmt::format("{}", study.solver.seed)},
-                     {"study", study_yaml(study, "start/gains.yaml")},
-                     {"start gains", gains_yaml(study.space.start, {})}},
-                    inputs);
-}
-
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
   fmt::print("study {}: {} gains over {} scenarios{}, {} and {} evaluations at most; results go to {}\n",
              study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
-             study.solver.algorithm, study.max_evaluations, args.folder);
+             search_text(study), study.max_evaluations, args.folder);
   if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
   std::fflush(stdout);
 }
@@ -290,11 +291,13 @@ int run(Arguments args, Team& team) {
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
   if (!resumed) make_run_folder(args.folder);
-  const auto journal = open_journal(args.folder, args.resume, header_of(study));
+  const auto journal =
+      open_journal(args.folder, args.resume, run_header(identity_of(study), inputs_of(study)));
   if (journal->exit_code()) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
     return *journal->exit_code();
   }
+  warn_of_clamped(study);
   Workers workers(team.crew(), study.robust);
   std::optional<Objective> objective;
   TuneResult result;
@@ -347,7 +350,20 @@ int run(Arguments args, Team& team) {
 std::string help_footer() {
   std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
                                  fmt::join(bundled_names("studies"), " "));
-  for (const AlgorithmInfo& a : algorithms()) text += fmt::format("  {:<12} {}\n", a.name, a.meaning);
+  for (const AlgorithmInfo& a : algorithms()) {
+    text += fmt::format("  {:<12} {}{}{}{}\n", a.name, a.meaning,
+                        a.takes_constraints ? "; takes constraints" : "",
+                        a.uses_differences ? "; uses differences, evaluated in parallel" : "",
+                        a.draws_random_numbers ? "; draws random numbers" : "");
+  }
+  text +=
+      "Around those that do not take constraints an augmented Lagrangian or a penalty is put "
+      "(search/constraints).\n"
+      "Also in search: global and global_share (another algorithm first, for that part of the evaluations), "
+      "starts\n"
+      "(several local searches at once), differences (forward, central) and difference_step. warm_start: "
+      "from,\n"
+      "parameters, box, step, as the options above.\n";
   text += "\nGains (study file, parameters; * tuned by default):\n";
   for (const GainField& field : gain_fields()) {
     if (!field.is_number()) continue;
@@ -405,6 +421,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
+  add_warm_options(*command, args->warm);
   command->footer(help_footer);
   command->callback(
       [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });

@@ -254,9 +254,11 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   design.random_condition = use_of(designer.at(best), model, designer.base()).condition;
   SolverProblem problem;
   problem.start = best;
-  problem.evaluate = [&](const std::vector<double>& x, SolverValue& value) {
-    if (stop || design.evaluations >= options.evaluations) return false;
-    value.objective = take(x);
+  problem.evaluate = [&](const std::vector<SolverPoint>& points, std::vector<SolverValue>& values) {
+    for (const SolverPoint& point : points) {
+      if (stop || design.evaluations >= options.evaluations) return false;
+      values.push_back({take(point.x), {}});
+    }
     return true;
   };
   SolverOptions solver;
@@ -264,6 +266,7 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   solver.initial_step = 0.2;
   solver.x_tolerance = 1e-4;
   solver.seed = options.seed;
+  solver.look_ahead = 1;  // there is one thread to work
   minimize(problem, solver);
 
   design.excitation = designer.at(best);

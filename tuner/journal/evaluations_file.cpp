@@ -23,7 +23,8 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
     columns.push_back({name, unit, meaning, {}});
   };
   add("evaluation", "1", "number of the evaluation, from 0");
-  add("phase", "", "start, sweep, search; of a front: start, anchor, level");
+  add("phase", "",
+      "start, sweep, warm, global, search, gradient; of a front: start, warm, anchor, level, gradient");
   add("objective", "1", "weighted metrics relative to the start gains, which score 1");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/common/error.hpp"
 #include "tuner/work/simulate_points.hpp"
 
@@ -18,56 +20,57 @@ double Evaluator::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
 }
 
-std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const std::string& phase,
-                                            const std::vector<double>& x) const {
+std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidate& candidate) const {
   auto record = journal_ != nullptr ? journal_->find(number) : std::nullopt;
   if (!record) return std::nullopt;
-  if (record->x != x || record->phase != phase || record->results.size() != study_.scenarios.size()) {
+  if (record->x != candidate.x || record->phase != candidate.phase ||
+      record->results.size() != study_.scenarios.size()) {
     throw InputError(
         fmt::format("{}: the search now asks for another point as evaluation {} ({} instead of {}) than the "
                     "journal holds: its "
                     "file was changed, or this program searches in another way; begin the run anew",
-                    study_.source, number, phase, record->phase));
+                    study_.source, number, candidate.phase, record->phase));
   }
   Evaluation e;
-  e.x = x;
-  e.gains = study_.space.gains_at(x);
+  e.x = candidate.x;
+  e.gains = study_.space.gains_at(candidate.x);
   e.results = std::move(record->results);
   e.seconds = record->seconds;
   e.recalled = true;
   return e;
 }
 
-std::optional<std::vector<Evaluation>> Evaluator::next(const std::string& phase,
-                                                       const std::vector<std::vector<double>>& points,
-                                                       const std::vector<EndLimits>& limits) {
-  std::vector<Evaluation> evaluations(points.size());
+bool Evaluator::next(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
+                     const TakeIn& take_in) {
+  std::vector<std::optional<Evaluation>> ready(candidates.size());
   std::vector<std::size_t> missing;
-  std::vector<std::vector<double>> to_simulate;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (auto known = recall(count_ + i, phase, points[i])) {
-      evaluations[i] = std::move(*known);
-    } else {
-      missing.push_back(i);
-      to_simulate.push_back(points[i]);
-    }
+  std::vector<std::vector<double>> points;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    ready[i] = recall(count_ + i, candidates[i]);
+    if (ready[i]) continue;
+    missing.push_back(i);
+    points.push_back(candidates[i].x);
   }
-  if (!to_simulate.empty()) {
-    std::vector<double> finished_at(to_simulate.size(), 0.0);
-    auto fresh =
-        simulate_points(study_, to_simulate, workers_, stop_, limits, [&](std::size_t k, const Evaluation& e) {
-          finished_at[k] = seconds();
-          if (journal_ == nullptr) return;
-          journal_->append({count_ + missing[k], phase, finished_at[k], e.x, e.results});
-        });
-    if (!fresh) return std::nullopt;
-    for (std::size_t k = 0; k < missing.size(); ++k) {
-      evaluations[missing[k]] = std::move((*fresh)[k]);
-      evaluations[missing[k]].seconds = finished_at[k];
+  std::size_t taken = 0;
+  const auto take_ready = [&] {
+    for (; taken < ready.size() && ready[taken] && !stop_; ++taken) {
+      take_in(candidates[taken].phase, *std::exchange(ready[taken], std::nullopt));
     }
-  }
-  count_ += points.size();
-  return evaluations;
+  };
+  take_ready();
+  const auto finished = [&](std::size_t k, const Evaluation& e) {
+    const std::size_t i = missing[k];
+    ready[i] = e;
+    ready[i]->seconds = seconds();
+    if (journal_ != nullptr) {
+      journal_->append({count_ + i, candidates[i].phase, ready[i]->seconds, e.x, e.results});
+    }
+    take_ready();
+  };
+  const bool whole =
+      points.empty() || simulate_points(study_, points, workers_, stop_, limits, finished).has_value();
+  count_ += candidates.size();
+  return whole && taken == candidates.size();
 }
 
 bool Evaluator::time_left() {

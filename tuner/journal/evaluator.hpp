@@ -3,8 +3,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "tuner/journal/journal.hpp"
@@ -13,18 +13,26 @@
 
 namespace armtune {
 
+/// A point to simulate, and what for.
+struct Candidate {
+  const char* phase = "";
+  std::vector<double> x;
+};
+
 class Evaluator {
  public:
   /// journal: may be null, then nothing is recorded or recalled.
   Evaluator(const Study& study, Workers& workers, const std::atomic<bool>& stop, Journal* journal);
 
-  /// The next points of the run, in order, simulated but not judged. Each is in the journal as soon as it is
-  /// finished, whatever becomes of the others. limits: per scenario, where rollouts end before their time; empty:
-  /// nowhere. Nothing if `stop` became true before all were. Throws
-  /// InputError if the journal holds another point at that place than the search now asks for.
-  std::optional<std::vector<Evaluation>> next(const std::string& phase,
-                                              const std::vector<std::vector<double>>& points,
-                                              const std::vector<EndLimits>& limits);
+  using TakeIn = std::function<void(const char* phase, Evaluation e)>;
+
+  /// The next evaluations of the run, simulated but not judged. Each goes to the journal as soon as it is
+  /// finished, whatever becomes of the others, and to `take_in` as soon as all before it are: in order, one
+  /// call at a time, from any thread. limits: per scenario, where rollouts end before their time; empty:
+  /// nowhere. False if `stop` became true before all were done; nothing is taken in then. Throws InputError
+  /// if the journal holds another point at that place than the search now asks for.
+  bool next(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
+            const TakeIn& take_in);
 
   /// False once the study's max_minutes are over. A run that goes on takes them to be over where they were
   /// before, and counts its minutes on.
@@ -32,8 +40,7 @@ class Evaluator {
 
  private:
   double seconds() const;
-  std::optional<Evaluation> recall(std::uint64_t number, const std::string& phase,
-                                   const std::vector<double>& x) const;
+  std::optional<Evaluation> recall(std::uint64_t number, const Candidate& candidate) const;
 
   const Study& study_;
   Workers& workers_;

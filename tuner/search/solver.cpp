@@ -22,15 +22,20 @@ struct Offered {
 
 const std::vector<Offered>& offered() {
   static const std::vector<Offered> list = {
-      {{"COBYLA", true, "local, linear models, takes constraints"}, NLOPT_LN_COBYLA},
-      {{"BOBYQA", false, "local, quadratic models"}, NLOPT_LN_BOBYQA},
-      {{"SBPLX", false, "local, Nelder-Mead on subspaces"}, NLOPT_LN_SBPLX},
-      {{"NELDERMEAD", false, "local, simplex"}, NLOPT_LN_NELDERMEAD},
-      {{"CRS2", false, "global, controlled random search"}, NLOPT_GN_CRS2_LM},
-      {{"ESCH", false, "global, evolutionary"}, NLOPT_GN_ESCH},
-      {{"ISRES", true, "global, evolutionary, takes constraints"}, NLOPT_GN_ISRES},
-      {{"DIRECT_L", false, "global, dividing rectangles"}, NLOPT_GN_DIRECT_L},
-      {{"MLSL", false, "global, many BOBYQA searches from low-discrepancy starts"}, NLOPT_GN_MLSL_LDS},
+      {{"COBYLA", true, false, false, "local, linear models"}, NLOPT_LN_COBYLA},
+      {{"BOBYQA", false, false, false, "local, quadratic models"}, NLOPT_LN_BOBYQA},
+      {{"SBPLX", false, false, false, "local, Nelder-Mead on subspaces"}, NLOPT_LN_SBPLX},
+      {{"NELDERMEAD", false, false, false, "local, simplex"}, NLOPT_LN_NELDERMEAD},
+      {{"SLSQP", true, true, false, "local, sequential quadratic programming"}, NLOPT_LD_SLSQP},
+      {{"MMA", true, true, false, "local, moving asymptotes"}, NLOPT_LD_MMA},
+      {{"CCSAQ", true, true, false, "local, separable quadratic models"}, NLOPT_LD_CCSAQ},
+      {{"CRS2", false, false, true, "global, controlled random search"}, NLOPT_GN_CRS2_LM},
+      {{"ESCH", false, false, true, "global, evolutionary"}, NLOPT_GN_ESCH},
+      {{"ISRES", true, false, true, "global, evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
+      {{"DIRECT_L", false, false, false, "global, dividing rectangles"}, NLOPT_GN_DIRECT_L},
+      {{"ORIG_DIRECT", true, false, false, "global, dividing rectangles"}, NLOPT_GN_ORIG_DIRECT},
+      {{"MLSL", false, false, false, "global, many BOBYQA searches from low-discrepancy starts"},
+       NLOPT_GN_MLSL_LDS},
   };
   return list;
 }
@@ -54,54 +59,79 @@ Optimizer create(nlopt_algorithm code, std::size_t n) {
 }
 
 /// What the callbacks share. NLopt asks for objective and constraints of a point in separate calls: the last
-/// point's values are kept.
+/// point's answer is kept.
 struct Search {
   const SolverProblem* problem = nullptr;
+  const Oracle* oracle = nullptr;
   double penalty = 0.0;  ///< 0: constraints go to NLopt
   nlopt_opt outer = nullptr;
   std::vector<double> x;
-  SolverValue value;
+  SolverAnswer answer;
   bool known = false;
+  bool derivatives = false;  ///< known, too
   bool stopped = false;
   std::exception_ptr error;
 
-  const SolverValue& at(unsigned n, const double* point) {
-    if (stopped || (known && std::equal(x.begin(), x.end(), point))) return value;
+  const SolverAnswer& at(unsigned n, const double* point, bool with_derivatives) {
+    if (stopped) return answer;
+    const bool same = known && std::equal(x.begin(), x.end(), point);
+    if (same && (derivatives || !with_derivatives)) return answer;
     x.assign(point, point + n);
     try {
-      stopped = !problem->evaluate(x, value);
+      stopped = !(*oracle)(x, with_derivatives, answer);
       known = !stopped;
+      derivatives = known && with_derivatives;
     } catch (...) {  // an exception loses its message on its way through NLopt
       error = std::current_exception();
       stopped = true;
     }
     if (stopped) {
       nlopt_force_stop(outer);
-      value.constraints.resize(problem->constraint_count, 0.0);
+      answer.value.constraints.resize(problem->constraint_count, 0.0);
+      answer.gradient.assign(n, 0.0);
+      answer.constraint_gradients.assign(n * problem->constraint_count, 0.0);
     }
-    return value;
+    return answer;
   }
 };
 
-double objective(unsigned n, const double* x, double*, void* data) {
+double objective(unsigned n, const double* x, double* gradient, void* data) {
   auto* search = static_cast<Search*>(data);
-  const SolverValue& value = search->at(n, x);
-  double penalised = value.objective;
+  const SolverAnswer& answer = search->at(n, x, gradient != nullptr);
+  if (gradient != nullptr) std::copy_n(answer.gradient.begin(), n, gradient);
+  double penalised = answer.value.objective;
   if (search->penalty > 0.0) {
-    for (const double g : value.constraints) penalised += search->penalty * std::max(0.0, g);
+    for (std::size_t c = 0; c < answer.value.constraints.size(); ++c) {
+      const double g = answer.value.constraints[c];
+      if (g <= 0.0) continue;
+      penalised += search->penalty * g;
+      for (std::size_t i = 0; gradient != nullptr && i < n; ++i) {
+        gradient[i] += search->penalty * answer.constraint_gradients[c * n + i];
+      }
+    }
   }
   return penalised;
 }
 
-void constraints(unsigned m, double* g, unsigned n, const double* x, double*, void* data) {
-  const SolverValue& value = static_cast<Search*>(data)->at(n, x);
-  std::copy_n(value.constraints.begin(), m, g);
+void constraints(unsigned m, double* g, unsigned n, const double* x, double* gradients, void* data) {
+  const SolverAnswer& answer = static_cast<Search*>(data)->at(n, x, gradients != nullptr);
+  std::copy_n(answer.value.constraints.begin(), m, g);
+  if (gradients != nullptr) std::copy_n(answer.constraint_gradients.begin(), std::size_t{m} * n, gradients);
 }
 
-void set_box(nlopt_opt opt, const SolverOptions& options) {
-  nlopt_set_lower_bounds1(opt, 0.0);
-  nlopt_set_upper_bounds1(opt, 1.0);
-  nlopt_set_initial_step1(opt, options.initial_step);
+/// A first step that fits between the bounds in either direction, as BOBYQA wants it.
+constexpr double kMostOfWidth = 0.49;
+
+void set_box(nlopt_opt opt, const SolverProblem& problem, const SolverOptions& options) {
+  std::vector<double> step(problem.start.size());
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const double lower = problem.lower_bound(i);
+    const double upper = problem.upper_bound(i);
+    nlopt_set_lower_bound(opt, static_cast<int>(i), lower);
+    nlopt_set_upper_bound(opt, static_cast<int>(i), upper);
+    step[i] = std::min(options.initial_step, kMostOfWidth * (upper - lower));
+  }
+  nlopt_set_initial_step(opt, step.data());
   nlopt_set_xtol_abs1(opt, options.x_tolerance);
   nlopt_set_ftol_rel(opt, options.objective_tolerance);
 }
@@ -139,16 +169,17 @@ const AlgorithmInfo& algorithm_from_name(const std::string& name) {
   return find(name).info;
 }
 
-SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& options) {
+SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options,
+                            const Oracle& oracle) {
   const Offered& chosen = find(options.algorithm);
   const std::size_t n = problem.start.size();
-  nlopt_srand(options.seed);
+  nlopt_srand(options.seed);  // of this thread only
 
   Optimizer inner = create(chosen.code, n);
-  set_box(inner.get(), options);
+  set_box(inner.get(), problem, options);
   if (chosen.code == NLOPT_GN_MLSL_LDS) {
     const Optimizer local = create(NLOPT_LN_BOBYQA, n);
-    set_box(local.get(), options);
+    set_box(local.get(), problem, options);
     nlopt_set_local_optimizer(inner.get(), local.get());
   }
   const bool constrained = problem.constraint_count > 0;
@@ -158,12 +189,13 @@ SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& option
       (options.constraints == ConstraintHandling::kLagrangian || !chosen.info.takes_constraints);
   Optimizer outer = wrap ? create(NLOPT_AUGLAG, n) : std::move(inner);
   if (wrap) {
-    set_box(outer.get(), options);
+    set_box(outer.get(), problem, options);
     nlopt_set_local_optimizer(outer.get(), inner.get());
   }
 
   Search search;
   search.problem = &problem;
+  search.oracle = &oracle;
   search.outer = outer.get();
   if (penalised) search.penalty = options.penalty;
   nlopt_set_min_objective(outer.get(), objective, &search);

@@ -1,5 +1,6 @@
 #pragma once
-// The tuning loop: start gains, coarse sweep, search.
+// The tuning loop: start gains, coarse sweep, search: global if the study says so, then local from one or
+// more points.
 
 #include <atomic>
 #include <functional>
@@ -22,9 +23,11 @@ struct TuneProgress {
 struct TuneCallbacks {
   /// Once, when the start gains were simulated and the objective stands.
   std::function<void(const Objective&)> begin;
-  /// For every evaluation that simulated something, in order. `phase`: start, sweep or search.
+  /// For every evaluation that simulated something, in order, one call at a time, from any thread.
+  /// `phase`: start, sweep, warm (where a warm start begins), global, search, or gradient (points that either
+  /// of the two forms derivatives with).
   std::function<void(const char* phase, const Evaluation&)> evaluated;
-  std::function<void(const TuneProgress&)> progress;
+  std::function<void(const TuneProgress&)> progress;  ///< as `evaluated`
 };
 
 struct TuneResult {

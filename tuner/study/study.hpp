@@ -9,6 +9,7 @@
 #include "tuner/search/solver.hpp"
 #include "tuner/study/objective.hpp"
 #include "tuner/study/parameter.hpp"
+#include "tuner/study/warm_start.hpp"
 
 namespace armtune {
 
@@ -30,17 +31,21 @@ struct Study {
   std::vector<Constraint> constraints;
   std::vector<SweepAxis> sweep;     ///< may be empty
   std::optional<SampleSet> robust;  ///< none: the scenarios' own arms
+  std::optional<WarmStart> warm;    ///< none: the search begins at the start gains
   SolverOptions solver;
-  long max_evaluations = 300;  ///< start and sweep included
-  double max_minutes = 0.0;    ///< 0: no limit
+  std::size_t starts = 1;        ///< local searches at once; the first begins where one would alone
+  std::string global_algorithm;  ///< searches before the local one does; empty: none
+  double global_share = 0.5;     ///< its part of the evaluations that start and sweep leave
+  long max_evaluations = 300;    ///< start and sweep included
+  double max_minutes = 0.0;      ///< 0: no limit
   Stepper stepper = Stepper::kMidpoint;
 };
 
 /// Reads a bundled study by name, or a file by path. Throws InputError.
 Study load_study(const std::string& name_or_path);
 
-/// The study with every default written out, as YAML that load_study reads. `gains_file`: where the start
-/// gains are kept beside it.
-std::string study_yaml(const Study& study, const std::string& gains_file);
+/// The study with every default written out, as YAML that load_study reads. `gains_file`, `warm_file`: where
+/// the gains of start and warm start are kept beside it; an empty one leaves the warm start out.
+std::string study_yaml(const Study& study, const std::string& gains_file, const std::string& warm_file = {});
 
 }  // namespace armtune

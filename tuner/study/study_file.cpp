@@ -11,6 +11,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/map_reader.hpp"
+#include "tuner/study/search_keys.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune {
@@ -262,32 +263,6 @@ SampleSet read_samples(const yaml::Node& node) {
   return set;
 }
 
-void read_search(const yaml::Node& node, Study& study) {
-  yaml::MapReader map(node);
-  study.solver.algorithm = map.string("algorithm", study.solver.algorithm);
-  algorithm_from_name(study.solver.algorithm);
-  const std::string constraints = map.string("constraints", "auto");
-  if (constraints != "auto" && constraints != "lagrangian" && constraints != "penalty") {
-    map.required("constraints").fail("'" + constraints + "' is not one of: auto, lagrangian, penalty");
-  }
-  study.solver.constraints = constraints == "auto"         ? ConstraintHandling::kAuto
-                             : constraints == "lagrangian" ? ConstraintHandling::kLagrangian
-                                                           : ConstraintHandling::kPenalty;
-  study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
-  study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
-  if (study.max_evaluations < 1) map.required("max_evaluations").fail("must be at least 1");
-  study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);
-  study.solver.initial_step = map.number_in("initial_step", study.solver.initial_step, 1e-6, 0.5);
-  study.solver.x_tolerance = map.number_in("x_tolerance", study.solver.x_tolerance, 0.0, 1.0);
-  study.solver.objective_tolerance =
-      map.number_in("objective_tolerance", study.solver.objective_tolerance, 0.0, 1.0);
-  const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail("must not be negative");
-  study.solver.seed = static_cast<std::uint64_t>(seed);
-  study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
-  map.finish();
-}
-
 }  // namespace
 
 Study load_study(const std::string& name_or_path) {
@@ -322,6 +297,7 @@ Study load_study(const std::string& name_or_path) {
     end_no_sample_early(map.required("constraints"), study.constraints);
   }
   if (const yaml::Node* node = map.optional("search")) read_search(*node, study);
+  if (const yaml::Node* node = map.optional("warm_start")) read_warm_start(*node, study);
   map.finish();
   return study;
 }

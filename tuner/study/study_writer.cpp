@@ -42,7 +42,7 @@ std::string auto_text(const Constraint& c) {
 
 }  // namespace
 
-std::string study_yaml(const Study& study, const std::string& gains_file) {
+std::string study_yaml(const Study& study, const std::string& gains_file, const std::string& warm_file) {
   std::string text =
       fmt::format("description: {}\ngains: {}\nscenarios:\n", yaml::quoted(study.description), gains_file);
   for (const Scenario& scenario : study.scenarios)
@@ -87,10 +87,23 @@ std::string study_yaml(const Study& study, const std::string& gains_file) {
   text += fmt::format(
       "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
       "initial_step: {}, x_tolerance: {}, "
-      "objective_tolerance: {}, seed: {}, stepper: {}}}\n",
+      "objective_tolerance: {}, seed: {}, stepper: {}, differences: {}, difference_step: {}, starts: "
+      "{}{}}}\n",
       study.solver.algorithm, constraint_handling_name(study.solver.constraints), study.solver.penalty,
       study.max_evaluations, study.max_minutes, study.solver.initial_step, study.solver.x_tolerance,
-      study.solver.objective_tolerance, study.solver.seed, name(study.stepper));
+      study.solver.objective_tolerance, study.solver.seed, name(study.stepper),
+      study.solver.differences == Differences::kForward ? "forward" : "central", study.solver.difference_step,
+      study.starts,
+      study.global_algorithm.empty()
+          ? ""
+          : fmt::format(", global: {}, global_share: {}", study.global_algorithm, study.global_share));
+  if (study.warm && !warm_file.empty()) {
+    const WarmStart& warm = *study.warm;
+    text += fmt::format(
+        "warm_start: {{from: {}, box: {}{}{}}}\n", yaml::quoted(warm_file), warm.box,
+        warm.step ? fmt::format(", step: {}", *warm.step) : "",
+        warm.parameters.empty() ? "" : fmt::format(", parameters: [{}]", fmt::join(warm.parameters, ", ")));
+  }
   return text;
 }
 

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "core/common/error.hpp"
 #include "tuner/journal/evaluator.hpp"
+#include "tuner/search/together.hpp"
 #include "tuner/work/simulate_points.hpp"
 
 namespace armtune {
@@ -25,38 +28,80 @@ constexpr double kExcessWeight = 10.0;
 /// a short search from a neighbour wants.
 constexpr const char* kLevelAlgorithm = "COBYLA";
 
+/// Levels searched at once, and how far apart on their way: what lies between begins at its neighbours' best.
+/// Part of what a run does, so no function of the machine.
+constexpr std::size_t kTogether = 4;
+
 struct Known {
   SolverValue value;  ///< of the study
   Costs costs;
 };
 
+/// One search: criterion k becomes least, all others held at or under `levels` (infinite: free).
+struct Aim {
+  std::size_t k = 0;
+  Costs levels;
+  std::vector<double> x;  ///< where it begins
+  long budget = 0;
+  SolverOptions solver;
+};
+
+/// The study's solver, with the step that its warm start begins with.
+SolverOptions begun(const Study& study) {
+  SolverOptions solver = study.solver;
+  if (study.warm) solver.initial_step = study.warm->step.value_or(solver.initial_step * study.warm->box);
+  return solver;
+}
+
+/// Places 0 .. count-1 of a way, in groups to be searched together: first every fourth, then those between.
+std::vector<std::vector<std::size_t>> together(std::size_t count) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (const std::size_t first : {0U, 2U, 1U, 3U}) {
+    for (std::size_t place = first; place < count; place += kTogether) {
+      if (groups.empty() || groups.back().size() == kTogether || place == first) groups.emplace_back();
+      groups.back().push_back(place);
+    }
+  }
+  return groups;
+}
+
 class Search {
  public:
   Search(const Study& study, const ParetoOptions& options, Workers& workers, const std::atomic<bool>& stop,
          const ParetoCallbacks& callbacks, Journal* journal)
-      : study_(study), options_(options), callbacks_(callbacks), evaluator_(study, workers, stop, journal) {}
+      : study_(study),
+        options_(options),
+        callbacks_(callbacks),
+        evaluator_(study, workers, stop, journal),
+        box_(study.warm ? warm_point(study.space, *study.warm) : WarmPoint{}) {}
 
   bool start();
-  /// Minimises criterion k, all others held at or under `levels` (infinite: free), from x.
-  void minimise(const char* phase, const std::string& shown, std::size_t k, const Costs& levels,
-                std::vector<double> x, long budget, const SolverOptions& solver);
+  /// Searches for all aims at once.
+  void minimise(const char* phase, const std::string& shown, const std::vector<Aim>& aims);
   void anchors();
   void levels();
   ParetoResult result() &&;
 
  private:
-  bool evaluate(const char* phase, const std::vector<double>& x);
+  /// Simulates candidates and takes them in, in order. False if the run was interrupted.
+  bool evaluate(const std::vector<Candidate>& candidates);
+  void take_in(const char* phase, Evaluation e);
+  void serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,
+             std::vector<Request>& requests);
+  SolverValue seen_from(const Aim& aim, const Known& known) const;
+  std::vector<std::vector<std::size_t>> serpentine() const;
   void check_reference(const Costs& start) const;
   std::optional<std::size_t> best_under(std::size_t k, const Costs& levels) const;
   const std::vector<double>& beginning(const Costs& levels) const;
   Costs held_for(std::size_t k) const;
-  void search_level(const std::vector<std::size_t>& digits, const std::string& shown, long budget);
+  Aim level(const std::vector<std::size_t>& digits, long budget) const;
   Costs free_levels() const { return Costs(options_.criteria.size(), HUGE_VAL); }
 
   const Study& study_;
   const ParetoOptions& options_;
   const ParetoCallbacks& callbacks_;
   Evaluator evaluator_;
+  WarmPoint box_;  ///< empty without a warm start
   std::optional<Objective> objective_;
   std::map<std::vector<double>, Known> known_;
   std::vector<ParetoPoint> archive_;  ///< feasible, none dominated by another
@@ -65,15 +110,17 @@ class Search {
   std::string shown_;
 };
 
-bool Search::evaluate(const char* phase, const std::vector<double>& x) {
-  auto evaluations = evaluator_.next(phase, {x}, end_limits(objective_));
-  if (!evaluations) {
-    out_.interrupted = true;
-    return false;
-  }
+bool Search::evaluate(const std::vector<Candidate>& candidates) {
+  out_.interrupted =
+      !evaluator_.next(candidates, end_limits(objective_),
+                       [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
+  return !out_.interrupted;
+}
+
+void Search::take_in(const char* phase, Evaluation e) {
   ParetoPoint point;
   point.evaluation = out_.evaluations++;
-  point.e = std::move(evaluations->front());
+  point.e = std::move(e);
   const bool first = !objective_;
   if (first)
     objective_.emplace(study_.terms, study_.constraints, study_.scenarios, point.e.results, study_.source);
@@ -85,7 +132,7 @@ bool Search::evaluate(const char* phase, const std::vector<double>& x) {
     check_reference(point.costs);
     if (callbacks_.begin) callbacks_.begin(*objective_);
   }
-  known_[x] = {{point.e.objective, point.e.relative}, point.costs};
+  known_[point.e.x] = {{point.e.objective, point.e.relative}, point.costs};
   if (callbacks_.evaluated) callbacks_.evaluated(phase, point.e);
   if (out_.evaluations == 1) out_.start = point;
   const auto beats = [&point](const ParetoPoint& other) {
@@ -101,12 +148,13 @@ bool Search::evaluate(const char* phase, const std::vector<double>& x) {
   if (callbacks_.progress) {
     callbacks_.progress({shown_, out_.evaluations, options_.max_evaluations, archive_.size()});
   }
-  return true;
 }
 
 bool Search::start() {
   shown_ = "start";
-  return evaluate("start", study_.space.start_point());
+  if (!evaluate({{"start", study_.space.start_point()}})) return false;
+  if (!study_.warm || known_.contains(box_.x) || out_.evaluations >= options_.max_evaluations) return true;
+  return evaluate({{"warm", box_.x}});
 }
 
 void Search::check_reference(const Costs& start) const {
@@ -118,41 +166,66 @@ void Search::check_reference(const Costs& start) const {
   }
 }
 
-void Search::minimise(const char* phase, const std::string& shown, std::size_t k, const Costs& levels,
-                      std::vector<double> x, long budget, const SolverOptions& solver) {
-  if (out_.interrupted || budget < 1) return;
-  shown_ = shown;
+/// What an aim's search is told of a point.
+SolverValue Search::seen_from(const Aim& aim, const Known& known) const {
   const Costs& reference = out_.start.costs;
-  SolverProblem problem;
-  problem.start = std::move(x);
-  problem.constraint_count = objective_->constraint_count() + levels.size();
-  long left = budget;
-  long repeats = 0;
-  problem.evaluate = [&](const std::vector<double>& point, SolverValue& value) {
-    auto found = known_.find(point);
-    if (found == known_.end()) {
-      repeats = 0;
-      if (left-- <= 0 || !evaluator_.time_left() || !evaluate(phase, point)) return false;
-      found = known_.find(point);
-    } else if (++repeats > budget) {
-      return false;  // going round in a circle
-    }
-    const Known& known = found->second;
-    // A criterion that a rollout did not give counts as twice the start's: the study's own constraints say
-    // why.
-    const auto relative = [&](std::size_t c) {
-      const double cost = known.costs[c];
-      return (std::isnan(cost) ? reference[c] + std::abs(reference[c]) : cost) / std::abs(reference[c]);
-    };
-    value.objective = relative(k);
-    value.constraints = known.value.constraints;
-    for (std::size_t c = 0; c < levels.size(); ++c) {
-      const bool held = std::isfinite(levels[c]);
-      value.constraints.push_back(held ? relative(c) - levels[c] / std::abs(reference[c]) : -1.0);
-    }
-    return true;
+  // A criterion that a rollout did not give counts as twice the start's: the study's own constraints say why.
+  const auto relative = [&](std::size_t c) {
+    const double cost = known.costs[c];
+    return (std::isnan(cost) ? reference[c] + std::abs(reference[c]) : cost) / std::abs(reference[c]);
   };
-  armtune::minimize(problem, solver);
+  SolverValue value = {relative(aim.k), known.value.constraints};
+  for (std::size_t c = 0; c < aim.levels.size(); ++c) {
+    const bool held = std::isfinite(aim.levels[c]);
+    value.constraints.push_back(held ? relative(c) - aim.levels[c] / std::abs(reference[c]) : -1.0);
+  }
+  return value;
+}
+
+/// left: what each aim's budget still allows; a point that two ask for counts for the first.
+void Search::serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,
+                   std::vector<Request>& requests) {
+  std::vector<Candidate> candidates;
+  std::set<std::vector<double>> chosen;
+  const bool in_time = evaluator_.time_left();
+  for (const Request& request : requests) {
+    for (const SolverPoint& point : request.points) {
+      if (known_.contains(point.x) || chosen.contains(point.x)) continue;
+      if (!in_time || left[request.search] < 1) break;
+      --left[request.search];
+      candidates.push_back({point.difference ? "gradient" : phase, point.x});
+      chosen.insert(point.x);
+    }
+  }
+  if (!candidates.empty()) evaluate(candidates);
+  for (Request& request : requests) {
+    request.go_on = !out_.interrupted;
+    for (const SolverPoint& point : request.points) {
+      const auto known = known_.find(point.x);
+      if (known == known_.end()) break;
+      request.values.push_back(seen_from(aims[request.search], known->second));
+    }
+  }
+}
+
+void Search::minimise(const char* phase, const std::string& shown, const std::vector<Aim>& aims) {
+  if (out_.interrupted) return;
+  shown_ = shown;
+  std::vector<JoinedSearch> searches;
+  std::vector<long> left;
+  for (const Aim& aim : aims) {
+    JoinedSearch& search = searches.emplace_back();
+    search.problem.start = aim.x;
+    search.problem.lower = box_.lower;
+    search.problem.upper = box_.upper;
+    for (std::size_t i = 0; i < box_.x.size(); ++i) {
+      search.problem.start[i] = std::clamp(aim.x[i], box_.lower[i], box_.upper[i]);
+    }
+    search.problem.constraint_count = objective_->constraint_count() + aim.levels.size();
+    search.options = aim.solver;
+    left.push_back(aim.budget);
+  }
+  minimize_together(searches, [&](std::vector<Request>& requests) { serve(phase, aims, left, requests); });
 }
 
 std::optional<std::size_t> Search::best_under(std::size_t k, const Costs& levels) const {
@@ -203,30 +276,44 @@ void Search::anchors() {
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
     const Costs held = held_for(k);
     const auto best = best_under(k, held);
-    SolverOptions solver = study_.solver;
+    SolverOptions solver = begun(study_);
     if (k > 0) solver.algorithm = kLevelAlgorithm;
     if (k > 0) solver.constraints = ConstraintHandling::kAuto;
-    minimise("anchor", "least " + options_.criteria[k].name(), k, held,
-             best ? archive_[*best].e.x : out_.start.e.x,
-             static_cast<long>((k == 0 ? kFirstAnchorShare : kAnchorShare) * budget), solver);
+    const double share = k == 0 ? kFirstAnchorShare : kAnchorShare;
+    minimise(
+        "anchor", "least " + options_.criteria[k].name(),
+        {{k, held, best ? archive_[*best].e.x : out_.start.e.x, static_cast<long>(share * budget), solver}});
   }
 }
 
 /// Digit i of a level counts steps along criterion i + 1.
-void Search::search_level(const std::vector<std::size_t>& digits, const std::string& shown, long budget) {
-  Costs levels = free_levels();
-  std::string text = shown;
-  for (std::size_t a = 0; a < axes_.size(); ++a) {
-    levels[a + 1] = axes_[a][digits[a]];
-    const bool large = options_.criteria[a + 1].larger_is_better();
-    text += fmt::format(" {} {} {:.4g}", options_.criteria[a + 1].name(),
-                        large ? ">=" : "<=", large ? -levels[a + 1] : levels[a + 1]);
+Aim Search::level(const std::vector<std::size_t>& digits, long budget) const {
+  Aim aim;
+  aim.levels = free_levels();
+  for (std::size_t a = 0; a < axes_.size(); ++a) aim.levels[a + 1] = axes_[a][digits[a]];
+  aim.x = beginning(aim.levels);
+  aim.budget = budget;
+  aim.solver = begun(study_);
+  aim.solver.algorithm = kLevelAlgorithm;
+  aim.solver.constraints = ConstraintHandling::kAuto;
+  aim.solver.initial_step *= kLevelStep;
+  return aim;
+}
+
+/// Serpentine through the grid: a level differs from the one before in one step of one criterion.
+std::vector<std::vector<std::size_t>> Search::serpentine() const {
+  std::vector<std::vector<std::size_t>> grid(1);
+  for (std::size_t a = axes_.size(); a-- > 0;) {
+    std::vector<std::vector<std::size_t>> finer;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      for (std::size_t d = 0; d < axes_[a].size(); ++d) {
+        finer.push_back(grid[i]);
+        finer.back().insert(finer.back().begin(), i % 2 == 0 ? d : axes_[a].size() - 1 - d);
+      }
+    }
+    grid = std::move(finer);
   }
-  SolverOptions solver = study_.solver;
-  solver.algorithm = kLevelAlgorithm;
-  solver.constraints = ConstraintHandling::kAuto;
-  solver.initial_step *= kLevelStep;
-  minimise("level", text, 0, levels, beginning(levels), budget, solver);
+  return grid;
 }
 
 void Search::levels() {
@@ -244,24 +331,19 @@ void Search::levels() {
       axis.push_back(std::lerp(high[k], low, static_cast<double>(i) / steps));
     }
   }
-  // Serpentine through the grid: a level differs from the one before in one step of one criterion.
-  std::vector<std::vector<std::size_t>> grid(1);
-  for (std::size_t a = axes_.size(); a-- > 0;) {
-    std::vector<std::vector<std::size_t>> finer;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-      for (std::size_t d = 0; d < axes_[a].size(); ++d) {
-        finer.push_back(grid[i]);
-        finer.back().insert(finer.back().begin(), i % 2 == 0 ? d : axes_[a].size() - 1 - d);
-      }
-    }
-    grid = std::move(finer);
-  }
+  const auto grid = serpentine();
   // There and back: what a level finds is its neighbours' beginning, on either side.
+  const auto way = together(grid.size());
   const std::size_t searches = 2 * grid.size();
-  for (std::size_t i = 0; i < searches && !out_.interrupted; ++i) {
-    const std::size_t place = i < grid.size() ? i : searches - 1 - i;
+  std::size_t done = 0;
+  for (std::size_t g = 0; g < 2 * way.size() && !out_.interrupted; ++g) {
+    const auto& group = way[g < way.size() ? g : 2 * way.size() - 1 - g];
+    std::vector<Aim> aims;
     const long left = options_.max_evaluations - out_.evaluations;
-    search_level(grid[place], fmt::format("{}/{}", i + 1, searches), left / static_cast<long>(searches - i));
+    const long budget = left / static_cast<long>(searches - done);
+    for (const std::size_t place : group) aims.push_back(level(grid[place], budget));
+    done += group.size();
+    minimise("level", fmt::format("levels {}/{}", done, searches), aims);
   }
   for (const auto& digits : grid) {
     Costs levels = free_levels();

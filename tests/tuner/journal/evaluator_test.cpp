@@ -21,6 +21,16 @@ class Recall : public testing::Test {
     return Journal::resume(files_ / "journal.txt", {}, warning);
   }
 
+  static std::vector<Evaluation> next(Evaluator& evaluator, const char* phase,
+                                      const std::vector<std::vector<double>>& points) {
+    std::vector<Candidate> candidates;
+    for (const auto& x : points) candidates.push_back({phase, x});
+    std::vector<Evaluation> taken;
+    EXPECT_TRUE(evaluator.next(candidates, {},
+                               [&taken](const char*, Evaluation e) { taken.push_back(std::move(e)); }));
+    return taken;
+  }
+
   test::ShortStudy files_;
   Study study_ = load_study(files_.path());
   std::atomic<bool> stop_{false};
@@ -33,13 +43,13 @@ TEST_F(Recall, WhatIsInTheJournalIsNotSimulatedAgain) {
   {
     const auto journal = begin();
     Evaluator evaluator(study_, workers, stop_, journal.get());
-    first = *evaluator.next("sweep", {points[0], points[1]}, {});
+    first = next(evaluator, "sweep", {points[0], points[1]});
   }
   EXPECT_EQ(workers.rollouts_done(), 4);
   Workers fresh(study_.scenarios, study_.stepper, 2);
   const auto journal = resume();
   Evaluator evaluator(study_, fresh, stop_, journal.get());
-  const auto again = *evaluator.next("sweep", points, {});
+  const auto again = next(evaluator, "sweep", points);
   EXPECT_EQ(fresh.rollouts_done(), 2) << "only the third point is new";
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_TRUE(again[i].recalled);
@@ -57,14 +67,15 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
   Workers workers(study_.scenarios, study_.stepper, 1);
   {
     const auto journal = begin();
-    Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, 0.75}}, {});
+    Evaluator evaluator(study_, workers, stop_, journal.get());
+    next(evaluator, "search", {{0.25, 0.75}});
   }
   const auto journal = resume();
-  EXPECT_THAT(
-      test::refusal([&] {
-        Evaluator(study_, workers, stop_, journal.get()).next("search", {{0.25, std::nextafter(0.75, 1.0)}}, {});
-      }),
-      HasSubstr("another point as evaluation 0"));
+  Evaluator evaluator(study_, workers, stop_, journal.get());
+  EXPECT_THAT(test::refusal([&] {
+                next(evaluator, "search", {{0.25, std::nextafter(0.75, 1.0)}});
+              }),
+              HasSubstr("another point as evaluation 0"));
 }
 
 TEST_F(Recall, TheTimeIsUpWhereItWas) {
@@ -103,8 +114,8 @@ TEST_F(Recall, MinutesOfEarlierSessionsCount) {
   const auto journal = resume();
   Evaluator evaluator(study_, workers, stop_, journal.get());
   EXPECT_TRUE(evaluator.time_left()) << "what is recorded was begun in time";
-  evaluator.next("start", {study_.space.start_point()}, {});
-  evaluator.next("search", {study_.space.start_point()}, {});
+  next(evaluator, "start", {study_.space.start_point()});
+  next(evaluator, "search", {study_.space.start_point()});
   EXPECT_FALSE(evaluator.time_left());
   EXPECT_EQ(journal->time_was_up(), 2U);
 }

@@ -16,7 +16,12 @@ namespace {
 
 /// Every number another one, switches away from their defaults.
 NumberedJob some_job() {
-  NumberedJob job{7, 3, {2, std::numeric_limits<std::uint64_t>::max(), {}, {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}}}};
+  NumberedJob job{7,
+                  3,
+                  {2,
+                   std::numeric_limits<std::uint64_t>::max(),
+                   {},
+                   {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}}}};
   Gains& gains = job.job.gains;
   double next = 0.1;
   for (const GainField& field : gain_fields()) {

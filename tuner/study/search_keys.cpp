@@ -1,0 +1,102 @@
+#include "tuner/study/search_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Each search has a thread of its own.
+constexpr long kMostStarts = 256;
+
+std::string read_algorithm(yaml::MapReader& map, const char* key, const std::string& otherwise) {
+  std::string algorithm = map.string(key, otherwise);
+  if (!map.has(key)) return algorithm;
+  try {
+    algorithm_from_name(algorithm);
+  } catch (const InputError& e) {
+    map.required(key).fail(e.what());
+  }
+  return algorithm;
+}
+
+void read_differences(yaml::MapReader& map, SolverOptions& solver) {
+  const std::string differences = map.string("differences", "forward");
+  if (differences != "forward" && differences != "central") {
+    map.required("differences").fail("'" + differences + "' is not one of: forward, central");
+  }
+  solver.differences = differences == "forward" ? Differences::kForward : Differences::kCentral;
+  solver.difference_step = map.number_in("difference_step", solver.difference_step, 1e-6, 0.5);
+}
+
+}  // namespace
+
+void read_search(const yaml::Node& node, Study& study) {
+  yaml::MapReader map(node);
+  study.solver.algorithm = read_algorithm(map, "algorithm", study.solver.algorithm);
+  const std::string constraints = map.string("constraints", "auto");
+  if (constraints != "auto" && constraints != "lagrangian" && constraints != "penalty") {
+    map.required("constraints").fail("'" + constraints + "' is not one of: auto, lagrangian, penalty");
+  }
+  study.solver.constraints = constraints == "auto"         ? ConstraintHandling::kAuto
+                             : constraints == "lagrangian" ? ConstraintHandling::kLagrangian
+                                                           : ConstraintHandling::kPenalty;
+  study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
+  study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
+  if (study.max_evaluations < 1) map.required("max_evaluations").fail("must be at least 1");
+  study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);
+  study.solver.initial_step = map.number_in("initial_step", study.solver.initial_step, 1e-6, 0.5);
+  study.solver.x_tolerance = map.number_in("x_tolerance", study.solver.x_tolerance, 0.0, 1.0);
+  study.solver.objective_tolerance =
+      map.number_in("objective_tolerance", study.solver.objective_tolerance, 0.0, 1.0);
+  const long seed = map.integer("seed", 1);
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  study.solver.seed = static_cast<std::uint64_t>(seed);
+  study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
+  read_differences(map, study.solver);
+  const long starts = map.integer("starts", 1);
+  if (starts < 1 || starts > kMostStarts) {
+    map.required("starts").fail(fmt::format("{} searches at once; give 1 .. {}", starts, kMostStarts));
+  }
+  study.starts = static_cast<std::size_t>(starts);
+  study.global_algorithm = read_algorithm(map, "global", "");
+  study.global_share = map.number_in("global_share", study.global_share, 0.0, 1.0);
+  if (map.has("global_share") && study.global_algorithm.empty()) {
+    map.required("global_share").fail("there is no global search to have a share; name one with 'global'");
+  }
+  map.finish();
+}
+
+void read_warm_start(const yaml::Node& node, Study& study) {
+  yaml::MapReader map(node);
+  WarmStart warm;
+  const yaml::Node& from = map.required("from");
+  if (const yaml::Node* names = map.optional("parameters")) {
+    warm.parameters = names->as_strings();
+    if (warm.parameters.empty()) names->fail("empty; leave the key out for all parameters");
+  }
+  warm.box = map.number_in("box", warm.box, 0.0, 1.0);
+  if (warm.box <= 0.0) map.required("box").fail("must be above 0: a part of each parameter's range");
+  if (map.has("step")) warm.step = map.number_in("step", 0.0, 1e-6, 0.5);
+  map.finish();
+  try {
+    load_warm_gains(warm, from.as_string(), joint_names(*study.scenarios.front().robot),
+                    folder_of(study.source));
+  } catch (const InputError& e) {
+    from.fail(e.what());
+  }
+  try {
+    warm_point(study.space, warm);
+  } catch (const InputError& e) {
+    map.required("parameters").fail(e.what());
+  }
+  study.warm = std::move(warm);
+}
+
+}  // namespace armtune

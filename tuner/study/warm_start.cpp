@@ -1,0 +1,79 @@
+#include "tuner/study/warm_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+
+namespace armtune {
+namespace {
+
+/// For each parameter, whether the warm start gives it.
+std::vector<bool> given(const ParameterSpace& space, const std::vector<std::string>& names) {
+  std::vector<bool> chosen(space.free.size(), names.empty());
+  for (const std::string& name : names) {
+    bool found = false;
+    std::vector<std::string> tuned;
+    for (std::size_t i = 0; i < space.free.size(); ++i) {
+      const GainEntry& entry = space.free[i].entry;
+      tuned.push_back(entry.name);
+      if (entry.name != name && entry.field->name != name) continue;
+      chosen[i] = true;
+      found = true;
+    }
+    if (!found) {
+      throw InputError(fmt::format("'{}' is not tuned by this study{}; name tuned gains or fields", name,
+                                   suggestion(name, tuned)));
+    }
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void load_warm_gains(WarmStart& warm, const std::string& folder_or_file,
+                     const std::vector<std::string>& joints, const std::string& relative_to) {
+  namespace fs = std::filesystem;
+  std::string file = folder_or_file;
+  for (const fs::path& folder : {fs::path(folder_or_file), fs::path(relative_to) / folder_or_file}) {
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) continue;
+    file = (folder / "gains.yaml").string();
+    break;
+  }
+  warm.source = find_data_file("gains", file, relative_to);
+  warm.gains = load_gains(warm.source, joints);
+}
+
+WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
+  const std::vector<bool> chosen = given(space, warm.parameters);
+  WarmPoint point;
+  point.x = space.start_point();
+  const std::vector<double> coordinates = space.point_of(warm.gains);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) {
+      const Parameter& p = space.free[i];
+      const double v = value(warm.gains, p.entry);
+      point.x[i] = coordinates[i];
+      if (v < p.lower || v > p.upper) {
+        point.clamped.push_back(
+            fmt::format("{}: {} {} lies outside its bounds {} .. {} and begins at the nearer", warm.source,
+                        p.entry.name, v, p.lower, p.upper));
+      }
+    }
+    point.lower.push_back(std::max(0.0, point.x[i] - 0.5 * warm.box));
+    point.upper.push_back(std::min(1.0, point.x[i] + 0.5 * warm.box));
+  }
+  if (warm.box >= 1.0) {  // not shrunk: the whole range, wherever in it the point lies
+    point.lower.assign(chosen.size(), 0.0);
+    point.upper.assign(chosen.size(), 1.0);
+  }
+  return point;
+}
+
+}  // namespace armtune
