@@ -169,7 +169,7 @@ TEST_F(Ranks, DrawTheSameArmsAsThreads) {
 
 TEST_F(Ranks, AKilledRankEndsTheRunWithWhatIsFinishedOnDisk) {
   const ShortStudy files;
-  Program running(tune(files.path(), files / "run", {}, "100000"), folder_.path(), launcher(2));
+  Program running(tune(files.path(), files / "run", {}, "12"), folder_.path(), launcher(2));
   ASSERT_TRUE(wait_for_rows(running, files / "run/evaluations.csv", 4)) << running.wait().err;
   const int victim = process_of(running, 1);
   ASSERT_GT(victim, 0);
@@ -179,6 +179,14 @@ TEST_F(Ranks, AKilledRankEndsTheRunWithWhatIsFinishedOnDisk) {
   EXPECT_LT(Clock::now() - killed, std::chrono::seconds(10));
   EXPECT_GE(rows(files / "run/evaluations.csv"), 4);
   EXPECT_TRUE(test::read_text(files / "run/evaluations.csv").ends_with('\n'));
+
+  const Finished resumed = run(2, {"tune", "--resume", files / "run"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  ASSERT_EQ(alone(tune(files.path(), files / "whole", {}, "12")).exit_code, 0);
+  EXPECT_EQ(without_time(files / "run/evaluations.csv"), without_time(files / "whole/evaluations.csv"));
+  for (const char* file : {"/gains.yaml", "/errors.csv"}) {
+    EXPECT_EQ(test::read_text(files / "run" + file), test::read_text(files / "whole" + file)) << file;
+  }
 }
 
 TEST_F(Ranks, AHungRankIsToldApartFromASlowOne) {

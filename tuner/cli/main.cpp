@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/common/error.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
@@ -27,7 +28,14 @@ int run(int argc, char** argv) {
   const bool first = rank_place().rank == 0;
   // Rank 0 decides when the others stop.
   first ? cli::catch_interrupts() : cli::ignore_interrupts();
-  cli::command_words() = cli::resumed_arguments({argv, argv + argc});
+  try {
+    cli::command_words() = cli::resumed_arguments({argv, argv + argc});
+  } catch (const InputError&) {
+    if (first) throw;
+    const auto failure =
+        std::current_exception();  // rank 0 is to say it, which may see the folder where others do not
+    return cli::on_ranks([&failure](Team&) -> int { std::rethrow_exception(failure); });
+  }
 
   CLI::App app{
       "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "

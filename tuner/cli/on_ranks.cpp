@@ -74,6 +74,12 @@ int on_ranks(const std::function<int(Team&)>& command) {
 }
 
 void refuse_ranks(const std::string& command) {
+  if (const int tasks = strangers(); tasks > 0) {
+    throw InputError(fmt::format(
+        "srun started {} tasks that know nothing of each other, and each would do the whole run: use srun "
+        "--mpi=pmix, or one task and --workers",
+        tasks));
+  }
   if (rank_place().size == 1 || std::find(kUsers.begin(), kUsers.end(), command) != kUsers.end()) return;
   throw InputError(
       fmt::format("{} does not use ranks ({} were started): run it without mpirun or srun; {} do", command,

@@ -14,16 +14,21 @@ namespace armtune::cli {
 /// is false.
 int on_ranks(const std::function<int(Team&)>& command);
 
-/// Throws InputError if several ranks were started for a command that does not use them.
+/// Throws InputError if several ranks were started for a command that does not use them, or several tasks
+/// that are no ranks.
 void refuse_ranks(const std::string& command);
 
 /// Prints what went wrong and gives the exit code. Ranks but 0 are silent, and done: all of them see what is
 /// wrong with the command line.
 int report(const std::exception_ptr& failure);
 
-/// What --help says of --workers and of --rollout-deadline.
+/// What --help says of --workers, --resume and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
     "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
+inline constexpr const char* kResumeHelp =
+    "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
+    "everything "
+    "but --workers and --rollout-deadline is as it was begun";
 inline constexpr const char* kDeadlineHelp =
     "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
     "simulated second)";

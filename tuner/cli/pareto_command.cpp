@@ -153,9 +153,10 @@ int run(Arguments args, Team& team) {
     result = pareto(study, options, workers, stop_requested(), callbacks, journal.get());
   } catch (...) {
     if (!resumed && !objective) discard_run(args.folder);
+    if (objective) tell_how_to_go_on("pareto", args.folder);
     throw;
   }
-  if (evaluations) evaluations->publish();
+  if (evaluations) evaluations->finish();
   line.clear();
   if (result.failure) {
     if (!result.front.empty()) write_front(study, options, result, args.folder);
@@ -232,10 +233,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
       ->check(CLI::Range(0L, 1000000000000L));
   command->add_option("--out", args->folder, "new folder (default: runs/pareto_<study>_<time>)");
-  command->add_option(
-      "--resume", args->resume,
-      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
-      "been; everything but --workers and --rollout-deadline is as it was begun");
+  command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

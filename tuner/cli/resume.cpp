@@ -10,8 +10,11 @@
 #include "core/common/error.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/warm_arguments.hpp"
 #include "tuner/run/arithmetic.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/work/transport.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -63,13 +66,20 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
                     "only {}",
                     *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, " and ")));
   }
-  std::error_code gone;  // on another machine there may be no such folder, nor need for it
+  std::error_code gone;
   fs::current_path(begun.working_folder, gone);
+  if (gone && rank_place().rank == 0) {
+    fmt::print(stderr,
+               "armtune: warning: {}, where the run was begun, is not there; relative paths of its command "
+               "line begin "
+               "here instead\n",
+               begun.working_folder);
+  }
   return all;
 }
 
 std::vector<std::pair<std::string, std::string>> identity_of(const Study& study) {
-  const std::string warm = study.warm ? "start/warm_gains.yaml" : "";
+  const std::string warm = study.warm ? kWarmGains : "";
   std::vector<std::pair<std::string, std::string>> identity = {
       {"seed", fmt::format("{}", study.solver.seed)},
       {"study", study_yaml(study, "start/gains.yaml", warm)},
@@ -95,6 +105,7 @@ RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
   header.identity = std::move(identity);
   for (auto& version : versions()) header.identity.push_back(std::move(version));
   header.identity.emplace_back("arithmetic", arithmetic().fingerprint);
+  header.identity.emplace_back("program", hash_of_file("/proc/self/exe"));
   for (auto& input : hashes(inputs)) header.identity.push_back(std::move(input));
   return header;
 }
@@ -103,9 +114,15 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
                                       const RunHeader& header) {
   if (resume.empty()) return Journal::begin(folder + kJournal, header);
   std::string warning;
-  auto journal = Journal::resume(folder + kJournal, header, warning);
+  constexpr double kPatience = 10.0;  // ranks of a killed run are gone by then
+  auto journal = Journal::resume(folder + kJournal, header, warning, kPatience);
   if (!warning.empty()) fmt::print(stderr, "armtune: warning: {}\n", warning);
   return journal;
+}
+
+void tell_how_to_go_on(const std::string& command, const std::string& folder) {
+  fmt::print(stderr, "what was finished is in {}; once the cause is gone, go on: {} {} --resume {}\n", folder,
+             program_name(), command, folder);
 }
 
 void discard_run(const std::string& folder) {

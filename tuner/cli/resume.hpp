@@ -13,8 +13,8 @@ namespace armtune::cli {
 
 /// The words of a command line, the program's name first. With --resume: the words that the folder's run was
 /// begun with, then --resume with that folder, then what may differ between the two (--workers); the working
-/// folder becomes the one that run was begun in, if it is still there. Throws InputError if the folder holds
-/// no journal, one of another command, or further words were given.
+/// folder becomes the one that run was begun in, or stays, with a warning, if that is gone. Throws InputError
+/// if the folder holds no journal or one of another command, or if further words were given.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
 /// All that a study's results depend on but the files its scenarios are made from, and those files.
@@ -30,6 +30,9 @@ RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
 /// there, or empty.
 std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
                                       const RunHeader& header);
+
+/// Says on stderr that a run which failed can go on, and how.
+void tell_how_to_go_on(const std::string& command, const std::string& folder);
 
 /// Takes away the folder of a new run that ended before anything was finished.
 void discard_run(const std::string& folder);

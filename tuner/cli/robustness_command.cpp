@@ -158,9 +158,19 @@ int run(Arguments args, Team& team) {
       rows->publish();
     };
   }
-  const auto samples = monte_carlo(*crew, set.gains, options, stop_requested());
+  auto samples = monte_carlo(*crew, set.gains, options, stop_requested());
+  // Interrupted, those before the first gap: what samples.csv holds.
+  samples.resize(
+      static_cast<std::size_t>(std::find_if(samples.begin(), samples.end(),
+                                            [&, next = options.first](const MonteCarloSample& s) mutable {
+                                              return s.number != next++;
+                                            }) -
+                               samples.begin()));
   line.clear();
-  if (rows) rows->publish();
+  if (rows) {
+    rows->publish();
+    rows->sync();
+  }
   if (!samples.empty()) {
     print_yield(scenarios, samples, options.limits);
     print_spreads(scenarios, samples);
@@ -224,10 +234,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->folder,
                       "new folder for samples.csv, summary.csv and run.yaml (default: "
                       "runs/robustness_<time>; with --sample none)");
-  command->add_option(
-      "--resume", args->resume,
-      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
-      "been; everything but --workers and --rollout-deadline is as it was begun");
+  command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->options.workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

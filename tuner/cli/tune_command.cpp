@@ -52,7 +52,10 @@ Study load(const Arguments& args) {
   Study study = load_study(args.study);
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
-  apply(args.warm, study);
+  WarmArguments warm = args.warm;
+  // The run that a warm start came from may be gone by now; its gains are kept.
+  if (!args.resume.empty() && !warm.from.empty()) warm.from = args.resume + "/" + kWarmGains;
+  apply(warm, study);
   return study;
 }
 
@@ -275,10 +278,14 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
   try {
     result = tune(study, workers, stop_requested(), callbacks, &journal);
   } catch (...) {
-    if (so_far.evaluations > 0) write_gains(study, so_far, args.folder);
-    throw;
+    const auto failure = std::current_exception();
+    try {
+      if (so_far.evaluations > 0) write_gains(study, so_far, args.folder);
+    } catch (const std::exception&) {  // the first failure is the one to tell
+    }
+    std::rethrow_exception(failure);
   }
-  if (evaluations) evaluations->publish();
+  if (evaluations) evaluations->finish();
   line.clear();
   return result;
 }
@@ -305,6 +312,7 @@ int run(Arguments args, Team& team) {
     result = search(study, args, workers, *journal, objective);
   } catch (...) {
     if (!resumed && !objective) discard_run(args.folder);
+    if (objective) tell_how_to_go_on("tune", args.folder);
     throw;
   }
   if (result.evaluations == 0) {
@@ -313,6 +321,11 @@ int run(Arguments args, Team& team) {
     return kInterrupted;
   }
   write_gains(study, result, args.folder);
+  if (result.interrupted && team.several()) {  // launchers that pass on a signal kill soon after
+    fmt::print("interrupted: the search was not finished; to go on: {} tune --resume {}\n", program_name(),
+               args.folder);
+    return kInterrupted;
+  }
   ProgressLine line;
   line.show("fresh rollouts of the start and the tuned gains");
   const auto sets = verify(study, result, args);
@@ -401,10 +414,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
   command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
-  command->add_option(
-      "--resume", args->resume,
-      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not "
-      "been; everything but --workers and --rollout-deadline is as it was begun");
+  command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

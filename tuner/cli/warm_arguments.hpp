@@ -12,6 +12,9 @@ class App;
 
 namespace armtune::cli {
 
+/// Where a run folder keeps the gains a warm start began with.
+inline constexpr const char* kWarmGains = "start/warm_gains.yaml";
+
 /// As given; zero or empty: the study's own.
 struct WarmArguments {
   std::string from;

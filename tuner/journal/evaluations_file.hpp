@@ -31,8 +31,11 @@ class EvaluationsFile {
   /// differs between two runs of one study. A file that replaces an older one does so with the first row that
   /// is not recalled. Throws std::runtime_error if the disk refuses it.
   void append(const std::string& phase, const Evaluation& e);
-  /// At the end, if every row was recalled.
-  void publish() { file_.publish(); }
+  /// At the end: the file is in its place, also if every row was recalled, and outlives a power cut.
+  void finish() {
+    file_.publish();
+    file_.sync();
+  }
 
  private:
   AppendFile file_;

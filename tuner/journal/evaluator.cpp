@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/common/error.hpp"
@@ -42,6 +43,20 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
 
 bool Evaluator::next(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
                      const TakeIn& take_in) {
+  // Where time may run out, in portions; of a size that a resumed run with other workers has too.
+  constexpr std::size_t kPortion = 8;
+  if (study_.max_minutes <= 0.0) return next_portion(candidates, limits, take_in);
+  for (std::size_t first = 0; first < candidates.size(); first += kPortion) {
+    if (first > 0 && !time_left()) return true;
+    const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kPortion, candidates.size() - first));
+    if (!next_portion({begin, end}, limits, take_in)) return false;
+  }
+  return true;
+}
+
+bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
+                             const TakeIn& take_in) {
   std::vector<std::optional<Evaluation>> ready(candidates.size());
   std::vector<std::size_t> missing;
   std::vector<std::vector<double>> points;
@@ -60,11 +75,10 @@ bool Evaluator::next(const std::vector<Candidate>& candidates, const std::vector
   take_ready();
   const auto finished = [&](std::size_t k, const Evaluation& e) {
     const std::size_t i = missing[k];
-    ready[i] = e;
-    ready[i]->seconds = seconds();
-    if (journal_ != nullptr) {
-      journal_->append({count_ + i, candidates[i].phase, ready[i]->seconds, e.x, e.results});
-    }
+    const double now = seconds();
+    if (journal_ != nullptr) journal_->append({count_ + i, candidates[i].phase, now, e.x, e.results});
+    ready[i] = e;  // not before it is on disk
+    ready[i]->seconds = now;
     take_ready();
   };
   const bool whole =

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "core/common/error.hpp"
-#include "sim/csv/text_file.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune {
@@ -116,7 +115,9 @@ RunHeader read_header(Lines& lines, const std::string& path) {
       header.identity.emplace_back(name, unescaped(rest));
     }
   }
-  throw InputError(path + ": ends within its header, so the run it belongs to is not known; begin it anew");
+  throw InputError(
+      path +
+      ": ends within its header: the run was killed before it began; take the folder away and begin it anew");
 }
 
 }  // namespace
@@ -126,7 +127,8 @@ RunHeader read_run_header(const std::string& path) {
   return read_header(lines, path);
 }
 
-Journal::Journal(const std::string& path) : path_(path), file_(path, AppendFile::Open::kContinue) {}
+Journal::Journal(const std::string& path, AppendFile::Open open, double patience)
+    : path_(path), file_(path, open, patience) {}
 
 std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader& header) {
   std::string text = line_of(kFormat);
@@ -136,17 +138,17 @@ std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader
     text += line_of("is\t" + escaped(name) + '\t' + escaped(value));
   }
   text += line_of(kHeaderEnd);
-  write_text_file(path, text);
-  std::unique_ptr<Journal> journal(new Journal(path));
+  std::unique_ptr<Journal> journal(new Journal(path, AppendFile::Open::kNew, 0.0));
+  journal->file_.append(text);
   journal->size_ = static_cast<long>(text.size());
   return journal;
 }
 
-std::unique_ptr<Journal> Journal::resume(const std::string& path, const RunHeader& now,
-                                         std::string& warning) {
+std::unique_ptr<Journal> Journal::resume(const std::string& path, const RunHeader& now, std::string& warning,
+                                         double patience) {
   // Read once before it is opened to write, so that what is no journal is said to be none.
   read_run_header(path);
-  std::unique_ptr<Journal> journal(new Journal(path));
+  std::unique_ptr<Journal> journal(new Journal(path, AppendFile::Open::kContinue, patience));
   warning = journal->read(now);
   return journal;
 }

@@ -16,14 +16,15 @@ namespace armtune {
 
 class Journal {
  public:
-  /// Begins one, its header on disk. Throws InputError if the file cannot be made.
+  /// Begins one, its header on disk. Throws InputError if the file is there already or cannot be made.
   static std::unique_ptr<Journal> begin(const std::string& path, const RunHeader& header);
 
   /// Opens one to go on with. A torn last line, of a run that was killed while it wrote, is cut off;
-  /// `warning` says so. Throws InputError if the file cannot be read, a line is damaged (naming the record),
-  /// another process is writing it, or `now` is another run than the one it was begun for (naming what
-  /// differs).
-  static std::unique_ptr<Journal> resume(const std::string& path, const RunHeader& now, std::string& warning);
+  /// `warning` says so. patience: how long to wait for another process that writes it [s]. Throws InputError
+  /// if the file cannot be read, a line is damaged (naming the record), another process is writing it, or
+  /// `now` is another run than the one it was begun for (naming what differs).
+  static std::unique_ptr<Journal> resume(const std::string& path, const RunHeader& now, std::string& warning,
+                                         double patience = 0.0);
 
   /// The record of this number, if it is finished. Throws InputError if the file was changed meanwhile.
   std::optional<JournalRecord> find(std::uint64_t number) const;
@@ -43,7 +44,7 @@ class Journal {
   double seconds() const { return seconds_; }
 
  private:
-  explicit Journal(const std::string& path);
+  Journal(const std::string& path, AppendFile::Open open, double patience);
   /// Reads the lines after the header; gives what to warn of.
   std::string read(const RunHeader& now);
   void take(std::string_view payload, long place);

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <thread>
 
 #include "core/common/error.hpp"
 
@@ -27,20 +29,32 @@ int flags(AppendFile::Open open) {
   return 0;
 }
 
+/// Tries for so long [s]: a run that was killed among ranks takes a moment to be gone.
+bool locked(int file, double patience) {
+  constexpr std::chrono::milliseconds kBetween(100);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
+  while (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+    if (std::chrono::steady_clock::now() >= end) return false;
+    std::this_thread::sleep_for(kBetween);
+  }
+  return true;
+}
+
 std::string partial(const std::string& path) {
   return path + ".partial";
 }
 
 }  // namespace
 
-AppendFile::AppendFile(const std::string& path, Open open) : path_(path), published_(open != Open::kReplace) {
+AppendFile::AppendFile(const std::string& path, Open open, double patience)
+    : path_(path), published_(open != Open::kReplace) {
   const std::string name = published_ ? path : partial(path);
   file_ = ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644);
   if (file_ < 0) {
     throw InputError(fmt::format("{}: cannot {} it: {}", name, open == Open::kContinue ? "open" : "make",
                                  std::strerror(errno)));
   }
-  if (open == Open::kContinue && ::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+  if (open != Open::kReplace && !locked(file_, patience)) {
     ::close(file_);
     throw InputError(fmt::format("{}: another process is writing it; wait for that run or stop it", path));
   }
@@ -65,8 +79,12 @@ void AppendFile::append(const std::string& text, bool sync) {
     data += written;
     left -= static_cast<std::size_t>(written);
   }
+  if (sync) this->sync();
+}
+
+void AppendFile::sync() {
   // What the disk cannot hold may show here first. A file that cannot be synced (a pipe) is not one to keep.
-  if (sync && ::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) fail("append to");
+  if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) fail("append to");
 }
 
 void AppendFile::truncate(long size) {

@@ -9,13 +9,13 @@ namespace armtune {
 class AppendFile {
  public:
   enum class Open {
-    kNew,      ///< refuses a file that exists
+    kNew,      ///< refuses a file that exists; keeps other processes from going on with it
     kReplace,  ///< grows beside an older file of that name until `publish` puts it in its place
     kContinue  ///< goes on at the end of one that exists; refuses if another process does so
   };
 
-  /// Throws InputError with path and reason.
-  explicit AppendFile(const std::string& path, Open open = Open::kNew);
+  /// patience: how long to wait for a process that has the file [s]. Throws InputError with path and reason.
+  explicit AppendFile(const std::string& path, Open open = Open::kNew, double patience = 0.0);
   ~AppendFile();
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
@@ -27,6 +27,8 @@ class AppendFile {
   void truncate(long size);
   /// Of kReplace: the file takes the older one's place. Further calls do nothing.
   void publish();
+  /// What was appended outlives a power cut. Throws std::runtime_error.
+  void sync();
 
  private:
   [[noreturn]] void fail(const char* what) const;

@@ -105,19 +105,14 @@ bool Run::start() {
 bool Run::sweep() {
   const auto points = sweep_points(study_);
   if (points.empty()) return true;
-  // In portions where time may run out; of a size that no resumed run with other workers changes.
-  constexpr std::size_t kPortion = 8;
-  const std::size_t portion = study_.max_minutes > 0.0 ? kPortion : points.size();
   Evaluation before = out_.best;
   out_.best.feasible = false;
   out_.best.violation = HUGE_VAL;
-  bool whole = true;
-  for (std::size_t i = 0; i < points.size() && whole && budget_left(); i += portion) {
-    std::vector<Candidate> candidates;
-    const auto end = std::min({points.size(), i + portion, i + evaluations_left(study_.max_evaluations)});
-    for (std::size_t p = i; p < end; ++p) candidates.push_back({"sweep", points[p]});
-    whole = evaluate(candidates);
-  }
+  const std::size_t count = std::min(points.size(), evaluations_left(study_.max_evaluations));
+  std::vector<Candidate> candidates;
+  candidates.reserve(count);
+  for (std::size_t p = 0; p < count; ++p) candidates.push_back({"sweep", points[p]});
+  const bool whole = evaluate(candidates);
   if (out_.best.violation < HUGE_VAL) out_.best_of_sweep = out_.best;
   if (better(before, out_.best)) out_.best = std::move(before);
   return whole;

@@ -23,7 +23,7 @@ struct TuneProgress {
 struct TuneCallbacks {
   /// Once, when the start gains were simulated and the objective stands.
   std::function<void(const Objective&)> begin;
-  /// For every evaluation that simulated something, in order, one call at a time, from any thread.
+  /// For every evaluation, in order, those recalled from a journal too; one call at a time, from any thread.
   /// `phase`: start, sweep, warm (where a warm start begins), global, search, or gradient (points that either
   /// of the two forms derivatives with).
   std::function<void(const char* phase, const Evaluation&)> evaluated;

@@ -67,24 +67,16 @@ std::optional<Sensitivity> sensitivity(
     points[2 + 3 * i][i] = clamp_to_box(x[i] + kSensitivityStep);
     points[3 + 3 * i][i] = start[i];
   }
-  std::vector<Evaluation> evaluations;
-  evaluations.reserve(points.size());
-  const auto portion = static_cast<std::size_t>(workers.count());
-  for (std::size_t first = 0; first < points.size(); first += portion) {
-    const auto end = std::min(points.size(), first + portion);
-    auto done = simulate_points(study,
-                                {points.begin() + static_cast<std::ptrdiff_t>(first),
-                                 points.begin() + static_cast<std::ptrdiff_t>(end)},
-                                workers, stop, objective.end_limits());
-    if (!done) return std::nullopt;
-    for (Evaluation& e : *done) {
-      objective.judge(e);
-      evaluations.push_back(std::move(e));
-    }
-    if (progress) progress(end, points.size());
-  }
+  std::size_t finished = 0;
+  auto evaluations = simulate_points(study, points, workers, stop, objective.end_limits(),
+                                     [&](std::size_t, const Evaluation&) {
+                                       ++finished;
+                                       if (progress) progress(finished, points.size());
+                                     });
+  if (!evaluations) return std::nullopt;
+  for (Evaluation& e : *evaluations) objective.judge(e);
   const auto merit = [&](std::size_t p) {
-    return evaluations[p].objective + penalty * evaluations[p].violation;
+    return (*evaluations)[p].objective + penalty * (*evaluations)[p].violation;
   };
 
   std::vector<double> merits;
@@ -98,9 +90,10 @@ std::optional<Sensitivity> sensitivity(
     const std::size_t below = 1 + 3 * i;
     const std::size_t above = below + 1;
     s.parameter = i;
-    s.best = value(evaluations[0].gains, entry);
+    s.best = value((*evaluations)[0].gains, entry);
     s.local = std::max(std::abs(merit(below) - merit(0)), std::abs(merit(above) - merit(0))) / merit(0);
-    const double spread = value(evaluations[above].gains, entry) - value(evaluations[below].gains, entry);
+    const double spread =
+        value((*evaluations)[above].gains, entry) - value((*evaluations)[below].gains, entry);
     s.elasticity = s.best > 0.0 ? (merit(above) - merit(below)) / merit(0) / (spread / s.best) : NAN;
     std::vector<double> coordinates;
     coordinates.reserve(journal.size());

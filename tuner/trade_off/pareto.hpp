@@ -65,7 +65,8 @@ struct ParetoProgress {
 struct ParetoCallbacks {
   /// Once, when the start gains were simulated.
   std::function<void(const Objective&)> begin;
-  /// For every evaluation that simulated something, in order. `phase`: start, anchor or level.
+  /// For every evaluation, in order, those recalled from a journal too; one call at a time, from any thread.
+  /// `phase`: start, anchor or level.
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const ParetoProgress&)> progress;
 };

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
+
+#include "tuner/work/patience.hpp"
 
 namespace armtune {
 
@@ -30,17 +31,16 @@ RolloutResult LocalWorker::run(const RolloutJob& job, const std::atomic<bool>& s
 }
 
 RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<bool()>& stop) {
-  using Clock = std::chrono::steady_clock;
-  const auto began = Clock::now();
+  RunningTime time;
   const Scenario& scenario = plan_.scenarios[job.scenario];
-  const std::chrono::duration<double> deadline(deadline_of(plan_, scenario));
+  const double deadline = deadline_of(plan_, scenario);
   const auto observer = [&](const Observation& o) {
-    if (Clock::now() - began > deadline) {
+    if (time.look() > deadline) {
       throw std::runtime_error(fmt::format(
           "{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s; allow "
           "more with --rollout-deadline, or find out what slows it down",
           scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", o.time, scenario.duration,
-          deadline.count()));
+          deadline));
     }
     return !stop();
   };

@@ -30,7 +30,12 @@ inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>
   };
   {
     std::vector<std::jthread> threads;
-    for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
+    try {
+      for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
+    } catch (...) {
+      next = count;  // those already there must not do it all first
+      throw;
+    }
     work(0);
   }
   if (error) std::rethrow_exception(error);

@@ -36,4 +36,9 @@ RankPlace rank_place() {
   return {};
 }
 
+int strangers() {
+  const auto tasks = number("SLURM_STEP_NUM_TASKS");
+  return rank_place().size == 1 && tasks && *tasks > 1 && number("SLURM_PROCID") ? *tasks : 0;
+}
+
 }  // namespace armtune

@@ -46,8 +46,9 @@ class RankWorker final : public Worker {
  private:
   RolloutResult answer(const std::string& message, std::uint64_t number) const {
     if (kind_of(message) == MessageKind::kFailure) {
-      throw std::runtime_error(
-          fmt::format("rank {} on {}: {}", peer_.rank, peer_.host, read_failure(message).second));
+      const auto [failed, what] = read_failure(message);
+      throw std::runtime_error(fmt::format("rank {} on {}{}: {}", peer_.rank, peer_.host,
+                                           failed == number ? "" : fmt::format(", job {}", failed), what));
     }
     auto [answered, result] = read_result(message);
     if (answered != number) {

@@ -34,6 +34,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& pla
           hash_of_file(file));
     }
   }
+  facts.emplace_back("program", hash_of_file("/proc/self/exe"));
   facts.emplace_back("stepper", name(plan.stepper));
   facts.emplace_back("rollout deadline", fmt::format("{}", plan.deadline));
   facts.emplace_back("seed of the arms",

@@ -186,7 +186,7 @@ bool Team::end() {
   for (const Peer& peer : peers_) {
     transport_->send(peer.rank, plain_message(MessageKind::kBye));
   }
-  const Patience patience;
+  Patience patience;
   for (const Peer& peer : peers_) {
     for (bool leaving = false; !leaving; patience.sleep()) {
       const auto message = transport_->receive(peer.rank);

@@ -14,6 +14,8 @@ struct RankPlace {
   int size = 1;  ///< 1 where nothing launched this process, or launched it alone
 };
 RankPlace rank_place();
+/// How many tasks srun started that know nothing of each other; 0 unless it did.
+int strangers();
 
 /// Calls come from any thread; none waits for another process, but end().
 class Transport {

@@ -43,18 +43,20 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   const std::size_t each = longest_first_.size() * samples();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
-  // All candidates of the longest scenario first: short rollouts fill the gaps at the end.
-  const auto scenario_of = [&](std::size_t i) { return longest_first_[i / candidates.size() / samples()]; };
-  const auto sample_of = [&](std::size_t i) { return i / candidates.size() % samples(); };
+  // Candidate by candidate, so that each is finished, and on disk, as early as can be; the longest scenario
+  // first: short rollouts fill the gaps at the end.
+  const auto candidate_of = [&](std::size_t i) { return i / each; };
+  const auto scenario_of = [&](std::size_t i) { return longest_first_[i % each / samples()]; };
+  const auto sample_of = [&](std::size_t i) { return i % each % samples(); };
   crew_->run(
       candidates.size() * each,
       [&](std::size_t i) {
-        return RolloutJob{scenario_of(i), sample_of(i), candidates[i % candidates.size()],
+        return RolloutJob{scenario_of(i), sample_of(i), candidates[candidate_of(i)],
                           limits.empty() ? EndLimits() : limits[scenario_of(i)]};
       },
       stop,
       [&](std::size_t i, RolloutResult&& result) {
-        const std::size_t candidate = i % candidates.size();
+        const std::size_t candidate = candidate_of(i);
         results[candidate][scenario_of(i) * samples() + sample_of(i)] = std::move(result);
         if (--left[candidate] > 0) return;
         results[candidate] = fold(std::move(results[candidate]));

@@ -100,6 +100,20 @@ TEST_F(Recall, TheTimeIsUpWhereItWas) {
   EXPECT_EQ(fresh.rollouts_done(), 0);
 }
 
+TEST_F(Recall, ABatchEndsSoonAfterTheTimeIsUp) {
+  study_.max_minutes = 1e-6;
+  Workers workers(study_.scenarios, study_.stepper, 2);
+  const auto journal = begin();
+  Evaluator evaluator(study_, workers, stop_, journal.get());
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < 20; ++i) candidates.push_back({"search", {0.05 * i, 0.5}});
+  std::size_t taken = 0;
+  EXPECT_TRUE(evaluator.next(candidates, {}, [&taken](const char*, const Evaluation&) { ++taken; }));
+  EXPECT_EQ(taken, 8U) << "a portion, whatever the number of workers";
+  EXPECT_EQ(journal->time_was_up(), 8U);
+  EXPECT_EQ(journal->records(), 8U);
+}
+
 TEST_F(Recall, MinutesOfEarlierSessionsCount) {
   study_.max_minutes = 1.0;
   Workers workers(study_.scenarios, study_.stepper, 1);

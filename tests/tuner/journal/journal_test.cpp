@@ -113,6 +113,16 @@ TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
   EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("another process is writing it"));
 }
 
+TEST_F(JournalFile, IsBegunOnlyWhereThereIsNone) {
+  const std::string path = written();
+  const std::string before = test::read_text(path);
+  EXPECT_THAT(test::refusal([&] { Journal::begin(path, header_of_run()); }), HasSubstr("cannot make it"));
+  EXPECT_EQ(test::read_text(path), before);
+  const auto first = Journal::begin(folder_ / "new.txt", header_of_run());
+  EXPECT_THAT(test::refusal([&] { resumed(folder_ / "new.txt"); }),
+              HasSubstr("another process is writing it"));
+}
+
 TEST_F(JournalFile, RefusesAnotherRunAndSaysWhatDiffers) {
   const std::string path = written();
   RunHeader other = header_of_run();

@@ -67,6 +67,20 @@ TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
   }
 }
 
+TEST(Workers, FinishOneCandidateBeforeTheyBeginTheNext) {
+  const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 2.5),
+                                           test::scenario_of("realistic_moving_target", 3.0)};
+  const std::vector<Gains> candidates(3, test::quick_gains(scenarios[0]));
+  const std::atomic<bool> never{false};
+  Workers workers(scenarios, Stepper::kMidpoint, 1);
+  std::vector<long> rollouts;
+  workers.run(candidates, never, [&](std::size_t candidate, const std::vector<RolloutResult>&) {
+    EXPECT_EQ(candidate, rollouts.size());
+    rollouts.push_back(workers.rollouts_done());
+  });
+  EXPECT_EQ(rollouts, (std::vector<long>{2, 4, 6})) << "what is finished is on disk early";
+}
+
 TEST(Workers, StoppedTheyGiveNothing) {
   const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 3.0)};
   const std::atomic<bool> stop{true};
