@@ -3,26 +3,23 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/run/simulate.hpp"
 #include "tuner/search/tune.hpp"
 #include "tuner/work/simulate_points.hpp"
 
@@ -59,21 +56,6 @@ Study load(const Arguments& args) {
   return study;
 }
 
-/// "CRS2, then BOBYQA from 4 starts"
-std::string search_text(const Study& study) {
-  return fmt::format("{}{}{}", study.global_algorithm.empty() ? "" : study.global_algorithm + ", then ",
-                     study.solver.algorithm,
-                     study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
-}
-
-/// " (worst of 5 arms each)" where a study tunes on samples.
-std::string robust_text(const Study& study) {
-  if (!study.robust) return {};
-  return fmt::format(" ({} of {} arms each)",
-                     risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
-                     study.robust->samples);
-}
-
 std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds) {
   const double left = p.last->seconds / static_cast<double>(p.evaluations) *
                       static_cast<double>(p.max_evaluations - p.evaluations);
@@ -81,129 +63,6 @@ std::string progress_text(const TuneProgress& p, const Workers& workers, double 
                      p.phase, p.evaluations, p.max_evaluations, p.best->objective,
                      p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(*p.best),
                      static_cast<double>(workers.rollouts_done()) / seconds, left);
-}
-
-/// Fresh rollouts of both gain sets: the figures that are reported, and the recordings.
-std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, const Arguments& args) {
-  const std::atomic<bool> never{false};  // an interrupted search still ends with its files
-  SimulateOptions options;
-  options.stepper = study.stepper;
-  options.workers = args.workers;
-  options.record_stride = args.record_every;
-  options.folder = args.folder + "/start";
-  std::vector<ComparedSet> sets(2);
-  sets[0] = {"start",
-             simulate(
-                 study.scenarios, [&](const Scenario&) { return study.space.start; }, options, never)};
-  options.folder = args.folder;
-  sets[1] = {"tuned",
-             simulate(
-                 study.scenarios, [&](const Scenario&) { return result.best.gains; }, options, never)};
-  return sets;
-}
-
-/// Of a study on many arms: the measure of fresh rollouts of all of them, which has to be what the search
-/// saw, as robust_errors.csv and for the table.
-std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result, const Arguments& args,
-                                       Team& team) {
-  const std::atomic<bool> never{false};
-  Workers fresh(team.crew(), study.robust);
-  const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never, {});
-  std::vector<ComparedSet> sets = {{"start", {}}, {"tuned", {}}};
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    const Evaluation& seen = i == 0 ? result.start : result.best;
-    for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
-      const RolloutResult& again = (*evaluations)[i].results[s];
-      const auto differs = [&](Metric m) {
-        const double a = again.metrics[m];
-        const double b = seen.results[s].metrics[m];
-        return a != b && !(std::isnan(a) && std::isnan(b));
-      };
-      const auto metrics = all_metrics();
-      if (std::any_of(metrics.begin(), metrics.end(), differs)) {
-        throw std::runtime_error(fmt::format("{}: the {} gains simulated again give other figures",
-                                             study.scenarios[s].name, sets[i].name));
-      }
-      sets[i].results.push_back({study.scenarios[s].name, again});
-    }
-  }
-  write_text_file(args.folder + "/start/robust_errors.csv", errors_csv(sets[0].results));
-  write_text_file(args.folder + "/robust_errors.csv", errors_csv(sets[1].results));
-  return sets;
-}
-
-/// What the start was, before anything is simulated: an interrupted run can be judged by it too.
-void write_start(const Study& study, const std::string& folder) {
-  make_folder(folder + "/start");
-  write_text_file(folder + "/start/gains.yaml",
-                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
-  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml", write_warm(study, folder)));
-}
-
-void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
-  write_text_file(
-      folder + "/gains.yaml",
-      gains_yaml(result.best.gains,
-                 {fmt::format("tuned by armtune, study {}, seed {}", study.name, study.solver.seed),
-                  fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}",
-                              result.best.objective, largest_velocity_ratio(result.best), robust_text(study),
-                              result.best.feasible ? "feasible" : "NOT feasible")}));
-}
-
-void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
-                   const Arguments& args, int workers, double seconds) {
-  const std::string& folder = args.folder;
-  write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
-  write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
-  write_text_file(folder + "/columns.csv", columns_csv({{"errors.csv", error_columns()},
-                                                        {"rollout_*.csv", rollout_columns(study.scenarios)},
-                                                        {"evaluations.csv", evaluation_columns(study)}}));
-  Provenance p;
-  p.command = command_line();
-  p.inputs = {study.source, study.gains};
-  if (study.warm) p.inputs.push_back(study.warm->source);
-  add_inputs(study.scenarios, p.inputs);
-  p.seed = study.solver.seed;
-  p.workers = workers;
-  p.wall_seconds = seconds;
-  p.extra = {{"study", shown_path(study.source)},
-             {"evaluations", fmt::format("{}", result.evaluations)},
-             {"algorithm", search_text(study)},
-             {"stepper", name(study.stepper)},
-             {"ended", result.reason},
-             {"feasible", result.best.feasible ? "true" : "false"},
-             {"objective", fmt::format("{}", result.best.objective)}};
-  write_text_file(folder + "/run.yaml", run_yaml(p));
-}
-
-void print_gains(const Study& study, const Gains& gains) {
-  fmt::print("{:<44}{:>12}{:>12}{:>11}\n", "gain", "start", "tuned", "ratio");
-  for (const Parameter& p : study.space.free) {
-    const double tuned = value(gains, p.entry);
-    const bool at_bound = tuned <= p.lower * (1.0 + 1e-9) || tuned >= p.upper * (1.0 - 1e-9);
-    fmt::print("{:<44}{:>12.5g}{:>12.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
-               p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
-               at_bound ? "  at its bound" : "");
-  }
-  fmt::print("\n");
-}
-
-void print_verdict(const Study& study, const TuneResult& result, const Objective& objective) {
-  fmt::print("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study.name, result.best.objective,
-             result.best_of_sweep
-                 ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,
-                               result.best_of_sweep->feasible ? "" : ", not feasible")
-                 : "",
-             result.evaluations, result.reason);
-  fmt::print("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(result.best), robust_text(study),
-             result.best.feasible ? "every constraint holds" : "NOT feasible:");
-  if (result.best.feasible) return;
-  if (result.best.status != "completed") fmt::print("  {}\n", result.best.status);
-  for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
-    if (result.best.constraints[c] > 0.0) {
-      fmt::print("  {} is missed by {:.4g}\n", objective.constraint_name(c), result.best.constraints[c]);
-    }
-  }
 }
 
 /// What the figures alone do not say: how far both loops can be pushed, and which gains matter. Returns false
@@ -326,14 +185,15 @@ int run(Arguments args, Team& team) {
                args.folder);
     return kInterrupted;
   }
+  const ReportOptions options = {args.folder, args.workers, args.record_every};
   ProgressLine line;
   line.show("fresh rollouts of the start and the tuned gains");
-  const auto sets = verify(study, result, args);
+  const auto sets = verify(study, result, options);
   line.clear();
-  write_reports(study, result, sets, args, workers.count(), seconds_since(began));
+  write_reports(study, result, sets, options, workers.count(), seconds_since(began));
 
   if (study.robust) {
-    const auto robust = verify_robust(study, result, args, team);
+    const auto robust = verify_robust(study, result, options, team);
     fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
                robust_text(study), comparison_table(robust, headline_metrics()));
   }

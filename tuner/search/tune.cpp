@@ -180,10 +180,7 @@ void Run::search() {
   local.problem.lower = box_.lower;
   local.problem.upper = box_.upper;
   local.problem.constraint_count = objective_->constraint_count();
-  local.options = study_.solver;
-  if (study_.warm) {
-    local.options.initial_step = study_.warm->step.value_or(study_.solver.initial_step * study_.warm->box);
-  }
+  local.options = solver_of(study_);
   if (!study_.global_algorithm.empty()) {
     JoinedSearch global = local;
     global.options.algorithm = study_.global_algorithm;

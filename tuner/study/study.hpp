@@ -41,6 +41,13 @@ struct Study {
   Stepper stepper = Stepper::kMidpoint;
 };
 
+/// The study's solver, with the initial step that its warm start begins with.
+inline SolverOptions solver_of(const Study& study) {
+  SolverOptions solver = study.solver;
+  if (study.warm) solver.initial_step = study.warm->step.value_or(solver.initial_step * study.warm->box);
+  return solver;
+}
+
 /// Reads a bundled study by name, or a file by path. Throws InputError.
 Study load_study(const std::string& name_or_path);
 

@@ -6,13 +6,12 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "core/common/error.hpp"
 #include "tuner/journal/evaluator.hpp"
 #include "tuner/search/together.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/trade_off/level_grid.hpp"
 
 namespace armtune {
 namespace {
@@ -28,10 +27,6 @@ constexpr double kExcessWeight = 10.0;
 /// a short search from a neighbour wants.
 constexpr const char* kLevelAlgorithm = "COBYLA";
 
-/// Levels searched at once, and how far apart on their way: what lies between begins at its neighbours' best.
-/// Part of what a run does, so no function of the machine.
-constexpr std::size_t kTogether = 4;
-
 struct Known {
   SolverValue value;  ///< of the study
   Costs costs;
@@ -45,25 +40,6 @@ struct Aim {
   long budget = 0;
   SolverOptions solver;
 };
-
-/// The study's solver, with the step that its warm start begins with.
-SolverOptions begun(const Study& study) {
-  SolverOptions solver = study.solver;
-  if (study.warm) solver.initial_step = study.warm->step.value_or(solver.initial_step * study.warm->box);
-  return solver;
-}
-
-/// Places 0 .. count-1 of a way, in groups to be searched together: first every fourth, then those between.
-std::vector<std::vector<std::size_t>> together(std::size_t count) {
-  std::vector<std::vector<std::size_t>> groups;
-  for (const std::size_t first : {0U, 2U, 1U, 3U}) {
-    for (std::size_t place = first; place < count; place += kTogether) {
-      if (groups.empty() || groups.back().size() == kTogether || place == first) groups.emplace_back();
-      groups.back().push_back(place);
-    }
-  }
-  return groups;
-}
 
 class Search {
  public:
@@ -89,7 +65,6 @@ class Search {
   void serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,
              std::vector<Request>& requests);
   SolverValue seen_from(const Aim& aim, const Known& known) const;
-  std::vector<std::vector<std::size_t>> serpentine() const;
   void check_reference(const Costs& start) const;
   std::optional<std::size_t> best_under(std::size_t k, const Costs& levels) const;
   const std::vector<double>& beginning(const Costs& levels) const;
@@ -276,7 +251,7 @@ void Search::anchors() {
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
     const Costs held = held_for(k);
     const auto best = best_under(k, held);
-    SolverOptions solver = begun(study_);
+    SolverOptions solver = solver_of(study_);
     if (k > 0) solver.algorithm = kLevelAlgorithm;
     if (k > 0) solver.constraints = ConstraintHandling::kAuto;
     const double share = k == 0 ? kFirstAnchorShare : kAnchorShare;
@@ -293,27 +268,11 @@ Aim Search::level(const std::vector<std::size_t>& digits, long budget) const {
   for (std::size_t a = 0; a < axes_.size(); ++a) aim.levels[a + 1] = axes_[a][digits[a]];
   aim.x = beginning(aim.levels);
   aim.budget = budget;
-  aim.solver = begun(study_);
+  aim.solver = solver_of(study_);
   aim.solver.algorithm = kLevelAlgorithm;
   aim.solver.constraints = ConstraintHandling::kAuto;
   aim.solver.initial_step *= kLevelStep;
   return aim;
-}
-
-/// Serpentine through the grid: a level differs from the one before in one step of one criterion.
-std::vector<std::vector<std::size_t>> Search::serpentine() const {
-  std::vector<std::vector<std::size_t>> grid(1);
-  for (std::size_t a = axes_.size(); a-- > 0;) {
-    std::vector<std::vector<std::size_t>> finer;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-      for (std::size_t d = 0; d < axes_[a].size(); ++d) {
-        finer.push_back(grid[i]);
-        finer.back().insert(finer.back().begin(), i % 2 == 0 ? d : axes_[a].size() - 1 - d);
-      }
-    }
-    grid = std::move(finer);
-  }
-  return grid;
 }
 
 void Search::levels() {
@@ -331,9 +290,9 @@ void Search::levels() {
       axis.push_back(std::lerp(high[k], low, static_cast<double>(i) / steps));
     }
   }
-  const auto grid = serpentine();
+  const auto grid = serpentine(axes_.size(), options_.levels);
   // There and back: what a level finds is its neighbours' beginning, on either side.
-  const auto way = together(grid.size());
+  const auto way = searched_together(grid.size());
   const std::size_t searches = 2 * grid.size();
   std::size_t done = 0;
   for (std::size_t g = 0; g < 2 * way.size() && !out_.interrupted; ++g) {
@@ -402,28 +361,6 @@ ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& w
   ParetoResult result = std::move(search).result();
   result.failure = failure;
   return result;
-}
-
-bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
-            ParetoResult& result, Workers& workers, const std::atomic<bool>& stop) {
-  std::vector<std::vector<double>> points;
-  points.reserve(result.front.size());
-  for (const ParetoPoint& point : result.front) points.push_back(point.e.x);
-  auto fresh = simulate_points(study, points, workers, stop, {});
-  if (!fresh) return false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Evaluation& e = (*fresh)[i];
-    objective.judge(e);
-    Costs costs;
-    for (const Criterion& criterion : options.criteria) costs.push_back(cost(criterion, e, study.scenarios));
-    if (costs != result.front[i].costs || !e.feasible) {
-      throw std::runtime_error(fmt::format("evaluation {} simulated again gives {} {} instead of {}",
-                                           result.front[i].evaluation, options.criteria.front().name(),
-                                           costs.front(), result.front[i].costs.front()));
-    }
-    result.front[i].e = std::move(e);
-  }
-  return true;
 }
 
 }  // namespace armtune

@@ -1,0 +1,41 @@
+#pragma once
+// What `armtune tune` writes and prints of a study and its result.
+
+#include <string>
+#include <vector>
+
+#include "tuner/run/comparison.hpp"
+#include "tuner/search/tune.hpp"
+#include "tuner/work/team.hpp"
+
+namespace armtune::cli {
+
+struct ReportOptions {
+  std::string folder;
+  int workers = 1;       ///< threads of the fresh rollouts
+  int record_every = 5;  ///< control periods per row of the recordings
+};
+
+/// "CRS2, then BOBYQA from 4 starts"
+std::string search_text(const Study& study);
+/// " (worst of 5 arms each)" where a study tunes on samples.
+std::string robust_text(const Study& study);
+
+/// Fresh rollouts of both gain sets, start and tuned: the figures that are reported, and the recordings.
+std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, const ReportOptions& options);
+/// Of a study on many arms: the measure of fresh rollouts of all of them, as robust_errors.csv and for the
+/// table. Throws std::runtime_error if it is not what the search saw.
+std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result,
+                                       const ReportOptions& options, Team& team);
+
+/// What the start was, before anything else is simulated: an interrupted run can be judged by it too.
+void write_start(const Study& study, const std::string& folder);
+void write_gains(const Study& study, const TuneResult& result, const std::string& folder);
+/// errors.csv of both, columns.csv, run.yaml. workers: of the search.
+void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
+                   const ReportOptions& options, int workers, double seconds);
+
+void print_gains(const Study& study, const Gains& gains);
+void print_verdict(const Study& study, const TuneResult& result, const Objective& objective);
+
+}  // namespace armtune::cli
