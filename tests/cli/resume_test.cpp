@@ -167,6 +167,20 @@ TEST(Resume, RefusesWhatIsNotTheSameRun) {
   EXPECT_THAT(refusal({"tune", "--resume", files / "run"}), HasSubstr("record 0 is damaged"));
 }
 
+TEST(Resume, SamplesKeepToTheOrderOfTheirScenarios) {
+  const ShortStudy files;
+  // The folder stands for a run: its gains.yaml, and the scenarios of its study.yaml.
+  run_and_kill({"robustness", files / "", "--samples", "9", "--out", files / "run"},
+               files / "run/journal.txt", 2);
+  std::string study = test::read_text(files.path());
+  const std::string order = "[short.yaml, short_realistic.yaml]";
+  study.replace(study.find(order), order.size(), "[short_realistic.yaml, short.yaml]");
+  files.write("study.yaml", study);
+  const Finished refused = run_program({"robustness", "--resume", files / "run"});
+  EXPECT_EQ(refused.exit_code, 2) << refused.out;
+  EXPECT_THAT(refused.err, HasSubstr("scenarios was 'short', is 'short_realistic'"));
+}
+
 TEST(Resume, AnInterruptedRunSaysHowToGoOn) {
   const ShortStudy files;
   const test::TemporaryFolder folder;

@@ -89,10 +89,13 @@ RunHeader header_of(const std::vector<Scenario>& scenarios, const Gains& gains,
     uncertainty += fmt::format("{}: {}\n", f.name, options.perturbation.*f.width);
   }
   uncertainty += fmt::format("phases: {}\n", options.perturbation.phases);
+  std::string names;  // a record's results are in their order
+  for (const Scenario& scenario : scenarios) names += scenario.name + '\n';
   std::string limits;
   for (const MetricLimit& limit : options.limits) limits += to_string(limit) + '\n';
   return run_header({{"seed", fmt::format("{}", options.seed)},
                      {"samples", fmt::format("{}", options.samples)},
+                     {"scenarios", names},
                      {"uncertainty", uncertainty},
                      {"limits", limits},
                      {"stepper", name(options.stepper)},
@@ -158,7 +161,13 @@ int run(Arguments args, Team& team) {
       rows->publish();
     };
   }
-  auto samples = monte_carlo(*crew, set.gains, options, stop_requested());
+  std::vector<MonteCarloSample> samples;
+  try {
+    samples = monte_carlo(*crew, set.gains, options, stop_requested());
+  } catch (...) {
+    if (journal) tell_how_to_go_on("robustness", args.folder);
+    throw;
+  }
   // Interrupted, those before the first gap: what samples.csv holds.
   samples.resize(
       static_cast<std::size_t>(std::find_if(samples.begin(), samples.end(),
