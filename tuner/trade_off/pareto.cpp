@@ -11,6 +11,7 @@
 #include "core/common/error.hpp"
 #include "tuner/journal/evaluator.hpp"
 #include "tuner/search/together.hpp"
+#include "tuner/trade_off/archive.hpp"
 #include "tuner/trade_off/level_grid.hpp"
 
 namespace armtune {
@@ -21,8 +22,6 @@ constexpr double kFirstAnchorShare = 0.25;
 constexpr double kAnchorShare = 0.08;
 /// A neighbour is near: the search of a level begins with this part of the study's initial step.
 constexpr double kLevelStep = 0.4;
-/// How much a relative excess over a level weighs where the best known point to begin a level at is chosen.
-constexpr double kExcessWeight = 10.0;
 /// Linear models need n + 1 points where quadratic ones need 2 n + 1, and constraints stay constraints: what
 /// a short search from a neighbour wants.
 constexpr const char* kLevelAlgorithm = "COBYLA";
@@ -66,8 +65,6 @@ class Search {
              std::vector<Request>& requests);
   SolverValue seen_from(const Aim& aim, const Known& known) const;
   void check_reference(const Costs& start) const;
-  std::optional<std::size_t> best_under(std::size_t k, const Costs& levels) const;
-  const std::vector<double>& beginning(const Costs& levels) const;
   Costs held_for(std::size_t k) const;
   Aim level(const std::vector<std::size_t>& digits, long budget) const;
   Costs free_levels() const { return Costs(options_.criteria.size(), HUGE_VAL); }
@@ -79,8 +76,8 @@ class Search {
   WarmPoint box_;  ///< empty without a warm start
   std::optional<Objective> objective_;
   std::map<std::vector<double>, Known> known_;
-  std::vector<ParetoPoint> archive_;  ///< feasible, none dominated by another
-  std::vector<Costs> axes_;           ///< levels along each criterion but the first
+  Archive archive_;
+  std::vector<Costs> axes_;  ///< levels along each criterion but the first
   ParetoResult out_;
   std::string shown_;
 };
@@ -110,18 +107,9 @@ void Search::take_in(const char* phase, Evaluation e) {
   known_[point.e.x] = {{point.e.objective, point.e.relative}, point.costs};
   if (callbacks_.evaluated) callbacks_.evaluated(phase, point.e);
   if (out_.evaluations == 1) out_.start = point;
-  const auto beats = [&point](const ParetoPoint& other) {
-    return dominates(other.costs, point.costs) || other.costs == point.costs;
-  };
-  const bool whole =
-      std::none_of(point.costs.begin(), point.costs.end(), [](double c) { return std::isnan(c); });
-  if (point.e.feasible && whole && std::none_of(archive_.begin(), archive_.end(), beats)) {
-    std::erase_if(archive_,
-                  [&point](const ParetoPoint& other) { return dominates(point.costs, other.costs); });
-    archive_.push_back(std::move(point));
-  }
+  archive_.add(std::move(point));
   if (callbacks_.progress) {
-    callbacks_.progress({shown_, out_.evaluations, options_.max_evaluations, archive_.size()});
+    callbacks_.progress({shown_, out_.evaluations, options_.max_evaluations, archive_.points().size()});
   }
 }
 
@@ -203,36 +191,6 @@ void Search::minimise(const char* phase, const std::string& shown, const std::ve
   minimize_together(searches, [&](std::vector<Request>& requests) { serve(phase, aims, left, requests); });
 }
 
-std::optional<std::size_t> Search::best_under(std::size_t k, const Costs& levels) const {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < archive_.size(); ++i) {
-    const Costs& costs = archive_[i].costs;
-    bool under = true;
-    for (std::size_t c = 0; c < levels.size(); ++c) under = under && costs[c] <= levels[c];
-    if (under && (!best || costs[k] < archive_[*best].costs[k])) best = i;
-  }
-  return best;
-}
-
-/// The known point to begin a level's search at: the best once what it exceeds the level by is paid for.
-/// Mostly the neighbour's.
-const std::vector<double>& Search::beginning(const Costs& levels) const {
-  const Costs& reference = out_.start.costs;
-  const std::vector<double>* best = &out_.start.e.x;
-  double least = HUGE_VAL;
-  for (const ParetoPoint& point : archive_) {
-    double merit = point.costs[0] / std::abs(reference[0]);
-    for (std::size_t c = 1; c < levels.size(); ++c) {
-      merit += kExcessWeight * std::max(0.0, (point.costs[c] - levels[c]) / std::abs(reference[c]));
-    }
-    if (merit < least) {
-      least = merit;
-      best = &point.e.x;
-    }
-  }
-  return *best;
-}
-
 /// What the other criteria must not exceed while criterion k becomes least: the start's, where any feasible
 /// point is known to be that good. A start that breaks constraints may be better than all that keep them.
 Costs Search::held_for(std::size_t k) const {
@@ -240,8 +198,8 @@ Costs Search::held_for(std::size_t k) const {
   if (k == 0) return held;
   for (std::size_t c = 0; c < held.size(); ++c) {
     if (c == k) continue;
-    const auto least = best_under(c, free_levels());
-    if (least && archive_[*least].costs[c] <= out_.start.costs[c]) held[c] = out_.start.costs[c];
+    const ParetoPoint* least = archive_.best_under(c, free_levels());
+    if (least && least->costs[c] <= out_.start.costs[c]) held[c] = out_.start.costs[c];
   }
   return held;
 }
@@ -250,14 +208,13 @@ void Search::anchors() {
   const auto budget = static_cast<double>(options_.max_evaluations);
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
     const Costs held = held_for(k);
-    const auto best = best_under(k, held);
+    const ParetoPoint* best = archive_.best_under(k, held);
     SolverOptions solver = solver_of(study_);
     if (k > 0) solver.algorithm = kLevelAlgorithm;
     if (k > 0) solver.constraints = ConstraintHandling::kAuto;
     const double share = k == 0 ? kFirstAnchorShare : kAnchorShare;
-    minimise(
-        "anchor", "least " + options_.criteria[k].name(),
-        {{k, held, best ? archive_[*best].e.x : out_.start.e.x, static_cast<long>(share * budget), solver}});
+    minimise("anchor", "least " + options_.criteria[k].name(),
+             {{k, held, best ? best->e.x : out_.start.e.x, static_cast<long>(share * budget), solver}});
   }
 }
 
@@ -266,7 +223,7 @@ Aim Search::level(const std::vector<std::size_t>& digits, long budget) const {
   Aim aim;
   aim.levels = free_levels();
   for (std::size_t a = 0; a < axes_.size(); ++a) aim.levels[a + 1] = axes_[a][digits[a]];
-  aim.x = beginning(aim.levels);
+  aim.x = archive_.beginning(aim.levels, out_.start);
   aim.budget = budget;
   aim.solver = solver_of(study_);
   aim.solver.algorithm = kLevelAlgorithm;
@@ -276,14 +233,14 @@ Aim Search::level(const std::vector<std::size_t>& digits, long budget) const {
 }
 
 void Search::levels() {
-  const auto top = best_under(0, free_levels());
+  const ParetoPoint* top = archive_.best_under(0, free_levels());
   if (out_.interrupted || !top) return;
   // From where the first criterion is least (so high the others rise for it) to the least of each other one.
-  const Costs high = archive_[*top].costs;
+  const Costs high = top->costs;
   for (std::size_t k = 1; k < high.size(); ++k) {
-    auto least = best_under(k, held_for(k));
-    if (!least) least = best_under(k, free_levels());
-    const double low = least ? archive_[*least].costs[k] : high[k];
+    const ParetoPoint* least = archive_.best_under(k, held_for(k));
+    if (!least) least = archive_.best_under(k, free_levels());
+    const double low = least ? least->costs[k] : high[k];
     Costs& axis = axes_.emplace_back();
     const auto steps = static_cast<double>(options_.levels - 1);
     for (std::size_t i = 0; i < options_.levels; ++i) {
@@ -313,9 +270,9 @@ void Search::levels() {
 
 ParetoResult Search::result() && {
   std::vector<Costs> costs;
-  costs.reserve(archive_.size());
-  for (const ParetoPoint& point : archive_) costs.push_back(point.costs);
-  for (const std::size_t i : non_dominated(costs)) out_.front.push_back(archive_[i]);
+  costs.reserve(archive_.points().size());
+  for (const ParetoPoint& point : archive_.points()) costs.push_back(point.costs);
+  for (const std::size_t i : non_dominated(costs)) out_.front.push_back(archive_.points()[i]);
   if (!out_.front.empty()) out_.hypervolume = hypervolume(costs, out_.start.costs);
   for (auto level = out_.levels.begin(); level != out_.levels.end();) {
     // The front ascends in the first cost: the first point under the level is the best.
