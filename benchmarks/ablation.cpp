@@ -18,7 +18,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/work/parallel.hpp"
+#include "tuner/workers/parallel.hpp"
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "core/control/controller.hpp"
 #include "core/robot/dynamics.hpp"
+#include "core/robot/forward_dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -66,6 +67,19 @@ void inverse_dynamics(benchmark::State& state) {
   }
 }
 BENCHMARK(inverse_dynamics);
+
+void forward_dynamics(benchmark::State& state) {
+  Fixture f;
+  ForwardDynamics work;
+  JointVector qdd;
+  for (auto _ : state) {
+    f.q[0] += 1e-6;
+    armtune::relative_poses(f.chain, f.q, f.poses);
+    armtune::forward_dynamics(f.chain, f.poses, f.qd, f.qddr, work, qdd);
+    benchmark::DoNotOptimize(qdd);
+  }
+}
+BENCHMARK(forward_dynamics);
 
 void mass_matrix(benchmark::State& state) {
   Fixture f;

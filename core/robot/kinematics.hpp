@@ -22,9 +22,9 @@ struct PosesT {
 };
 using Poses = PosesT<double>;
 
-/// Poses of all bodies and of the tool at q (n) [rad, m].
+/// Pose of every body in the previous one at q (n) [rad, m], and nothing else of `poses`.
 template <typename T>
-void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
+void relative_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
   using std::cos;
   using std::sin;
   poses.n = chain.n;
@@ -42,13 +42,19 @@ void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT
       poses.R_PB[k] = chain.R_PB0[k];
       poses.p_PB[k] = chain.p_PB0[k] + chain.R_PB0[k].col(2) * q[i];
     }
-    if (i == 0) {
-      poses.R_0B[k] = poses.R_PB[k];
-      poses.p_0B[k] = poses.p_PB[k];
-    } else {
-      poses.R_0B[k].noalias() = poses.R_0B[k - 1] * poses.R_PB[k];
-      poses.p_0B[k] = poses.p_0B[k - 1] + poses.R_0B[k - 1] * poses.p_PB[k];
-    }
+  }
+}
+
+/// Poses of all bodies and of the tool at q (n) [rad, m].
+template <typename T>
+void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
+  relative_poses(chain, q, poses);
+  poses.R_0B[0] = poses.R_PB[0];
+  poses.p_0B[0] = poses.p_PB[0];
+  for (int i = 1; i < chain.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    poses.R_0B[k].noalias() = poses.R_0B[k - 1] * poses.R_PB[k];
+    poses.p_0B[k] = poses.p_0B[k - 1] + poses.R_0B[k - 1] * poses.p_PB[k];
   }
   const auto last = static_cast<std::size_t>(chain.n - 1);
   poses.R_0T.noalias() = poses.R_0B[last] * chain.R_BT;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/robot/robot_model.hpp"
+#include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
 
 namespace armtune {
@@ -31,5 +32,11 @@ class Plant {
 
 /// The arm in Simbody. Throws InputError if Simbody refuses the model.
 std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepper);
+
+/// The arm in core's dynamics. Throws InputError for the stepper `reference`, which is Simbody's.
+std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper stepper);
+
+/// Either of the two.
+std::unique_ptr<Plant> make_plant(const RobotModel& model, Stepper stepper, Engine engine);
 
 }  // namespace armtune

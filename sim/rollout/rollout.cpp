@@ -42,12 +42,12 @@ const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metric
 
 }  // namespace
 
-Rollout::Rollout(const Scenario& scenario, Stepper stepper)
+Rollout::Rollout(const Scenario& scenario, Stepper stepper, Engine engine)
     : scenario_(scenario),
       plant_model_(plant_model(scenario)),
       theta_start_(start_theta(scenario)),
       theta_true_(theta_of(plant_model_.chain)),
-      plant_(make_simbody_plant(plant_model_, stepper)) {}
+      plant_(make_plant(plant_model_, stepper, engine)) {}
 
 RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits) {
   const FlushDenormals flush;

@@ -1,5 +1,5 @@
 #pragma once
-// One closed-loop simulation of a scenario: a pure function of scenario, gains and stepper.
+// One closed-loop simulation of a scenario: a pure function of scenario, gains, stepper and engine.
 
 #include <functional>
 #include <memory>
@@ -51,7 +51,7 @@ using Observer = std::function<bool(const Observation&)>;
 /// A scenario made ready to be run many times: model, plant, theta. One per thread.
 class Rollout {
  public:
-  Rollout(const Scenario& scenario, Stepper stepper);
+  Rollout(const Scenario& scenario, Stepper stepper, Engine engine = Engine::kSimbody);
 
   /// Runs the scenario from its start with these gains (valid for its robot). Nothing carries over from an
   /// earlier run. Diverging is a status, not an exception.

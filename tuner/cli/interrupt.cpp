@@ -4,7 +4,7 @@
 #include <csignal>
 #include <thread>
 
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "tuner/work/team.hpp"
+#include "tuner/workers/team.hpp"
 
 namespace armtune::cli {
 

@@ -14,7 +14,7 @@
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {

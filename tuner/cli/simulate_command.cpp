@@ -25,6 +25,7 @@ struct Arguments {
   std::string gains = "published";
   std::string theta;
   std::string stepper = "midpoint";
+  std::string engine = "simbody";
   std::string folder;
   int workers = default_workers();
   int record_every = 5;
@@ -46,7 +47,7 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
   add_inputs(scenarios, p.inputs);
   p.workers = args.workers;
   p.wall_seconds = seconds;
-  p.extra = {{"stepper", args.stepper}};
+  p.extra = {{"stepper", args.stepper}, {"engine", args.engine}};
   p.seed = scenarios.front().seed;
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
@@ -60,6 +61,7 @@ int run(const Arguments& args) {
   for (const Scenario& scenario : scenarios) load_gains(args.gains, joint_names(*scenario.robot));
   SimulateOptions options;
   options.stepper = stepper_from_name(args.stepper);
+  options.engine = engine_from_name(args.engine);
   options.workers = args.workers;
   options.folder = args.folder;
   options.record_stride = args.record_every;
@@ -104,6 +106,10 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("--theta", args->theta,
                       "theta.yaml that the controller starts from, in place of what the scenarios say");
   command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
+      ->capture_default_str();
+  command
+      ->add_option("--engine", args->engine,
+                   "simbody, or native: armtune's own dynamics, several times faster")
       ->capture_default_str();
   command->add_option("--out", args->folder,
                       "new folder for errors.csv, rollout_<scenario>.csv and the rest");

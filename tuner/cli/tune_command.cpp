@@ -21,7 +21,7 @@
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/search/tune.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -224,7 +224,7 @@ std::string help_footer() {
   std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
                                  fmt::join(bundled_names("studies"), " "));
   for (const AlgorithmInfo& a : algorithms()) {
-    text += fmt::format("  {:<12} {}{}{}{}\n", a.name, a.meaning,
+    text += fmt::format("  {:<12} {}, {}{}{}{}\n", a.name, a.local ? "local" : "global", a.meaning,
                         a.takes_constraints ? "; takes constraints" : "",
                         a.uses_differences ? "; uses differences, evaluated in parallel" : "",
                         a.draws_random_numbers ? "; draws random numbers" : "");
@@ -234,9 +234,13 @@ std::string help_footer() {
       "(search/constraints).\n"
       "Also in search: global and global_share (another algorithm first, for that part of the evaluations), "
       "starts\n"
-      "(several local searches at once), differences (forward, central) and difference_step. warm_start: "
-      "from,\n"
-      "parameters, box, step, as the options above.\n";
+      "(several local searches at once), differences (forward, central) and difference_step; engine: native "
+      "searches\n"
+      "in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and "
+      "leaves\n"
+      "verify_share of the evaluations to Simbody, whose figures alone are reported. warm_start: from, "
+      "parameters, box,\n"
+      "step, as the options above.\n";
   text += "\nGains (study file, parameters; * tuned by default):\n";
   for (const GainField& field : gain_fields()) {
     if (!field.is_number()) continue;

@@ -16,7 +16,7 @@
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 
@@ -24,6 +24,10 @@ std::string search_text(const Study& study) {
   return fmt::format("{}{}{}", study.global_algorithm.empty() ? "" : study.global_algorithm + ", then ",
                      study.solver.algorithm,
                      study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
+}
+
+std::string engine_text(const Study& study) {
+  return study.engine == Engine::kSimbody ? "simbody" : fmt::format("{}, then simbody", name(study.engine));
 }
 
 std::string robust_text(const Study& study) {
@@ -114,6 +118,7 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
              {"evaluations", fmt::format("{}", result.evaluations)},
              {"algorithm", search_text(study)},
              {"stepper", name(study.stepper)},
+             {"engine", engine_text(study)},
              {"ended", result.reason},
              {"feasible", result.best.feasible ? "true" : "false"},
              {"objective", fmt::format("{}", result.best.objective)}};

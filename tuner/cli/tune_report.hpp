@@ -6,7 +6,7 @@
 
 #include "tuner/run/comparison.hpp"
 #include "tuner/search/tune.hpp"
-#include "tuner/work/team.hpp"
+#include "tuner/workers/team.hpp"
 
 namespace armtune::cli {
 
@@ -19,6 +19,7 @@ struct ReportOptions {
 /// "CRS2, then BOBYQA from 4 starts"
 std::string search_text(const Study& study);
 /// " (worst of 5 arms each)" where a study tunes on samples.
+std::string engine_text(const Study& study);
 std::string robust_text(const Study& study);
 
 /// Fresh rollouts of both gain sets, start and tuned: the figures that are reported, and the recordings.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/common/error.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
 
@@ -41,21 +41,21 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   return e;
 }
 
-bool Evaluator::next(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
+bool Evaluator::next(const std::vector<Candidate>& candidates, const Conditions& conditions,
                      const TakeIn& take_in) {
   // Where time may run out, in portions; of a size that a resumed run with other workers has too.
   constexpr std::size_t kPortion = 8;
-  if (study_.max_minutes <= 0.0) return next_portion(candidates, limits, take_in);
+  if (study_.max_minutes <= 0.0) return next_portion(candidates, conditions, take_in);
   for (std::size_t first = 0; first < candidates.size(); first += kPortion) {
     if (first > 0 && !time_left()) return true;
     const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(first);
     const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kPortion, candidates.size() - first));
-    if (!next_portion({begin, end}, limits, take_in)) return false;
+    if (!next_portion({begin, end}, conditions, take_in)) return false;
   }
   return true;
 }
 
-bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
+bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,
                              const TakeIn& take_in) {
   std::vector<std::optional<Evaluation>> ready(candidates.size());
   std::vector<std::size_t> missing;
@@ -82,7 +82,7 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const std
     take_ready();
   };
   const bool whole =
-      points.empty() || simulate_points(study_, points, workers_, stop_, limits, finished).has_value();
+      points.empty() || simulate_points(study_, points, workers_, stop_, conditions, finished).has_value();
   count_ += candidates.size();
   return whole && taken == candidates.size();
 }

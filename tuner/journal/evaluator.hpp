@@ -9,7 +9,7 @@
 
 #include "tuner/journal/journal.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 
@@ -28,20 +28,18 @@ class Evaluator {
 
   /// The next evaluations of the run, simulated but not judged. Each goes to the journal as soon as it is
   /// finished, whatever becomes of the others, and to `take_in` as soon as all before it are: in order, one
-  /// call at a time, from any thread. limits: per scenario, where rollouts end before their time; empty:
-  /// nowhere. False if `stop` became true before all were done; of those that were, the first without a gap
-  /// have been taken in. Where the study's minutes are over before the last of them is begun, the rest is
-  /// left out. Throws InputError if the journal holds another point at that place than the search now asks
-  /// for.
-  bool next(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
-            const TakeIn& take_in);
+  /// call at a time, from any thread. False if `stop` became true before all were done; of those that were,
+  /// the first without a gap have been taken in. Where the study's minutes are over before the last of them
+  /// is begun, the rest is left out. Throws InputError if the journal holds another point at that place than
+  /// the search now asks for.
+  bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
   /// False once the study's max_minutes are over. A run that goes on takes them to be over where they were
   /// before, and counts its minutes on.
   bool time_left();
 
  private:
-  bool next_portion(const std::vector<Candidate>& candidates, const std::vector<EndLimits>& limits,
+  bool next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,
                     const TakeIn& take_in);
   double seconds() const;
   std::optional<Evaluation> recall(std::uint64_t number, const Candidate& candidate) const;

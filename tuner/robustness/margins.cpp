@@ -6,7 +6,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "tuner/work/parallel.hpp"
+#include "tuner/workers/parallel.hpp"
 
 namespace armtune {
 namespace {

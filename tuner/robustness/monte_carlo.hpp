@@ -8,7 +8,7 @@
 
 #include "sim/scenario/perturbation.hpp"
 #include "tuner/robustness/limits.hpp"
-#include "tuner/work/crew.hpp"
+#include "tuner/workers/crew.hpp"
 
 namespace armtune {
 

@@ -16,7 +16,7 @@
 #include "sim/yaml/quoted.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 namespace {

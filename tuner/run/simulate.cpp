@@ -7,7 +7,7 @@
 
 #include "core/common/error.hpp"
 #include "sim/rollout/recorder.hpp"
-#include "tuner/work/parallel.hpp"
+#include "tuner/workers/parallel.hpp"
 
 namespace armtune {
 
@@ -32,7 +32,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
   std::size_t done = 0;
   std::mutex progress_mutex;
   parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t i) {
-    Rollout rollout(scenarios[i], options.stepper);
+    Rollout rollout(scenarios[i], options.stepper, options.engine);
     std::optional<Recorder> recorder;
     if (!options.folder.empty()) recorder.emplace(scenarios[i], options.record_stride);
     results[i].result = rollout.run(gains_of(scenarios[i]), [&](const Observation& o) {

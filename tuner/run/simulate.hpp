@@ -12,6 +12,7 @@ namespace armtune {
 
 struct SimulateOptions {
   Stepper stepper = Stepper::kMidpoint;
+  Engine engine = Engine::kSimbody;
   int workers = 1;
   std::string folder;     ///< rollout_<scenario>.csv go here; empty: none are written
   int record_stride = 5;  ///< every k-th control period is written

@@ -22,19 +22,19 @@ struct Offered {
 
 const std::vector<Offered>& offered() {
   static const std::vector<Offered> list = {
-      {{"COBYLA", true, false, false, "local, linear models"}, NLOPT_LN_COBYLA},
-      {{"BOBYQA", false, false, false, "local, quadratic models"}, NLOPT_LN_BOBYQA},
-      {{"SBPLX", false, false, false, "local, Nelder-Mead on subspaces"}, NLOPT_LN_SBPLX},
-      {{"NELDERMEAD", false, false, false, "local, simplex"}, NLOPT_LN_NELDERMEAD},
-      {{"SLSQP", true, true, false, "local, sequential quadratic programming"}, NLOPT_LD_SLSQP},
-      {{"MMA", true, true, false, "local, moving asymptotes"}, NLOPT_LD_MMA},
-      {{"CCSAQ", true, true, false, "local, separable quadratic models"}, NLOPT_LD_CCSAQ},
-      {{"CRS2", false, false, true, "global, controlled random search"}, NLOPT_GN_CRS2_LM},
-      {{"ESCH", false, false, true, "global, evolutionary"}, NLOPT_GN_ESCH},
-      {{"ISRES", true, false, true, "global, evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
-      {{"DIRECT_L", false, false, false, "global, dividing rectangles"}, NLOPT_GN_DIRECT_L},
-      {{"ORIG_DIRECT", true, false, false, "global, dividing rectangles"}, NLOPT_GN_ORIG_DIRECT},
-      {{"MLSL", false, false, false, "global, many BOBYQA searches from low-discrepancy starts"},
+      {{"COBYLA", true, true, false, false, "linear models"}, NLOPT_LN_COBYLA},
+      {{"BOBYQA", true, false, false, false, "quadratic models"}, NLOPT_LN_BOBYQA},
+      {{"SBPLX", true, false, false, false, "Nelder-Mead on subspaces"}, NLOPT_LN_SBPLX},
+      {{"NELDERMEAD", true, false, false, false, "simplex"}, NLOPT_LN_NELDERMEAD},
+      {{"SLSQP", true, true, true, false, "sequential quadratic programming"}, NLOPT_LD_SLSQP},
+      {{"MMA", true, true, true, false, "moving asymptotes"}, NLOPT_LD_MMA},
+      {{"CCSAQ", true, true, true, false, "separable quadratic models"}, NLOPT_LD_CCSAQ},
+      {{"CRS2", false, false, false, true, "controlled random search"}, NLOPT_GN_CRS2_LM},
+      {{"ESCH", false, false, false, true, "evolutionary"}, NLOPT_GN_ESCH},
+      {{"ISRES", false, true, false, true, "evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
+      {{"DIRECT_L", false, false, false, false, "dividing rectangles"}, NLOPT_GN_DIRECT_L},
+      {{"ORIG_DIRECT", false, true, false, false, "dividing rectangles"}, NLOPT_GN_ORIG_DIRECT},
+      {{"MLSL", false, false, false, false, "many BOBYQA searches from low-discrepancy starts"},
        NLOPT_GN_MLSL_LDS},
   };
   return list;

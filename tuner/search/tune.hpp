@@ -1,6 +1,6 @@
 #pragma once
 // The tuning loop: start gains, coarse sweep, search: global if the study says so, then local from one or
-// more points.
+// more points. Where the study searches in the native engine, Simbody has the first and the last word.
 
 #include <atomic>
 #include <functional>
@@ -8,7 +8,7 @@
 
 #include "tuner/journal/journal.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 
@@ -24,8 +24,8 @@ struct TuneCallbacks {
   /// Once, when the start gains were simulated and the objective stands.
   std::function<void(const Objective&)> begin;
   /// For every evaluation, in order, those recalled from a journal too; one call at a time, from any thread.
-  /// `phase`: start, sweep, warm (where a warm start begins), global, search, or gradient (points that either
-  /// of the two forms derivatives with).
+  /// `phase`: start, sweep, warm (where a warm start begins), global, search, gradient (points that either
+  /// of the two forms derivatives with), or verify (Simbody after another engine).
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< as `evaluated`
 };
@@ -33,7 +33,7 @@ struct TuneCallbacks {
 struct TuneResult {
   Evaluation start;
   std::optional<Evaluation> best_of_sweep;
-  Evaluation best;  ///< feasible if any feasible point was seen
+  Evaluation best;  ///< of Simbody's; feasible if any feasible point was seen
   long evaluations = 0;
   bool interrupted = false;
   std::string reason;  ///< why the search ended

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "sim/csv/cell.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
 namespace {
@@ -68,7 +68,7 @@ std::optional<Sensitivity> sensitivity(
     points[3 + 3 * i][i] = start[i];
   }
   std::size_t finished = 0;
-  auto evaluations = simulate_points(study, points, workers, stop, objective.end_limits(),
+  auto evaluations = simulate_points(study, points, workers, stop, {Engine::kSimbody, objective.end_limits()},
                                      [&](std::size_t, const Evaluation&) {
                                        ++finished;
                                        if (progress) progress(finished, points.size());

@@ -12,7 +12,7 @@
 
 #include "tuner/journal/evaluations_reader.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 

@@ -26,6 +26,19 @@ std::string read_algorithm(yaml::MapReader& map, const char* key, const std::str
   return algorithm;
 }
 
+void read_engine(yaml::MapReader& map, Study& study) {
+  study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
+  study.engine = engine_from_name(map.string("engine", name(study.engine)));
+  study.verify_share = map.number_in("verify_share", study.verify_share, 0.0, 1.0);
+  if (study.engine == Engine::kSimbody && map.has("verify_share")) {
+    map.required("verify_share")
+        .fail("Simbody searches already; leave it out, or search with engine: native");
+  }
+  if (study.engine == Engine::kNative && study.stepper == Stepper::kReference) {
+    map.required("stepper").fail("'reference' is Simbody's own; take another one, or engine: simbody");
+  }
+}
+
 void read_differences(yaml::MapReader& map, SolverOptions& solver) {
   const std::string differences = map.string("differences", "forward");
   if (differences != "forward" && differences != "central") {
@@ -58,7 +71,7 @@ void read_search(const yaml::Node& node, Study& study) {
   const long seed = map.integer("seed", 1);
   if (seed < 0) map.required("seed").fail("must not be negative");
   study.solver.seed = static_cast<std::uint64_t>(seed);
-  study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
+  read_engine(map, study);
   read_differences(map, study.solver);
   const long starts = map.integer("starts", 1);
   if (starts < 1 || starts > kMostStarts) {

@@ -39,6 +39,8 @@ struct Study {
   long max_evaluations = 300;    ///< start and sweep included
   double max_minutes = 0.0;      ///< 0: no limit
   Stepper stepper = Stepper::kMidpoint;
+  Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
+  double verify_share = 0.1;         ///< with another engine: part of the evaluations left to Simbody
 };
 
 /// The study's solver, with the initial step that its warm start begins with.

@@ -84,7 +84,7 @@ class Search {
 
 bool Search::evaluate(const std::vector<Candidate>& candidates) {
   out_.interrupted =
-      !evaluator_.next(candidates, end_limits(objective_),
+      !evaluator_.next(candidates, {Engine::kSimbody, end_limits(objective_)},
                        [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
   return !out_.interrupted;
 }

@@ -16,7 +16,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/trade_off/criterion.hpp"
 #include "tuner/trade_off/front.hpp"
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 

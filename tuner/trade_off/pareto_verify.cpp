@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "tuner/trade_off/pareto.hpp"
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
 

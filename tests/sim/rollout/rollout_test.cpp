@@ -15,6 +15,7 @@ namespace {
 
 using test::bits;
 using test::joint_path;
+using test::largest_difference;
 using test::published_gains;
 using test::quick_gains;
 using test::scenario_of;
@@ -26,15 +27,6 @@ RolloutResult run(const Scenario& scenario, const Gains& gains, const Observer& 
 
 double largest(const Metrics& m, Metric x, Metric y, Metric z) {
   return std::max({m[x], m[y], m[z]});
-}
-
-/// Largest difference of any joint in any period.
-double largest_difference(const std::vector<JointVector>& a, const std::vector<JointVector>& b) {
-  double difference = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    difference = std::max(difference, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
-  }
-  return difference;
 }
 
 TEST(Rollout, ReproducesThePublishedErrorsOnTheMovingTarget) {

@@ -1,6 +1,7 @@
 #pragma once
 // Bundled scenarios and gains as tests use them.
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -38,13 +39,23 @@ inline std::vector<std::uint64_t> bits(const Metrics& metrics) {
 }
 
 /// True joint positions of every period of a rollout.
-inline std::vector<JointVector> joint_path(const Scenario& scenario, const Gains& gains, Stepper stepper) {
+inline std::vector<JointVector> joint_path(const Scenario& scenario, const Gains& gains, Stepper stepper,
+                                           Engine engine = Engine::kSimbody) {
   std::vector<JointVector> path;
-  Rollout(scenario, stepper).run(gains, [&](const Observation& o) {
+  Rollout(scenario, stepper, engine).run(gains, [&](const Observation& o) {
     path.push_back(*o.q);
     return true;
   });
   return path;
+}
+
+/// Largest difference of any joint in any period.
+inline double largest_difference(const std::vector<JointVector>& a, const std::vector<JointVector>& b) {
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference = std::max(difference, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
+  }
+  return difference;
 }
 
 }  // namespace armtune::test

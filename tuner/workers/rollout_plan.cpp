@@ -1,4 +1,4 @@
-#include "tuner/work/rollout_plan.hpp"
+#include "tuner/workers/rollout_plan.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Ranks as threads of one process: everything but MPI itself.
 
-#include "tuner/work/team.hpp"
+#include "tuner/workers/team.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 #include "core/common/error.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 namespace {

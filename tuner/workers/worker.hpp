@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "sim/rollout/rollout.hpp"
-#include "tuner/work/rollout_plan.hpp"
+#include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune {
 

@@ -1,4 +1,4 @@
-#include "tuner/work/team.hpp"
+#include "tuner/workers/team.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,9 +11,9 @@
 #include "core/common/error.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/work/local_worker.hpp"
-#include "tuner/work/messages.hpp"
-#include "tuner/work/patience.hpp"
+#include "tuner/workers/local_worker.hpp"
+#include "tuner/workers/messages.hpp"
+#include "tuner/workers/patience.hpp"
 
 namespace armtune {
 namespace {

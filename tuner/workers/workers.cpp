@@ -1,4 +1,4 @@
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -39,7 +39,8 @@ std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) con
 std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
                                                                     const std::atomic<bool>& stop,
                                                                     const Finished& finished,
-                                                                    const std::vector<EndLimits>& limits) {
+                                                                    const Conditions& conditions) {
+  const std::vector<EndLimits>& limits = conditions.limits;
   const std::size_t each = longest_first_.size() * samples();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
@@ -52,7 +53,7 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
       candidates.size() * each,
       [&](std::size_t i) {
         return RolloutJob{scenario_of(i), sample_of(i), candidates[candidate_of(i)],
-                          limits.empty() ? EndLimits() : limits[scenario_of(i)]};
+                          limits.empty() ? EndLimits() : limits[scenario_of(i)], conditions.engine};
       },
       stop,
       [&](std::size_t i, RolloutResult&& result) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tuner/work/crew.hpp"
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/crew.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 

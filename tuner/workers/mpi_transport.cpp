@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "core/common/error.hpp"
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 namespace {

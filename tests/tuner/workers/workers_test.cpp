@@ -1,11 +1,11 @@
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/sim/support/rollouts.hpp"
-#include "tuner/work/parallel.hpp"
+#include "tuner/workers/parallel.hpp"
 
 namespace armtune {
 namespace {
@@ -47,7 +47,7 @@ TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
   const std::atomic<bool> never{false};
   for (const int count : {1, 3}) {
     Workers plain(scenarios, Stepper::kMidpoint, count);
-    const auto ended = (*plain.run(candidates, never, {}, limits))[0];
+    const auto ended = (*plain.run(candidates, never, {}, {Engine::kSimbody, limits}))[0];
     EXPECT_EQ(ended[0].status, RolloutStatus::kNoSamples) << "it ran whole";
     EXPECT_EQ(ended[1].status, RolloutStatus::kHopeless);
     const RolloutResult alone = Rollout(scenarios[1], Stepper::kMidpoint).run(candidates[0], {}, limits[1]);
@@ -55,7 +55,7 @@ TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
     EXPECT_EQ(ended[1].end_time, alone.end_time);
 
     Workers arms(scenarios, Stepper::kMidpoint, count, set);
-    const auto folded_results = (*arms.run(candidates, never, {}, limits))[0];
+    const auto folded_results = (*arms.run(candidates, never, {}, {Engine::kSimbody, limits}))[0];
     double first = HUGE_VAL;
     for (std::uint64_t k = 0; k < 2; ++k) {
       const Scenario arm = perturbed(scenarios[1], set.perturbation, set.seed, k);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "tuner/work/worker.hpp"
+#include "tuner/workers/worker.hpp"
 
 namespace armtune {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/common/error.hpp"
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "tuner/work/transport.hpp"
+#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 namespace {

@@ -1,4 +1,4 @@
-#include "tuner/work/messages.hpp"
+#include "tuner/workers/messages.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "core/control/gain_fields.hpp"
-#include "tuner/work/bytes.hpp"
+#include "tuner/workers/bytes.hpp"
 
 namespace armtune {
 namespace {
@@ -111,7 +111,7 @@ std::string job_message(const NumberedJob& job) {
   writer.add(job.number);
   writer.add(job.crew);
   // A member that is added has to be sent too: then these do not compile.
-  const auto& [scenario, sample, gains, limits] = job.job;
+  const auto& [scenario, sample, gains, limits, engine] = job.job;
   writer.add(std::uint64_t{scenario});
   writer.add(sample);
   add_gains(writer, gains);
@@ -120,6 +120,7 @@ std::string job_message(const NumberedJob& job) {
     writer.add(static_cast<std::uint64_t>(metric));
     writer.add(value);
   }
+  writer.add(static_cast<std::uint64_t>(engine));
   return writer.bytes();
 }
 
@@ -136,6 +137,11 @@ NumberedJob read_job(const std::string& message) {
     if (metric >= kMetricCount) throw std::runtime_error(fmt::format("a message's metric is {}", metric));
     job.job.limits.push_back({static_cast<Metric>(metric), reader.number()});
   }
+  const std::uint64_t engine = reader.integer();
+  if (engine > static_cast<std::uint64_t>(Engine::kNative)) {
+    throw std::runtime_error(fmt::format("a message's engine is {}", engine));
+  }
+  job.job.engine = static_cast<Engine>(engine);
   reader.end();
   return job;
 }

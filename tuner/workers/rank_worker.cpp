@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tuner/work/messages.hpp"
-#include "tuner/work/patience.hpp"
-#include "tuner/work/team.hpp"
+#include "tuner/workers/messages.hpp"
+#include "tuner/workers/patience.hpp"
+#include "tuner/workers/team.hpp"
 
 namespace armtune {
 namespace {

@@ -1,9 +1,9 @@
-#include "tuner/work/crew.hpp"
+#include "tuner/workers/crew.hpp"
 
 #include <mutex>
 
-#include "tuner/work/local_worker.hpp"
-#include "tuner/work/parallel.hpp"
+#include "tuner/workers/local_worker.hpp"
+#include "tuner/workers/parallel.hpp"
 
 namespace armtune {
 

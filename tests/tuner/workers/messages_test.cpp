@@ -1,4 +1,4 @@
-#include "tuner/work/messages.hpp"
+#include "tuner/workers/messages.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "core/control/gain_fields.hpp"
 #include "tests/sim/support/rollouts.hpp"
-#include "tuner/work/bytes.hpp"
+#include "tuner/workers/bytes.hpp"
 
 namespace armtune {
 namespace {
@@ -21,7 +21,8 @@ NumberedJob some_job() {
                   {2,
                    std::numeric_limits<std::uint64_t>::max(),
                    {},
-                   {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}}}};
+                   {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}},
+                   Engine::kNative}};
   Gains& gains = job.job.gains;
   double next = 0.1;
   for (const GainField& field : gain_fields()) {
@@ -94,6 +95,7 @@ TEST(Messages, AJobComesBackWithEveryGain) {
     }
   }
   EXPECT_EQ(got.job.gains.slerp_reference, SlerpReference::kCurrent);
+  EXPECT_EQ(got.job.engine, Engine::kNative);
   ASSERT_EQ(got.job.limits.size(), sent.job.limits.size());
   for (std::size_t i = 0; i < sent.job.limits.size(); ++i) {
     EXPECT_EQ(got.job.limits[i].metric, sent.job.limits[i].metric);

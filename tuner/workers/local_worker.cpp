@@ -1,19 +1,19 @@
-#include "tuner/work/local_worker.hpp"
+#include "tuner/workers/local_worker.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "tuner/work/patience.hpp"
+#include "tuner/workers/patience.hpp"
 
 namespace armtune {
 
-Rollout& LocalWorker::rollout(std::size_t scenario, std::uint64_t sample) {
+Rollout& LocalWorker::rollout(const RolloutJob& job) {
   constexpr std::size_t kKept = 64;
   ++uses_;
   for (Ready& r : ready_) {
-    if (r.scenario != scenario || r.sample != sample) continue;
+    if (r.scenario != job.scenario || r.sample != job.sample || r.engine != job.engine) continue;
     r.used = uses_;
     return *r.rollout;
   }
@@ -22,7 +22,8 @@ Rollout& LocalWorker::rollout(std::size_t scenario, std::uint64_t sample) {
                                   [](const Ready& a, const Ready& b) { return a.used < b.used; }));
   }
   ready_.push_back(
-      {scenario, sample, uses_, std::make_unique<Rollout>(arm_of(plan_, scenario, sample), plan_.stepper)});
+      {job.scenario, job.sample, job.engine, uses_,
+       std::make_unique<Rollout>(arm_of(plan_, job.scenario, job.sample), plan_.stepper, job.engine)});
   return *ready_.back().rollout;
 }
 
@@ -44,7 +45,7 @@ RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<
     }
     return !stop();
   };
-  return rollout(job.scenario, job.sample).run(job.gains, observer, job.limits);
+  return rollout(job).run(job.gains, observer, job.limits);
 }
 
 }  // namespace armtune

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/rollout/rollout.hpp"
-#include "tuner/work/rollout_plan.hpp"
+#include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune {
 

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "tuner/robustness/sample_set.hpp"
-#include "tuner/work/crew.hpp"
+#include "tuner/workers/conditions.hpp"
+#include "tuner/workers/crew.hpp"
 
 namespace armtune {
 
@@ -36,11 +37,10 @@ class Workers {
 
   /// All scenarios for every candidate: results[candidate][scenario], the scenarios as given. Nothing if
   /// `stop` became true before all were done; what was finished by then went to `finished`.
-  /// limits: per scenario as given, where its rollouts end, those of every arm alike; empty: nowhere.
   std::optional<std::vector<std::vector<RolloutResult>>> run(std::span<const Gains> candidates,
                                                              const std::atomic<bool>& stop,
                                                              const Finished& finished = {},
-                                                             const std::vector<EndLimits>& limits = {});
+                                                             const Conditions& conditions = {});
 
  private:
   /// One result per scenario as given.

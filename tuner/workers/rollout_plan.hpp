@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/control/gains.hpp"
+#include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/scenario/perturbation.hpp"
@@ -35,6 +36,7 @@ struct RolloutJob {
   std::uint64_t sample = 0;  ///< number of the arm; 0 without a draw
   Gains gains;
   EndLimits limits = {};  ///< where the rollout ends before its time
+  Engine engine = Engine::kSimbody;
 };
 
 /// How long a rollout of the scenario may take [s of wall clock]: the plan's deadline, or 20 s and twice the

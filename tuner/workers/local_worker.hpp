@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "tuner/work/worker.hpp"
+#include "tuner/workers/worker.hpp"
 
 namespace armtune {
 
@@ -24,10 +24,11 @@ class LocalWorker : public Worker {
   struct Ready {
     std::size_t scenario;
     std::uint64_t sample;
+    Engine engine;
     std::uint64_t used;
     std::unique_ptr<Rollout> rollout;
   };
-  Rollout& rollout(std::size_t scenario, std::uint64_t sample);
+  Rollout& rollout(const RolloutJob& job);
 
   const RolloutPlan& plan_;
   std::vector<Ready> ready_;

@@ -1,4 +1,4 @@
-#include "tuner/work/simulate_points.hpp"
+#include "tuner/workers/simulate_points.hpp"
 
 #include "tuner/run/file_hash.hpp"
 
@@ -13,7 +13,7 @@ RolloutPlan plan_of(const Study& study, double deadline) {
 
 std::optional<std::vector<Evaluation>> simulate_points(
     const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
-    const std::atomic<bool>& stop, const std::vector<EndLimits>& limits,
+    const std::atomic<bool>& stop, const Conditions& conditions,
     const std::function<void(std::size_t, const Evaluation&)>& finished) {
   std::vector<Gains> gains;
   std::vector<Evaluation> evaluations(points.size());
@@ -30,7 +30,7 @@ std::optional<std::vector<Evaluation>> simulate_points(
                                evaluations[i].results = results;
                                if (finished) finished(i, evaluations[i]);
                              },
-                             limits)
+                             conditions)
                          .has_value();
   if (!whole) return std::nullopt;
   return evaluations;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tuner/study/study.hpp"
-#include "tuner/work/workers.hpp"
+#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 
@@ -16,11 +16,11 @@ RolloutPlan plan_of(const Study& study, double deadline);
 
 /// One evaluation per point, in order, with x, gains and results; still to be judged by an Objective. Nothing
 /// if `stop` became true before all were done.
-/// limits: per scenario, where rollouts end (Objective::end_limits); empty: nowhere, as for the start gains.
+/// conditions: with limits per scenario (Objective::end_limits), or without, as for the start gains.
 /// finished: once per point, as soon as it is whole: in any order, one call at a time, from any thread.
 std::optional<std::vector<Evaluation>> simulate_points(
     const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
-    const std::atomic<bool>& stop, const std::vector<EndLimits>& limits,
+    const std::atomic<bool>& stop, const Conditions& conditions = {},
     const std::function<void(std::size_t, const Evaluation&)>& finished = {});
 
 }  // namespace armtune

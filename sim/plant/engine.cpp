@@ -1,0 +1,14 @@
+#include "sim/plant/engine.hpp"
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+
+Engine engine_from_name(const std::string& text) {
+  for (const Engine engine : {Engine::kSimbody, Engine::kNative}) {
+    if (text == name(engine)) return engine;
+  }
+  throw InputError("engine '" + text + "' is not known; use simbody or native");
+}
+
+}  // namespace armtune

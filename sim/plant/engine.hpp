@@ -1,0 +1,20 @@
+#pragma once
+// What computes the accelerations of the simulated arm.
+
+#include <string>
+
+namespace armtune {
+
+enum class Engine {
+  kSimbody,  ///< the judge: every figure that is reported comes from it
+  kNative    ///< core's articulated-body dynamics: the same arm several times faster, to search with
+};
+
+constexpr const char* name(Engine engine) {
+  return engine == Engine::kSimbody ? "simbody" : "native";
+}
+
+/// Throws InputError that lists the names there are.
+Engine engine_from_name(const std::string& text);
+
+}  // namespace armtune

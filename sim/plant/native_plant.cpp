@@ -1,0 +1,61 @@
+// The arm in core's own dynamics. What a Simbody plant of the same model and stepper does, to rounding.
+
+#include "core/common/error.hpp"
+#include "core/robot/forward_dynamics.hpp"
+#include "sim/plant/plant.hpp"
+
+namespace armtune {
+namespace {
+
+class NativePlant final : public Plant {
+ public:
+  NativePlant(const RobotModel& model, Stepper stepper) : chain_(model.chain), stepper_(stepper) {
+    set_state(JointVector::Zero(chain_.n), JointVector::Zero(chain_.n));
+  }
+
+  void set_state(const JointVector& q, const JointVector& qd) override {
+    q_ = q;
+    qd_ = qd;
+  }
+  const JointVector& q() const override { return q_; }
+  const JointVector& qd() const override { return qd_; }
+
+  void step(const JointVector& torque, double dt) override {
+    integrate(
+        stepper_, dt,
+        [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
+          accelerations(q, qd, torque, qdd);
+        },
+        q_, qd_, work_);
+  }
+
+  void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
+                     JointVector& qdd) override {
+    relative_poses(chain_, q, poses_);
+    forward_dynamics(chain_, poses_, qd, torque, dynamics_, qdd);
+  }
+
+ private:
+  Chain chain_;
+  Stepper stepper_;
+  Poses poses_;
+  ForwardDynamics dynamics_;
+  JointVector q_, qd_;
+  StepWorkspace work_;
+};
+
+}  // namespace
+
+std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper stepper) {
+  if (stepper == Stepper::kReference) {
+    throw InputError(model.source +
+                     ": the stepper 'reference' is Simbody's own; take engine simbody, or the stepper rk4");
+  }
+  return std::make_unique<NativePlant>(model, stepper);
+}
+
+std::unique_ptr<Plant> make_plant(const RobotModel& model, Stepper stepper, Engine engine) {
+  return engine == Engine::kNative ? make_native_plant(model, stepper) : make_simbody_plant(model, stepper);
+}
+
+}  // namespace armtune

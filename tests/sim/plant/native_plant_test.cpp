@@ -1,0 +1,95 @@
+// The native plant against Simbody: two independent implementations of the same arm.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/common/error.hpp"
+#include "sim/plant/plant.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/states.hpp"
+#include "tests/core/support/worst_error.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+using test::WorstError;
+
+TEST(NativePlant, AcceleratesAsSimbodyDoes) {
+  std::mt19937 generator(901);
+  WorstError worst("q''", 1e-9);
+  for (const RobotModel& arm : test::all_arms()) {
+    const auto simbody = make_simbody_plant(arm, Stepper::kMidpoint);
+    const auto native = make_native_plant(arm, Stepper::kMidpoint);
+    for (int sample = 0; sample < 50; ++sample) {
+      const JointVector q = test::random_configuration(generator, arm);
+      const JointVector qd = test::random_vector(generator, arm.n(), 2.0);
+      const JointVector torque = test::random_vector(generator, arm.n(), 100.0);
+      JointVector ours;
+      JointVector theirs;
+      native->accelerations(q, qd, torque, ours);
+      simbody->accelerations(q, qd, torque, theirs);
+      worst.compare(ours, theirs, arm.name);
+    }
+  }
+}
+
+TEST(NativePlant, StepsAsSimbodyDoesWithEveryStepper) {
+  const RobotModel arm = test::seven_joint_arm();
+  std::mt19937 generator(902);
+  const JointVector q = test::random_configuration(generator, arm);
+  const JointVector qd = test::random_vector(generator, arm.n(), 1.0);
+  const JointVector torque = test::random_vector(generator, arm.n(), 20.0);
+  for (const Stepper stepper : {Stepper::kMidpoint, Stepper::kSemiImplicitEuler, Stepper::kRungeKutta4}) {
+    const auto simbody = make_plant(arm, stepper, Engine::kSimbody);
+    const auto native = make_plant(arm, stepper, Engine::kNative);
+    for (Plant* plant : {simbody.get(), native.get()}) {
+      plant->set_state(q, qd);
+      for (int k = 0; k < 100; ++k) plant->step(torque, 0.002);
+    }
+    EXPECT_LT((native->q() - simbody->q()).norm(), 1e-11) << name(stepper);
+    EXPECT_LT((native->qd() - simbody->qd()).norm(), 1e-9) << name(stepper);
+    EXPECT_GT((native->q() - q).norm(), 0.1) << "it moved";
+  }
+}
+
+TEST(NativePlant, HasNoReferenceStepper) {
+  const std::string message = test::refusal([] { make_native_plant(test::ur10(), Stepper::kReference); });
+  EXPECT_NE(message.find("engine simbody"), std::string::npos) << message;
+}
+
+/// Rollouts with RK4 in both engines, over the whole of a bundled scenario.
+class NativeRollout : public testing::TestWithParam<std::string> {};
+
+TEST_P(NativeRollout, EndsWhereSimbodysDoes) {
+  const Scenario scenario = load_scenario(GetParam());
+  const Gains gains = test::published_gains(scenario);
+  const auto ours = test::joint_path(scenario, gains, Stepper::kRungeKutta4, Engine::kNative);
+  const auto theirs = test::joint_path(scenario, gains, Stepper::kRungeKutta4, Engine::kSimbody);
+  ASSERT_EQ(ours.size(), static_cast<std::size_t>(scenario.periods()));
+  const double difference = test::largest_difference(ours, theirs);
+  RecordProperty("largest difference [rad]", fmt::format("{:.2g}", difference));
+  EXPECT_LT(difference, 1e-7);
+  EXPECT_GT(difference, 0.0) << "two engines round differently";
+}
+
+std::vector<std::string> bundled_scenarios() {
+  return bundled_names("scenarios");
+}
+
+INSTANTIATE_TEST_SUITE_P(Bundled, NativeRollout, testing::ValuesIn(bundled_scenarios()),
+                         [](const auto& scenario) { return scenario.param; });
+
+TEST(Engine, NamesReadBack) {
+  for (const Engine engine : {Engine::kSimbody, Engine::kNative}) {
+    EXPECT_EQ(engine_from_name(name(engine)), engine);
+  }
+  EXPECT_NE(test::refusal([] { engine_from_name("mujoco"); }).find("simbody or native"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace armtune
