@@ -9,73 +9,82 @@
 
 namespace armtune {
 
-/// Force of an articulated body about the origin of its frame, for the spatial acceleration (a, w') of it:
-///   f = M a + B w',   t = B^T a + I w'.
-template <typename T>
-struct ArticulatedInertiaT {
-  Symmetric3T<T> M;  ///< [kg]
-  Mat3T<T> B;        ///< [kg m]
-  Symmetric3T<T> I;  ///< [kg m^2]
-};
-
 /// Work space of `forward_dynamics`: what its passes leave for the next one.
 template <typename T>
 struct ForwardDynamicsT {
-  std::array<Vec3T<T>, kMaxJoints> w{};  ///< angular velocity of the body, body frame
-  std::array<Vec3T<T>, kMaxJoints> v{};  ///< linear velocity of its origin
-  std::array<ArticulatedInertiaT<T>, kMaxJoints> inertia{};
-  std::array<Vec3T<T>, kMaxJoints> bias_f{};  ///< articulated bias force
-  std::array<Vec3T<T>, kMaxJoints> bias_t{};  ///< and moment
-  std::array<Vec3T<T>, kMaxJoints> U_f{};     ///< articulated inertia times the joint's axis
-  std::array<Vec3T<T>, kMaxJoints> U_t{};
-  std::array<T, kMaxJoints> inverse_d{};  ///< of the joint's articulated inertia, rotor included
-  std::array<T, kMaxJoints> u{};          ///< torque left for it
+  std::array<Vec3T<T>, kMaxJoints> v{};    ///< linear velocity of the body's origin, body frame
+  std::array<Vec3T<T>, kMaxJoints> w{};    ///< angular velocity
+  std::array<Vec3T<T>, kMaxJoints> U_f{};  ///< articulated inertia times the joint's axis: force
+  std::array<Vec3T<T>, kMaxJoints> U_t{};  ///< and moment about the body's origin
+  std::array<T, kMaxJoints> inverse_d{};   ///< 1 / (articulated inertia about the axis + rotor inertia)
+  std::array<T, kMaxJoints> u{};           ///< torque that is left for acceleration
 };
 using ForwardDynamics = ForwardDynamicsT<double>;
 
-/// [x]: [x] y = x cross y.
+/// Force of an articulated body, about the origin of its frame, for the spatial acceleration (a, w') of it:
+///   f = M a + B w' + f0,   t = B^T a + I w' + t0.
 template <typename T>
-Mat3T<T> cross_matrix(const Vec3T<T>& x) {
-  Mat3T<T> X;
-  X << T(0), -x.z(), x.y(), x.z(), T(0), -x.x(), -x.y(), x.x(), T(0);
-  return X;
+struct ArticulatedBodyT {
+  Symmetric3T<T> M;  ///< [kg]
+  Mat3T<T> B;        ///< [kg m]
+  Symmetric3T<T> I;  ///< [kg m^2]
+  Vec3T<T> f0;       ///< [N]
+  Vec3T<T> t0;       ///< [N m]
+
+  /// Adds a rigid body that moves with (v, w).
+  void add(const LinkInertiaT<T>& link, const Vec3T<T>& v, const Vec3T<T>& w) {
+    const Vec3T<T>& h = link.first_moment;
+    const Vec3T<T> momentum = link.mass * v + w.cross(h);
+    f0 += w.cross(momentum);
+    t0 += w.cross(h.cross(v) + link.inertia * w) + v.cross(momentum);
+    M.add_diagonal(link.mass);
+    B(0, 1) += h.z();  // f = w' x h
+    B(1, 0) -= h.z();
+    B(0, 2) -= h.y();
+    B(2, 0) += h.y();
+    B(1, 2) += h.x();
+    B(2, 1) -= h.x();
+    I += Symmetric3T<T>::of(link.inertia);
+  }
+
+  /// The same body seen from the previous one's frame.
+  ArticulatedBodyT in_parent(const Mat3T<T>& R_PB, const Vec3T<T>& p) const {
+    ArticulatedBodyT moved;
+    moved.M = rotated(R_PB, M);
+    const Mat3T<T> turned = R_PB * (B * R_PB.transpose()).eval();
+    const auto& N = moved.M;
+    // turned - M [p]: a row times [p] is that row cross p.
+    moved.B.row(0) = turned.row(0) - Vec3T<T>(N.xx, N.xy, N.xz).cross(p).transpose();
+    moved.B.row(1) = turned.row(1) - Vec3T<T>(N.xy, N.yy, N.yz).cross(p).transpose();
+    moved.B.row(2) = turned.row(2) - Vec3T<T>(N.xz, N.yz, N.zz).cross(p).transpose();
+    // [p] B' - B^T [p] is symmetric: its entry (i, j) is (p x B_i)_j + (p x B'_j)_i, of columns.
+    const Vec3T<T> b0 = p.cross(turned.col(0));
+    const Vec3T<T> b1 = p.cross(turned.col(1));
+    const Vec3T<T> b2 = p.cross(turned.col(2));
+    const Vec3T<T> s0 = p.cross(moved.B.col(0));
+    const Vec3T<T> s1 = p.cross(moved.B.col(1));
+    const Vec3T<T> s2 = p.cross(moved.B.col(2));
+    moved.I = rotated(R_PB, I);
+    moved.I += {b0[0] + s0[0], b0[1] + s1[0], b0[2] + s2[0], b1[1] + s1[1], b1[2] + s2[1], b2[2] + s2[2]};
+    moved.f0.noalias() = R_PB * f0;
+    moved.t0 = R_PB * t0 + p.cross(moved.f0);
+    return moved;
+  }
+};
+
+/// y x z, of the joint axis z.
+template <typename T>
+Vec3T<T> cross_axis(const Vec3T<T>& y) {
+  return {y.y(), -y.x(), T(0)};
 }
 
-/// The same inertia about the previous body's origin, in its axes, added to what that body has already.
+/// Outwards: velocities of all bodies.
 template <typename T>
-void add_to_parent(const ArticulatedInertiaT<T>& body, const Mat3T<T>& R_PB, const Vec3T<T>& p_PB,
-                   ArticulatedInertiaT<T>& parent) {
-  const Symmetric3T<T> M = rotated(R_PB, body.M);
-  const Mat3T<T> B = R_PB * (body.B * R_PB.transpose()).eval();
-  const Vec3T<T>& p = p_PB;
-  // B - M [p], row by row: a row of M times [p] is that row cross p.
-  Mat3T<T> shifted;
-  shifted.row(0) = B.row(0) - Vec3T<T>(M.xx, M.xy, M.xz).cross(p).transpose();
-  shifted.row(1) = B.row(1) - Vec3T<T>(M.xy, M.yy, M.yz).cross(p).transpose();
-  shifted.row(2) = B.row(2) - Vec3T<T>(M.xz, M.yz, M.zz).cross(p).transpose();
-  parent.M += M;
-  parent.B += shifted;
-  parent.I += rotated(R_PB, body.I);
-  // [p] shifted - B^T [p] is symmetric: its entry (i, j) is (p x B_i)_j + (p x shifted_j)_i, of columns.
-  const Vec3T<T> b0 = p.cross(B.col(0));
-  const Vec3T<T> b1 = p.cross(B.col(1));
-  const Vec3T<T> b2 = p.cross(B.col(2));
-  const Vec3T<T> s0 = p.cross(shifted.col(0));
-  const Vec3T<T> s1 = p.cross(shifted.col(1));
-  const Vec3T<T> s2 = p.cross(shifted.col(2));
-  parent.I += {b0[0] + s0[0], b0[1] + s1[0], b0[2] + s2[0], b1[1] + s1[1], b1[2] + s2[1], b2[2] + s2[2]};
-}
-
-/// q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s (m/s) and
-/// N m (N); poses: `relative_poses` at q is enough. Singular only if a joint moves no inertia at all.
-template <typename T>
-void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
-                      const JointVectorT<T>& torque, ForwardDynamicsT<T>& s, JointVectorT<T>& qdd) {
-  const int n = chain.n;
-  // Outwards: velocities, and the force that each body needs to keep them.
+void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                     ForwardDynamicsT<T>& s) {
   Vec3T<T> v = Vec3T<T>::Zero();
   Vec3T<T> w = Vec3T<T>::Zero();
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Mat3T<T>& R = poses.R_PB[k];
     v = R.transpose() * (v + w.cross(poses.p_PB[k])).eval();
@@ -83,70 +92,82 @@ void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const Join
     (chain.motion[k] == JointMotion::kRevolute ? w : v).z() += qd[i];
     s.v[k] = v;
     s.w[k] = w;
-    const LinkInertiaT<T>& link = chain.link[k];
-    const Vec3T<T>& h = link.first_moment;
-    const Vec3T<T> momentum = link.mass * v + w.cross(h);
-    s.bias_f[k] = w.cross(momentum);
-    s.bias_t[k] = w.cross(h.cross(v) + link.inertia * w) + v.cross(momentum);
-    s.inertia[k].M = Symmetric3T<T>::diagonal(link.mass);
-    s.inertia[k].B = -cross_matrix<T>(h);
-    s.inertia[k].I = Symmetric3T<T>::of(link.inertia);
   }
-  // Inwards: each joint hands on what it cannot give way to.
-  for (int i = n - 1; i >= 0; --i) {
+}
+
+/// Inwards: each joint hands on what it cannot give way to.
+template <typename T>
+void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                        const JointVectorT<T>& torque, ForwardDynamicsT<T>& s) {
+  ArticulatedBodyT<T> A{{}, Mat3T<T>::Zero(), {}, Vec3T<T>::Zero(), Vec3T<T>::Zero()};
+  for (int i = chain.n - 1;; --i) {
     const auto k = static_cast<std::size_t>(i);
     const bool revolute = chain.motion[k] == JointMotion::kRevolute;
-    ArticulatedInertiaT<T>& A = s.inertia[k];
-    s.U_f[k] = revolute ? Vec3T<T>(A.B.col(2)) : A.M.z_column();
-    s.U_t[k] = revolute ? A.I.z_column() : Vec3T<T>(A.B.row(2).transpose());
-    const T d = (revolute ? s.U_t[k].z() : s.U_f[k].z()) + chain.rotor_inertia[i];
-    s.inverse_d[k] = T(1) / d;
-    s.u[k] = torque[i] - chain.viscous_friction[i] * qd[i] -
-             chain.coulomb_friction[i] * coulomb_direction(qd[i]) -
-             (revolute ? s.bias_t[k].z() : s.bias_f[k].z());
-    if (i == 0) break;
-    const Vec3T<T> scaled_f = s.inverse_d[k] * s.U_f[k];
-    const Vec3T<T> scaled_t = s.inverse_d[k] * s.U_t[k];
-    A.M.subtract_square(s.inverse_d[k], s.U_f[k]);
-    A.B.noalias() -= scaled_f * s.U_t[k].transpose();
-    A.I.subtract_square(s.inverse_d[k], s.U_t[k]);
-    // The joint's own turning makes (v x z q', w x z q') without any q''.
-    const Vec3T<T> turn(s.w[k].y() * qd[i], -s.w[k].x() * qd[i], T(0));
-    Vec3T<T> f = s.bias_f[k] + scaled_f * s.u[k];
-    Vec3T<T> t = s.bias_t[k] + scaled_t * s.u[k];
+    A.add(chain.link[k], s.v[k], s.w[k]);
+    const Vec3T<T> U_f = revolute ? Vec3T<T>(A.B.col(2)) : A.M.z_column();
+    const Vec3T<T> U_t = revolute ? A.I.z_column() : Vec3T<T>(A.B.row(2).transpose());
+    const T inverse_d = T(1) / ((revolute ? U_t.z() : U_f.z()) + chain.rotor_inertia[i]);
+    const T u = torque[i] - chain.viscous_friction[i] * qd[i] -
+                chain.coulomb_friction[i] * coulomb_direction(qd[i]) - (revolute ? A.t0.z() : A.f0.z());
+    s.U_f[k] = U_f;
+    s.U_t[k] = U_t;
+    s.inverse_d[k] = inverse_d;
+    s.u[k] = u;
+    if (i == 0) return;
+    const Vec3T<T> scaled_f = inverse_d * U_f;
+    const Vec3T<T> scaled_t = inverse_d * U_t;
+    A.M.subtract_square(inverse_d, U_f);
+    A.B.noalias() -= scaled_f * U_t.transpose();
+    A.I.subtract_square(inverse_d, U_t);
+    // The joint's own turning accelerates the body by (v x z q', w x z q') without any q''.
+    const Vec3T<T> w_x_z = cross_axis<T>(s.w[k]) * qd[i];
+    A.f0 += scaled_f * u;
+    A.t0 += scaled_t * u;
     if (revolute) {
-      const Vec3T<T> slide(s.v[k].y() * qd[i], -s.v[k].x() * qd[i], T(0));
-      f += A.M * slide + A.B * turn;
-      t += A.B.transpose() * slide + A.I * turn;
+      const Vec3T<T> v_x_z = cross_axis<T>(s.v[k]) * qd[i];
+      A.f0 += A.M * v_x_z + A.B * w_x_z;
+      A.t0 += A.B.transpose() * v_x_z + A.I * w_x_z;
     } else {
-      f += A.M * turn;
-      t += A.B.transpose() * turn;
+      A.f0 += A.M * w_x_z;
+      A.t0 += A.B.transpose() * w_x_z;
     }
-    add_to_parent(A, poses.R_PB[k], poses.p_PB[k], s.inertia[k - 1]);
-    const Vec3T<T> f_P = poses.R_PB[k] * f;
-    s.bias_f[k - 1] += f_P;
-    s.bias_t[k - 1] += poses.R_PB[k] * t + poses.p_PB[k].cross(f_P);
+    A = A.in_parent(poses.R_PB[k], poses.p_PB[k]);
   }
-  // Outwards: accelerations, against gravity.
-  qdd.resize(n);
+}
+
+/// Outwards: accelerations, against gravity.
+template <typename T>
+void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                         const ForwardDynamicsT<T>& s, JointVectorT<T>& qdd) {
+  qdd.resize(chain.n);
   Vec3T<T> a = -chain.gravity;
   Vec3T<T> w_dot = Vec3T<T>::Zero();
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const bool revolute = chain.motion[k] == JointMotion::kRevolute;
     const Mat3T<T>& R = poses.R_PB[k];
     a = R.transpose() * (a + w_dot.cross(poses.p_PB[k])).eval();
     w_dot = (R.transpose() * w_dot).eval();
-    const Vec3T<T> turn(s.w[k].y() * qd[i], -s.w[k].x() * qd[i], T(0));
+    const Vec3T<T> w_x_z = cross_axis<T>(s.w[k]) * qd[i];
     if (revolute) {
-      a += Vec3T<T>(s.v[k].y() * qd[i], -s.v[k].x() * qd[i], T(0));
-      w_dot += turn;
+      a += cross_axis<T>(s.v[k]) * qd[i];
+      w_dot += w_x_z;
     } else {
-      a += turn;
+      a += w_x_z;
     }
     qdd[i] = s.inverse_d[k] * (s.u[k] - s.U_f[k].dot(a) - s.U_t[k].dot(w_dot));
     (revolute ? w_dot : a).z() += qdd[i];
   }
+}
+
+/// q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s (m/s) and
+/// N m (N); poses: `relative_poses` at q is enough. Singular only if a joint moves no inertia at all.
+template <typename T>
+void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                      const JointVectorT<T>& torque, ForwardDynamicsT<T>& s, JointVectorT<T>& qdd) {
+  body_velocities(chain, poses, qd, s);
+  articulated_bodies(chain, poses, qd, torque, s);
+  joint_accelerations(chain, poses, qd, s, qdd);
 }
 
 }  // namespace armtune

@@ -13,11 +13,6 @@ struct Symmetric3T {
   /// Of a full matrix that is symmetric: its upper half is read.
   static Symmetric3T of(const Mat3T<T>& S) { return {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)}; }
 
-  Mat3T<T> full() const {
-    Mat3T<T> S;
-    S << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    return S;
-  }
   Vec3T<T> z_column() const { return {xz, yz, zz}; }
 
   Vec3T<T> operator*(const Vec3T<T>& v) const {
@@ -31,6 +26,11 @@ struct Symmetric3T {
     yy += other.yy;
     yz += other.yz;
     zz += other.zz;
+  }
+  void add_diagonal(const T& value) {
+    xx += value;
+    yy += value;
+    zz += value;
   }
   /// Takes scale * v v^T away.
   void subtract_square(const T& scale, const Vec3T<T>& v) {

@@ -110,6 +110,10 @@ TEST_F(BadInput, UnknownNames) {
               HasSubstr("did you mean 'published'"));
   EXPECT_THAT(refused({"simulate", files_ / "short.yaml", "--stepper", "rk5"}),
               testing::AllOf(HasSubstr("rk5"), HasSubstr("semi_implicit_euler")));
+  EXPECT_THAT(refused({"simulate", files_ / "short.yaml", "--engine", "bullet"}),
+              testing::AllOf(HasSubstr("bullet"), HasSubstr("native")));
+  EXPECT_THAT(refused({"simulate", files_ / "short.yaml", "--engine", "native", "--stepper", "reference"}),
+              testing::AllOf(HasSubstr("Simbody"), HasSubstr("rk4")));
   EXPECT_THAT(refused({"tune", "ur10_gase"}), HasSubstr("did you mean 'ur10_gaze'"));
   EXPECT_THAT(refused({"robot", "ur11"}), HasSubstr("did you mean 'ur10'"));
   EXPECT_THAT(refused({"compare", "published", "--scenarios", "fixed_targe"}), HasSubstr("'fixed_target'"));

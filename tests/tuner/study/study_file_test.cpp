@@ -60,7 +60,7 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
       "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.5, 2]}\n",
       "search: {algorithm: ISRES, max_evaluations: 77, max_minutes: 3, initial_step: 0.2, x_tolerance: "
       "0.002,\n"
-      "         objective_tolerance: 0.003, seed: 9, stepper: rk4}\n");
+      "         objective_tolerance: 0.003, seed: 9, stepper: rk4, engine: native, verify_share: 0.25}\n");
   const Study study = load_study(files.path());
   EXPECT_EQ(study.space.start.adaptation_gain, 0.125);
   EXPECT_EQ(study.space.start.slerpDurationErrorGain, 2.2);
@@ -88,6 +88,8 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
   EXPECT_EQ(again.solver.algorithm, "ISRES");
   EXPECT_EQ(again.max_evaluations, 77);
   EXPECT_EQ(again.stepper, Stepper::kRungeKutta4);
+  EXPECT_EQ(again.engine, Engine::kNative);
+  EXPECT_EQ(again.verify_share, 0.25);
 }
 
 TEST(StudyFile, TheBundledStudyReadsBackFromItsResolvedForm) {
@@ -123,6 +125,10 @@ TEST(StudyFile, AnAlgorithmOrStepperThatIsNotOfferedIsRefused) {
   };
   EXPECT_THAT(search("algorithm: COBYLLA"), AllOf(HasSubstr("COBYLLA"), HasSubstr("did you mean 'COBYLA'")));
   EXPECT_THAT(search("stepper: euler"), AllOf(HasSubstr("euler"), HasSubstr("midpoint")));
+  EXPECT_THAT(search("engine: mujoco"), AllOf(HasSubstr("mujoco"), HasSubstr("native")));
+  EXPECT_THAT(search("verify_share: 0.2"), HasSubstr("engine: native"));
+  EXPECT_THAT(search("engine: native, verify_share: 1.5"), HasSubstr("1.5"));
+  EXPECT_THAT(search("engine: native, stepper: reference"), HasSubstr("'reference' is Simbody's own"));
   EXPECT_THAT(search("max_evaluations: 0"), HasSubstr("max_evaluations"));
   EXPECT_THAT(search("seed: -1"), HasSubstr("negative"));
   EXPECT_THAT(search("budget: 10"), HasSubstr("unknown key 'budget'"));
