@@ -16,6 +16,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -190,6 +191,7 @@ int run(Arguments args, Team& team) {
              {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
              {"evaluations", fmt::format("{}", result.evaluations)},
              {"stepper", name(study.stepper)},
+             {"engine", engine_text(study)},
              {"points", fmt::format("{}", result.front.size())},
              {"verified", verified ? "true" : "false"},
              {"hypervolume", fmt::format("{}", result.hypervolume)}};

@@ -83,8 +83,9 @@ class Search {
 };
 
 bool Search::evaluate(const std::vector<Candidate>& candidates) {
+  const Engine engine = objective_ ? study_.engine : Engine::kSimbody;  // the start's figures are reported
   out_.interrupted =
-      !evaluator_.next(candidates, {Engine::kSimbody, end_limits(objective_)},
+      !evaluator_.next(candidates, {engine, end_limits(objective_)},
                        [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
   return !out_.interrupted;
 }
@@ -269,22 +270,7 @@ void Search::levels() {
 }
 
 ParetoResult Search::result() && {
-  std::vector<Costs> costs;
-  costs.reserve(archive_.points().size());
-  for (const ParetoPoint& point : archive_.points()) costs.push_back(point.costs);
-  for (const std::size_t i : non_dominated(costs)) out_.front.push_back(archive_.points()[i]);
-  if (!out_.front.empty()) out_.hypervolume = hypervolume(costs, out_.start.costs);
-  for (auto level = out_.levels.begin(); level != out_.levels.end();) {
-    // The front ascends in the first cost: the first point under the level is the best.
-    const auto best = std::find_if(out_.front.begin(), out_.front.end(), [&level](const ParetoPoint& p) {
-      for (std::size_t c = 0; c < p.costs.size(); ++c) {
-        if (p.costs[c] > level->levels[c]) return false;
-      }
-      return true;
-    });
-    level->best = static_cast<std::size_t>(best - out_.front.begin());
-    level = best == out_.front.end() ? out_.levels.erase(level) : level + 1;
-  }
+  settle(out_, archive_.points());
   return std::move(out_);
 }
 
@@ -299,6 +285,27 @@ std::size_t ParetoOptions::searches() const {
 std::size_t ParetoResult::dominating_start() const {
   return static_cast<std::size_t>(std::count_if(
       front.begin(), front.end(), [this](const ParetoPoint& p) { return dominates(p.costs, start.costs); }));
+}
+
+void settle(ParetoResult& result, const std::vector<ParetoPoint>& points) {
+  std::vector<Costs> costs;
+  costs.reserve(points.size());
+  for (const ParetoPoint& point : points) costs.push_back(point.costs);
+  std::vector<ParetoPoint> front;
+  for (const std::size_t i : non_dominated(costs)) front.push_back(points[i]);
+  result.front = std::move(front);
+  result.hypervolume = result.front.empty() ? 0.0 : hypervolume(costs, result.start.costs);
+  for (auto level = result.levels.begin(); level != result.levels.end();) {
+    // The front ascends in the first cost: the first point under the level is the best.
+    const auto best = std::find_if(result.front.begin(), result.front.end(), [&level](const ParetoPoint& p) {
+      for (std::size_t c = 0; c < p.costs.size(); ++c) {
+        if (p.costs[c] > level->levels[c]) return false;
+      }
+      return true;
+    });
+    level->best = static_cast<std::size_t>(best - result.front.begin());
+    level = best == result.front.end() ? result.levels.erase(level) : level + 1;
+  }
 }
 
 ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,

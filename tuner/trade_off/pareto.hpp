@@ -79,8 +79,12 @@ ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& w
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks,
                     Journal* journal = nullptr);
 
-/// Simulates the front again in `workers` of its own and takes those results in; throws std::runtime_error
-/// if one differs from what the search saw. False if `stop` became true before.
+/// Makes front, hypervolume and the levels' best from feasible points; the start and the levels stand.
+void settle(ParetoResult& result, const std::vector<ParetoPoint>& points);
+
+/// Simulates the front again, in Simbody and in `workers` of its own, and takes those results in. Throws
+/// std::runtime_error if one differs from what the search saw: to the bit if that was Simbody too. What
+/// another engine found is judged anew: it may leave the front. False if `stop` became true before.
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
             ParetoResult& result, Workers& workers, const std::atomic<bool>& stop);
 

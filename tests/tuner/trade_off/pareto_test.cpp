@@ -75,6 +75,33 @@ TEST_F(Pareto, IsTheSameForAnyNumberOfWorkersAndAgainInFreshRollouts) {
   EXPECT_THROW(verify(study_, *objective_, options_, one, fresh, kNever), std::runtime_error);
 }
 
+TEST_F(Pareto, FoundInTheNativeEngineItsFiguresAreStillSimbodys) {
+  study_.engine = Engine::kNative;
+  ParetoResult result = run(2);
+  Workers fresh(study_.scenarios, study_.stepper, 2);
+  const auto found = result.front;
+  ASSERT_GE(found.size(), 3U);
+  ASSERT_TRUE(verify(study_, *objective_, options_, result, fresh, kNever));
+  ASSERT_EQ(result.front.size(), found.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(result.front[i].e.x, found[i].e.x);
+    for (std::size_t s = 0; s < study_.scenarios.size(); ++s) {
+      const auto in_engine = [&](Engine engine) {
+        return test::bits(Rollout(study_.scenarios[s], study_.stepper, engine).run(found[i].e.gains).metrics);
+      };
+      EXPECT_EQ(test::bits(result.front[i].e.results[s].metrics), in_engine(Engine::kSimbody));
+      const bool start = found[i].evaluation == 0;
+      EXPECT_EQ(test::bits(found[i].e.results[s].metrics),
+                in_engine(start ? Engine::kSimbody : Engine::kNative));
+    }
+    for (std::size_t c = 0; c < 2; ++c) {
+      EXPECT_NEAR(result.front[i].costs[c], found[i].costs[c], 1e-9 * std::abs(found[i].costs[c]));
+    }
+  }
+  result.front.back().costs[1] *= 1.01;
+  EXPECT_THROW(verify(study_, *objective_, options_, result, fresh, kNever), std::runtime_error);
+}
+
 TEST_F(Pareto, ItsCsvGivesTheGainsOfEveryPointAndMarksTheStart) {
   const ParetoResult result = run(2);
   const test::Csv csv(pareto_csv(study_, options_, result));
