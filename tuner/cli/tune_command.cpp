@@ -14,6 +14,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/cli/tune_help.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
@@ -104,9 +105,10 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
 }
 
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
-  fmt::print("study {}: {} gains over {} scenarios{}, {} and {} evaluations at most; results go to {}\n",
-             study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
-             search_text(study), study.max_evaluations, args.folder);
+  fmt::print(
+      "study {}: {} gains over {} scenarios{}, {} in {} and {} evaluations at most; results go to {}\n",
+      study.name, study.space.free.size(), study.scenarios.size(), robust_text(study), search_text(study),
+      engine_text(study), study.max_evaluations, args.folder);
   if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
   std::fflush(stdout);
 }
@@ -156,7 +158,10 @@ int run(Arguments args, Team& team) {
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
-  if (!resumed) make_run_folder(args.folder);
+  if (!resumed) {
+    make_run_folder(args.folder);
+    if (study.warm) write_warm(study, args.folder);  // before the journal: a resumed run reads them here
+  }
   const auto journal =
       open_journal(args.folder, args.resume, run_header(identity_of(study), inputs_of(study)));
   if (journal->exit_code()) {
@@ -190,10 +195,15 @@ int run(Arguments args, Team& team) {
   line.show("fresh rollouts of the start and the tuned gains");
   const auto sets = verify(study, result, options);
   line.clear();
+  std::vector<ComparedSet> robust;
+  if (study.robust) robust = verify_robust(study, result, options, team);
+  if (result.best.engine != Engine::kSimbody) {
+    judge(*objective, study.robust ? robust[1] : sets[1], result);
+    write_gains(study, result, args.folder);
+  }
   write_reports(study, result, sets, options, workers.count(), seconds_since(began));
 
   if (study.robust) {
-    const auto robust = verify_robust(study, result, options, team);
     fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
                robust_text(study), comparison_table(robust, headline_metrics()));
   }
@@ -218,56 +228,6 @@ int run(Arguments args, Team& team) {
   const int exit_code = result.best.feasible ? kDone : kNoFeasiblePoint;
   journal->complete(exit_code);
   return exit_code;
-}
-
-std::string help_footer() {
-  std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
-                                 fmt::join(bundled_names("studies"), " "));
-  for (const AlgorithmInfo& a : algorithms()) {
-    text += fmt::format("  {:<12} {}, {}{}{}{}\n", a.name, a.local ? "local" : "global", a.meaning,
-                        a.takes_constraints ? "; takes constraints" : "",
-                        a.uses_differences ? "; uses differences, evaluated in parallel" : "",
-                        a.draws_random_numbers ? "; draws random numbers" : "");
-  }
-  text +=
-      "Around those that do not take constraints an augmented Lagrangian or a penalty is put "
-      "(search/constraints).\n"
-      "Also in search: global and global_share (another algorithm first, for that part of the evaluations), "
-      "starts\n"
-      "(several local searches at once), differences (forward, central) and difference_step; engine: native "
-      "searches\n"
-      "in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and "
-      "leaves\n"
-      "verify_share of the evaluations to Simbody, whose figures alone are reported. warm_start: from, "
-      "parameters, box,\n"
-      "step, as the options above.\n";
-  text += "\nGains (study file, parameters; * tuned by default):\n";
-  for (const GainField& field : gain_fields()) {
-    if (!field.is_number()) continue;
-    text += fmt::format("{} {:<30} {}{}\n", field.search != SearchRange::kNone ? "*" : " ", field.name,
-                        field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
-  }
-  text += "\nMetrics (study file, objective and constraints):\n";
-  for (const MetricField& field : metric_fields()) {
-    text += fmt::format("  {:<34} {} [{}]\n", field.name, field.meaning, field.unit);
-  }
-  text +=
-      "\nA rollout of the search ends where a constraint is broken beyond repair (study file, "
-      "constraints/hopeless:\n"
-      "auto, never, or a value beyond the limit). By default that is twice the limit of "
-      "joint_velocity/max_ratio and\n"
-      "0.1 rad beyond that of joint_position/min_margin, never for others; a value can be given for at_most "
-      "of\n"
-      " ";
-  for (const Metric m : all_metrics()) {
-    if (can_be_hopeless(m, true)) text += fmt::format(" {}", name(m));
-  }
-  text += "\nand for at_least of\n ";
-  for (const Metric m : all_metrics()) {
-    if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
-  }
-  text += "\n";
-  return text;
 }
 
 }  // namespace
@@ -296,7 +256,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
   add_warm_options(*command, args->warm);
-  command->footer(help_footer);
+  command->footer(tune_help);
   command->callback(
       [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
 }

@@ -18,16 +18,21 @@ struct ReportOptions {
 
 /// "CRS2, then BOBYQA from 4 starts"
 std::string search_text(const Study& study);
-/// " (worst of 5 arms each)" where a study tunes on samples.
+/// "simbody", or "native, then simbody"
 std::string engine_text(const Study& study);
+/// " (worst of 5 arms each)" where a study tunes on samples.
 std::string robust_text(const Study& study);
 
 /// Fresh rollouts of both gain sets, start and tuned: the figures that are reported, and the recordings.
 std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, const ReportOptions& options);
 /// Of a study on many arms: the measure of fresh rollouts of all of them, as robust_errors.csv and for the
-/// table. Throws std::runtime_error if it is not what the search saw.
+/// table. Throws std::runtime_error if it is not what the search saw in Simbody.
 std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result,
                                        const ReportOptions& options, Team& team);
+
+/// Takes Simbody's fresh rollouts of the best gains for what they are, where an interrupted search ended with
+/// another engine's. simulated: those the objective is of.
+void judge(const Objective& objective, const ComparedSet& simulated, TuneResult& result);
 
 /// What the start was, before anything else is simulated: an interrupted run can be judged by it too.
 void write_start(const Study& study, const std::string& folder);

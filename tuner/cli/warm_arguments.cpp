@@ -60,6 +60,7 @@ void warn_of_clamped(const Study& study) {
 std::string write_warm(const Study& study, const std::string& folder) {
   if (!study.warm) return {};
   std::string file = kWarmGains;
+  make_folder(folder + "/start");
   write_text_file(folder + "/" + file,
                   gains_yaml(study.warm->gains, {"warm start, from " + shown_path(study.warm->source)}));
   return file;

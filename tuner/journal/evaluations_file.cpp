@@ -24,7 +24,9 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   };
   add("evaluation", "1", "number of the evaluation, from 0");
   add("phase", "",
-      "start, sweep, warm, global, search, gradient; of a front: start, warm, anchor, level, gradient");
+      "start, sweep, warm, global, search, gradient, verify; of a front: start, warm, anchor, level, "
+      "gradient");
+  add("engine", "", "simbody or native: what simulated it");
   add("objective", "1", "weighted metrics relative to the start gains, which score 1");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
@@ -60,8 +62,8 @@ EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, st
 }
 
 void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
-  std::string row = fmt::format("{},{},{},{},{},{}", count_++, phase, e.objective, e.feasible ? 1 : 0,
-                                e.violation, quoted(e.status));
+  std::string row = fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), e.objective,
+                                e.feasible ? 1 : 0, e.violation, quoted(e.status));
   for (const Parameter& p : study_.space.free) row += fmt::format(",{}", value(e.gains, p.entry));
   for (const ObjectiveTerm& term : study_.terms) {
     for (const std::size_t s : term.scenarios) row += "," + cell(e.results[s].metrics[term.metric]);

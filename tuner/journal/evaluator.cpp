@@ -21,7 +21,8 @@ double Evaluator::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
 }
 
-std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidate& candidate) const {
+std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidate& candidate,
+                                            Engine engine) const {
   auto record = journal_ != nullptr ? journal_->find(number) : std::nullopt;
   if (!record) return std::nullopt;
   if (record->x != candidate.x || record->phase != candidate.phase ||
@@ -38,6 +39,7 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   e.results = std::move(record->results);
   e.seconds = record->seconds;
   e.recalled = true;
+  e.engine = engine;
   return e;
 }
 
@@ -61,14 +63,14 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
   std::vector<std::size_t> missing;
   std::vector<std::vector<double>> points;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    ready[i] = recall(count_ + i, candidates[i]);
+    ready[i] = recall(count_ + i, candidates[i], conditions.engine);
     if (ready[i]) continue;
     missing.push_back(i);
     points.push_back(candidates[i].x);
   }
   std::size_t taken = 0;
   const auto take_ready = [&] {
-    for (; taken < ready.size() && ready[taken] && !stop_; ++taken) {
+    for (; taken < ready.size() && ready[taken] && (ready[taken]->recalled || !stop_); ++taken) {
       take_in(candidates[taken].phase, *std::exchange(ready[taken], std::nullopt));
     }
   };

@@ -34,6 +34,10 @@ class Evaluator {
   /// the search now asks for.
   bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
+  /// True once the run was asked to stop and nothing is left to recall: a run that goes on comes at least to
+  /// where it was before.
+  bool stopped() const { return stop_ && !recalls(count_); }
+
   /// False once the study's max_minutes are over. A run that goes on takes them to be over where they were
   /// before, and counts its minutes on.
   bool time_left();
@@ -42,7 +46,8 @@ class Evaluator {
   bool next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,
                     const TakeIn& take_in);
   double seconds() const;
-  std::optional<Evaluation> recall(std::uint64_t number, const Candidate& candidate) const;
+  bool recalls(std::uint64_t number) const { return journal_ != nullptr && journal_->find(number); }
+  std::optional<Evaluation> recall(std::uint64_t number, const Candidate& candidate, Engine engine) const;
 
   const Study& study_;
   Workers& workers_;

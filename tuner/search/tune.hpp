@@ -32,8 +32,10 @@ struct TuneCallbacks {
 
 struct TuneResult {
   Evaluation start;
-  std::optional<Evaluation> best_of_sweep;
-  Evaluation best;  ///< of Simbody's; feasible if any feasible point was seen
+  std::optional<Evaluation> best_of_sweep;  ///< as Simbody sees it
+  /// Feasible if any feasible point was seen. Simbody's, but for an interrupted run that searched in another
+  /// engine: see its `engine`.
+  Evaluation best;
   long evaluations = 0;
   bool interrupted = false;
   std::string reason;  ///< why the search ended

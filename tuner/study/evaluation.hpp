@@ -20,6 +20,7 @@ struct Evaluation {
   bool feasible = false;
   std::string status;                  ///< "completed", or what went wrong first
   std::vector<RolloutResult> results;  ///< one per scenario
+  Engine engine = Engine::kSimbody;    ///< that gave the results
   double seconds = 0.0;                ///< wall time of the run when it was finished
   bool recalled = false;               ///< from the journal of a run that goes on
 };

@@ -21,6 +21,7 @@ std::optional<std::vector<Evaluation>> simulate_points(
   for (std::size_t i = 0; i < points.size(); ++i) {
     evaluations[i].x = points[i];
     evaluations[i].gains = study.space.gains_at(points[i]);
+    evaluations[i].engine = conditions.engine;
     gains.push_back(evaluations[i].gains);
   }
   const bool whole = workers

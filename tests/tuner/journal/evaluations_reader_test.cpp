@@ -55,7 +55,7 @@ TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
   EXPECT_EQ(read_evaluations(torn, study_).size(), 2U) << "killed while it wrote the third row";
   const std::string cut = files_.write("cut.csv", text.substr(0, text.rfind(',')) + "\n");
   EXPECT_THAT(test::refusal([&] { read_evaluations(cut, study_); }), HasSubstr("cut.csv:4: "));
-  text.replace(text.find("\n0,search,1,") + 10, 1, "x");
+  text.replace(text.find("\n0,search,simbody,1,") + 18, 1, "x");
   const std::string wrong = files_.write("wrong.csv", text);
   EXPECT_THAT(test::refusal([&] { read_evaluations(wrong, study_); }),
               HasSubstr("wrong.csv:2: 'x' in column objective is no finite number"));

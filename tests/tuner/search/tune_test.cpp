@@ -84,8 +84,9 @@ TEST(Tune, JournalsEveryEvaluationAndKeepsTheBestOfThem) {
       EXPECT_NE(tuned.evaluations[i].x, tuned.evaluations[j].x) << "no point is simulated twice";
     }
   }
-  EXPECT_THAT(tuned.journal, testing::StartsWith("evaluation,phase,objective,feasible,violation,status,"
-                                                 "task_space_gains_p/rx,slerpDurationErrorGain,"));
+  EXPECT_THAT(tuned.journal,
+              testing::StartsWith("evaluation,phase,engine,objective,feasible,violation,status,"
+                                  "task_space_gains_p/rx,slerpDurationErrorGain,"));
 }
 
 TEST(Tune, TheBestIsFeasibleIfAnyPointWas) {

@@ -1,0 +1,64 @@
+#include "tuner/cli/tune_help.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/control/gain_fields.hpp"
+#include "sim/metrics/metric.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "tuner/search/solver.hpp"
+#include "tuner/study/hopeless.hpp"
+
+namespace armtune::cli {
+
+std::string tune_help() {
+  std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
+                                 fmt::join(bundled_names("studies"), " "));
+  for (const AlgorithmInfo& a : algorithms()) {
+    text += fmt::format("  {:<12} {}, {}{}{}{}\n", a.name, a.local ? "local" : "global", a.meaning,
+                        a.takes_constraints ? "; takes constraints" : "",
+                        a.uses_differences ? "; uses differences, evaluated in parallel" : "",
+                        a.draws_random_numbers ? "; draws random numbers" : "");
+  }
+  text +=
+      "Around those that do not take constraints an augmented Lagrangian or a penalty is put "
+      "(search/constraints).\n"
+      "Also in search: global and global_share (another algorithm first, for that part of the evaluations), "
+      "starts\n"
+      "(several local searches at once), differences (forward, central) and difference_step; engine: native "
+      "searches\n"
+      "in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and "
+      "leaves\n"
+      "verify_share of the evaluations to Simbody, whose figures alone are reported. warm_start: from, "
+      "parameters, box,\n"
+      "step, as the options above.\n";
+  text += "\nGains (study file, parameters; * tuned by default):\n";
+  for (const GainField& field : gain_fields()) {
+    if (!field.is_number()) continue;
+    text += fmt::format("{} {:<30} {}{}\n", field.search != SearchRange::kNone ? "*" : " ", field.name,
+                        field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
+  }
+  text += "\nMetrics (study file, objective and constraints):\n";
+  for (const MetricField& field : metric_fields()) {
+    text += fmt::format("  {:<34} {} [{}]\n", field.name, field.meaning, field.unit);
+  }
+  text +=
+      "\nA rollout of the search ends where a constraint is broken beyond repair (study file, "
+      "constraints/hopeless:\n"
+      "auto, never, or a value beyond the limit). By default that is twice the limit of "
+      "joint_velocity/max_ratio and\n"
+      "0.1 rad beyond that of joint_position/min_margin, never for others; a value can be given for at_most "
+      "of\n"
+      " ";
+  for (const Metric m : all_metrics()) {
+    if (can_be_hopeless(m, true)) text += fmt::format(" {}", name(m));
+  }
+  text += "\nand for at_least of\n ";
+  for (const Metric m : all_metrics()) {
+    if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
+  }
+  text += "\n";
+  return text;
+}
+
+}  // namespace armtune::cli
