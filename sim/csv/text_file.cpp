@@ -45,6 +45,15 @@ void write_text_file(const std::string& path, std::string_view text) {
   const bool synced = ::fsync(file) == 0;
   if (::close(file) != 0 || !synced) give_up(partial, partial, "write it");
   if (std::rename(partial.c_str(), path.c_str()) != 0) give_up(partial, path, "replace it");
+  sync_folder_of(path);
+}
+
+void sync_folder_of(const std::string& path) {
+  const std::string parent = std::filesystem::path(path).parent_path().string();
+  const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  ::fsync(folder);
+  ::close(folder);
 }
 
 void make_folder(const std::string& path) {

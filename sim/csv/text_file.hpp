@@ -12,4 +12,8 @@ void write_text_file(const std::string& path, std::string_view text);
 /// Makes the folder and its parents. Throws InputError with path and reason.
 void make_folder(const std::string& path);
 
+/// Hands the folder's entries to the disk, so that a file made or renamed in it is there after a power cut.
+/// Where the file system cannot do that, nothing happens.
+void sync_folder_of(const std::string& path);
+
 }  // namespace armtune

@@ -61,6 +61,7 @@ void run_and_kill(const std::vector<std::string>& arguments, const std::string& 
 void expect_same_run(const std::string& a, const std::string& b, const std::vector<std::string>& files) {
   EXPECT_EQ(without_time(a + "/evaluations.csv"), without_time(b + "/evaluations.csv"));
   for (const std::string& file : files) {
+    EXPECT_NE(test::read_text(a + "/" + file), "") << file;
     EXPECT_EQ(test::read_text(a + "/" + file), test::read_text(b + "/" + file)) << file;
   }
 }
@@ -93,6 +94,82 @@ TEST(Resume, ATuningKilledAgainAndAgainEndsAsIfItHadNotBeen) {
   EXPECT_EQ(test::read_text(files / "killed/run.yaml"), before);
 }
 
+const std::string kNativeSearch =
+    "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 2]}]\n"
+    "search: {algorithm: COBYLA, max_evaluations: 24, seed: 1, engine: native, verify_share: 0.4}\n";
+
+TEST(Resume, ANativeSearchKilledInItsLastStepsEndsAsIfItHadNotBeen) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         kNativeSearch);
+  ASSERT_EQ(run_program({"tune", files.path(), "--no-analysis", "--out", files / "whole"}).exit_code, 0);
+  run_and_kill({"tune", files.path(), "--no-analysis", "--out", files / "killed"},
+               files / "killed/journal.txt", 19);
+  EXPECT_THAT(test::read_text(files / "killed/journal.txt"), HasSubstr("\tverify\t")) << "in its last steps";
+  ASSERT_EQ(run_program({"tune", "--resume", files / "killed"}).exit_code, 0);
+  expect_same_run(files / "whole", files / "killed", {"gains.yaml", "errors.csv", "study.yaml"});
+  EXPECT_EQ(finished_in(files / "killed/journal.txt"), lines_of(files / "whole/evaluations.csv") - 1);
+}
+
+TEST(Resume, AnInterruptedNativeSearchLeavesSimbodysFigures) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         kNativeSearch);
+  const test::TemporaryFolder folder;
+  Program program({"tune", files.path(), "--no-analysis", "--out", files / "run"}, folder.path());
+  while (program.running() && finished_in(files / "run/journal.txt") < 6) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  program.interrupt();
+  const Finished ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(test::read_text(files / "run/gains.yaml"), testing::Not(HasSubstr("not yet judged")));
+  ASSERT_EQ(run_program({"simulate", files / "short.yaml", files / "short_realistic.yaml", "--gains",
+                         files / "run/gains.yaml", "--out", files / "again"})
+                .exit_code,
+            0);
+  EXPECT_EQ(test::read_text(files / "run/errors.csv"), test::read_text(files / "again/errors.csv"));
+}
+
+// What was recorded is recalled first, whenever the signal comes: files never hold less than before.
+TEST(Resume, AnInterruptWhileItRecallsLosesNothing) {
+  const ShortStudy files;
+  run_and_kill({"tune", files.path(), "--no-analysis", "--out", files / "run"}, files / "run/journal.txt", 8);
+  const std::size_t finished = finished_in(files / "run/journal.txt");
+  const test::TemporaryFolder folder;
+  for (const int wait : {0, 10, 20, 30, 40, 60}) {
+    Program program({"tune", "--resume", files / "run", "--workers", "1"}, folder.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+    program.interrupt();
+    const Finished ended = program.wait();
+    // Before the program listens to signals one ends it, and nothing was touched.
+    EXPECT_THAT(ended.exit_code, testing::AnyOf(130, -1)) << ended.err;
+    if (ended.exit_code == 130) {
+      EXPECT_GE(lines_of(files / "run/evaluations.csv"), finished + 1) << wait;
+    }
+  }
+  ASSERT_EQ(run_program({"tune", files.path(), "--no-analysis", "--out", files / "whole"}).exit_code, 0);
+  ASSERT_EQ(run_program({"tune", "--resume", files / "run"}).exit_code, 0);
+  expect_same_run(files / "whole", files / "run", {"gains.yaml", "errors.csv"});
+}
+
+TEST(Resume, AWarmStartIsThereFromTheFirstMoment) {
+  const ShortStudy files;
+  std::string warm = test::read_text(files / "gains.yaml");
+  const std::string own = "slerpDurationErrorGain: 2.5";
+  ASSERT_NE(warm.find(own), std::string::npos);
+  warm.replace(warm.find(own), own.size(), "slerpDurationErrorGain: 2.2");
+  files.write("warm.yaml", warm);
+  const auto with = [&files](const std::string& folder) {
+    return std::vector<std::string>{
+        "tune", files.path(), "--no-analysis", "--warm-start", files / "warm.yaml", "--out", folder};
+  };
+  ASSERT_EQ(run_program(with(files / "whole")).exit_code, 0);
+  run_and_kill(with(files / "killed"), files / "killed/journal.txt", 1);
+  fs::remove(files / "warm.yaml");
+  const Finished ended = run_program({"tune", "--resume", files / "killed"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  expect_same_run(files / "whole", files / "killed", {"gains.yaml", "errors.csv", "start/warm_gains.yaml"});
+}
+
 TEST(Resume, AFrontKilledEndsAsIfItHadNotBeen) {
   const ShortStudy files;
   const std::vector<std::string> begin = {"pareto", files.path(), "--levels", "2", "--max-evaluations", "24"};
@@ -104,7 +181,7 @@ TEST(Resume, AFrontKilledEndsAsIfItHadNotBeen) {
   ASSERT_EQ(run_program(with(files / "whole")).exit_code, 0);
   run_and_kill(with(files / "killed"), files / "killed/journal.txt", 9);
   ASSERT_EQ(run_program({"pareto", "--resume", files / "killed"}).exit_code, 0);
-  expect_same_run(files / "whole", files / "killed", {"pareto.csv", "study.yaml", "points/001.yaml"});
+  expect_same_run(files / "whole", files / "killed", {"pareto.csv", "study.yaml", "points/01.yaml"});
 }
 
 TEST(Resume, SamplesOfAKilledRunAreNotDrawnAgain) {

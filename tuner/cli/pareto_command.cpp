@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 
 #include "core/common/error.hpp"
@@ -74,6 +75,9 @@ void write_front(const Study& study, const ParetoOptions& options, const ParetoR
                                    value(c, result.start.e, study.scenarios)));
     }
     write_text_file(folder + "/" + point_file(i), gains_yaml(p.e.gains, header));
+  }
+  // Those of a longer front that was written before.
+  for (std::size_t i = result.front.size(); std::filesystem::remove(folder + "/" + point_file(i)); ++i) {
   }
 }
 
@@ -150,31 +154,31 @@ int run(Arguments args, Team& team) {
                           left, p.phase));
   };
   ParetoResult result;
+  bool verified = false;
   try {
     result = pareto(study, options, workers, stop_requested(), callbacks, journal.get());
+    if (evaluations) evaluations->finish();
+    line.clear();
+    // First as the search saw it: whatever becomes of the rest, the front is there.
+    if (!result.front.empty()) write_front(study, options, result, args.folder);
+    if (result.failure) std::rethrow_exception(result.failure);
+    if (result.evaluations > 0 && !result.interrupted) {
+      line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
+      Workers fresh(team.crew(), study.robust);
+      verified = verify(study, *objective, options, result, fresh, stop_requested());
+      line.clear();
+    }
+    if (result.evaluations > 0) write_front(study, options, result, args.folder);
   } catch (...) {
     if (!resumed && !objective) discard_run(args.folder);
     if (objective) tell_how_to_go_on("pareto", args.folder);
     throw;
-  }
-  if (evaluations) evaluations->finish();
-  line.clear();
-  if (result.failure) {
-    if (!result.front.empty()) write_front(study, options, result, args.folder);
-    std::rethrow_exception(result.failure);
   }
   if (result.evaluations == 0) {
     if (!resumed) discard_run(args.folder);
     fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
     return kInterrupted;
   }
-  // First as the search saw it: whatever becomes of the rest, the front is there.
-  write_front(study, options, result, args.folder);
-  line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
-  Workers fresh(team.crew(), study.robust);
-  const bool verified =
-      !result.interrupted && verify(study, *objective, options, result, fresh, stop_requested());
-  line.clear();
   write_text_file(
       args.folder + "/columns.csv",
       columns_csv({{"pareto.csv", pareto_columns(study, options)},
@@ -200,8 +204,10 @@ int run(Arguments args, Team& team) {
   fmt::print("{}", pareto_table(study, options, result));
   fmt::print(
       "{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, run.yaml\n",
-      verified ? "every point was simulated again, with the same figures"
-               : "interrupted: the points were not simulated again",
+      !verified ? "interrupted: the points were not simulated again"
+      : study.engine == Engine::kSimbody
+          ? "every point was simulated again, with the same figures"
+          : "every point was simulated again, by simbody: these are its figures",
       args.folder, seconds());
   if (!verified) {
     fmt::print("to go on: {} pareto --resume {}\n", program_name(), args.folder);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include <CLI/CLI.hpp>
 
 #include "core/common/error.hpp"
@@ -60,8 +62,12 @@ void warn_of_clamped(const Study& study) {
 std::string write_warm(const Study& study, const std::string& folder) {
   if (!study.warm) return {};
   std::string file = kWarmGains;
+  const std::string path = folder + "/" + file;
+  std::error_code none;
+  // A resumed run reads them from there: they keep the word on where they came from.
+  if (std::filesystem::equivalent(path, study.warm->source, none)) return file;
   make_folder(folder + "/start");
-  write_text_file(folder + "/" + file,
+  write_text_file(path,
                   gains_yaml(study.warm->gains, {"warm start, from " + shown_path(study.warm->source)}));
   return file;
 }

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "core/common/error.hpp"
+#include "sim/csv/text_file.hpp"
 
 namespace armtune {
 namespace {
@@ -58,6 +59,7 @@ AppendFile::AppendFile(const std::string& path, Open open, double patience)
     ::close(file_);
     throw InputError(fmt::format("{}: another process is writing it; wait for that run or stop it", path));
   }
+  if (open == Open::kNew) sync_folder_of(path);
 }
 
 AppendFile::~AppendFile() {
@@ -94,6 +96,7 @@ void AppendFile::truncate(long size) {
 void AppendFile::publish() {
   if (published_) return;
   if (std::rename(partial(path_).c_str(), path_.c_str()) != 0) fail("replace");
+  sync_folder_of(path_);
   published_ = true;
 }
 

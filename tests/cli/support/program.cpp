@@ -22,6 +22,7 @@ std::string unique_path(const char* stream) {
 
 /// In the child: only calls that are safe between fork and exec.
 [[noreturn]] void become(char* const* arguments, const char* folder, const char* out, const char* err) {
+  ::signal(SIGINT, SIG_DFL);  // a shell's background jobs ignore it, and hand that on
   const int out_file = ::open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err_file = ::open(err, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (::chdir(folder) == 0 && ::dup2(out_file, STDOUT_FILENO) >= 0 && ::dup2(err_file, STDERR_FILENO) >= 0) {
