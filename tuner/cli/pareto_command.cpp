@@ -247,7 +247,12 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
-      "The study's constraints hold for every point. The front ends where a criterion cannot fall further "
+      "The study's constraints hold for every point. Of its search, algorithm, constraints, steps, engine "
+      "and "
+      "seed are "
+      "taken; sweep, starts, global and verify_share are tune's. The points of the front are simulated again "
+      "at "
+      "the end, beyond the evaluations allowed. The front ends where a criterion cannot fall further "
       "without "
       "another one being worse than with the start gains.\n\nExample:\n  armtune pareto ur10_gaze --criteria "
       "gaze/rms joint_velocity/max_ratio effort_rate/rms --levels 5\n");

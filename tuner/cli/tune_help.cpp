@@ -21,17 +21,13 @@ std::string tune_help() {
                         a.draws_random_numbers ? "; draws random numbers" : "");
   }
   text +=
-      "Around those that do not take constraints an augmented Lagrangian or a penalty is put "
-      "(search/constraints).\n"
-      "Also in search: global and global_share (another algorithm first, for that part of the evaluations), "
-      "starts\n"
-      "(several local searches at once), differences (forward, central) and difference_step; engine: native "
-      "searches\n"
-      "in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and "
-      "leaves\n"
-      "verify_share of the evaluations to Simbody, whose figures alone are reported. warm_start: from, "
-      "parameters, box,\n"
-      "step, as the options above.\n";
+      R"(Around those that do not take constraints an augmented Lagrangian or a penalty is put (search/constraints).
+Also in search: global and global_share (another algorithm first, for that part of the evaluations), starts
+(several local searches at once), differences (forward, central) and difference_step; engine: native searches
+in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and leaves
+verify_share of the evaluations to Simbody, whose figures alone are reported (it sees the best few also where
+max_minutes are over). warm_start: from, parameters, box, step, as the options above.
+)";
   text += "\nGains (study file, parameters; * tuned by default):\n";
   for (const GainField& field : gain_fields()) {
     if (!field.is_number()) continue;
@@ -42,14 +38,11 @@ std::string tune_help() {
   for (const MetricField& field : metric_fields()) {
     text += fmt::format("  {:<34} {} [{}]\n", field.name, field.meaning, field.unit);
   }
-  text +=
-      "\nA rollout of the search ends where a constraint is broken beyond repair (study file, "
-      "constraints/hopeless:\n"
-      "auto, never, or a value beyond the limit). By default that is twice the limit of "
-      "joint_velocity/max_ratio and\n"
-      "0.1 rad beyond that of joint_position/min_margin, never for others; a value can be given for at_most "
-      "of\n"
-      " ";
+  text += R"(
+A rollout of the search ends where a constraint is broken beyond repair (study file, constraints/hopeless: auto,
+never, or a value beyond the limit). By default that is twice the limit of joint_velocity/max_ratio and 0.1 rad
+beyond that of joint_position/min_margin, never for others; a value can be given for at_most of
+ )";
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, true)) text += fmt::format(" {}", name(m));
   }

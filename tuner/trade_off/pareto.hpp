@@ -66,7 +66,7 @@ struct ParetoCallbacks {
   /// Once, when the start gains were simulated.
   std::function<void(const Objective&)> begin;
   /// For every evaluation, in order, those recalled from a journal too; one call at a time, from any thread.
-  /// `phase`: start, anchor or level.
+  /// `phase`: start, warm, anchor, level or gradient.
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const ParetoProgress&)> progress;
 };
