@@ -8,8 +8,8 @@ namespace armtune {
 /// Velocity at which tanh takes over from sign [rad/s, m/s].
 inline constexpr double kCoulombVelocity = 0.05;
 
-/// Direction of Coulomb friction at velocity qd: tanh(q' / 0.05). From one exponential, to 1e-16 of 1: a
-/// third of the library's tanh, which keeps the last digit of the smallest results too.
+/// Direction of Coulomb friction at velocity qd: tanh(q' / 0.05). From one exponential, exact to 1e-16: the
+/// library's tanh takes three times as long to keep the relative accuracy of results near zero as well.
 template <typename T>
 T coulomb_direction(const T& qd) {
   using std::exp;

@@ -9,7 +9,6 @@ template <typename T>
 struct Symmetric3T {
   T xx, xy, xz, yy, yz, zz;
 
-  static Symmetric3T diagonal(const T& value) { return {value, T(0), T(0), value, T(0), value}; }
   /// Of a full matrix that is symmetric: its upper half is read.
   static Symmetric3T of(const Mat3T<T>& S) { return {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)}; }
 
