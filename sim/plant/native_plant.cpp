@@ -2,32 +2,15 @@
 
 #include "core/common/error.hpp"
 #include "core/robot/forward_dynamics.hpp"
-#include "sim/plant/plant.hpp"
+#include "sim/plant/stepped_plant.hpp"
 
 namespace armtune {
 namespace {
 
-class NativePlant final : public Plant {
+class NativePlant final : public SteppedPlant {
  public:
-  NativePlant(const RobotModel& model, Stepper stepper) : chain_(model.chain), stepper_(stepper) {
-    set_state(JointVector::Zero(chain_.n), JointVector::Zero(chain_.n));
-  }
-
-  void set_state(const JointVector& q, const JointVector& qd) override {
-    q_ = q;
-    qd_ = qd;
-  }
-  const JointVector& q() const override { return q_; }
-  const JointVector& qd() const override { return qd_; }
-
-  void step(const JointVector& torque, double dt) override {
-    integrate(
-        stepper_, dt,
-        [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
-          accelerations(q, qd, torque, qdd);
-        },
-        q_, qd_, work_);
-  }
+  NativePlant(const RobotModel& model, Stepper stepper)
+      : SteppedPlant(model.n(), stepper), chain_(model.chain) {}
 
   void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
                      JointVector& qdd) override {
@@ -37,11 +20,8 @@ class NativePlant final : public Plant {
 
  private:
   Chain chain_;
-  Stepper stepper_;
   Poses poses_;
   ForwardDynamics dynamics_;
-  JointVector q_, qd_;
-  StepWorkspace work_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "core/common/error.hpp"
 #include "core/robot/dynamics.hpp"
-#include "sim/plant/plant.hpp"
+#include "sim/plant/stepped_plant.hpp"
 
 namespace armtune {
 namespace {
@@ -96,34 +96,17 @@ class RotorInertia {
 };
 
 /// Accelerations from Simbody's realization, stepped by our own rules: the fastest correct use of it.
-class SimbodyPlant final : public Plant {
+class SimbodyPlant final : public SteppedPlant {
  public:
   SimbodyPlant(const RobotModel& model, Stepper stepper)
-      : chain_(model.chain),
-        stepper_(stepper),
+      : SteppedPlant(model.n(), stepper),
+        chain_(model.chain),
         tree_(chain_),
         joint_torque_(tree_.forces(), tree_.matter()),
         rotor_(chain_),
         torque_vector_(chain_.n, 0.0) {
     state_ = tree_.system().realizeTopology();
     tree_.system().realizeModel(state_);
-    set_state(JointVector::Zero(chain_.n), JointVector::Zero(chain_.n));
-  }
-
-  void set_state(const JointVector& q, const JointVector& qd) override {
-    q_ = q;
-    qd_ = qd;
-  }
-  const JointVector& q() const override { return q_; }
-  const JointVector& qd() const override { return qd_; }
-
-  void step(const JointVector& torque, double dt) override {
-    integrate(
-        stepper_, dt,
-        [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
-          accelerations(q, qd, torque, qdd);
-        },
-        q_, qd_, work_);
   }
 
   void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
@@ -146,14 +129,12 @@ class SimbodyPlant final : public Plant {
 
  private:
   Chain chain_;
-  Stepper stepper_;
   Tree tree_;
   SimTK::Force::DiscreteForces joint_torque_;
   RotorInertia rotor_;
   SimTK::State state_;
   SimTK::Vector torque_vector_;
-  JointVector q_, qd_, net_;
-  StepWorkspace work_;
+  JointVector net_;
 };
 
 /// Joint torque, friction and the rotors' share -D q'' as a force element, so that Simbody's own integrators
