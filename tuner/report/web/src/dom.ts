@@ -44,6 +44,13 @@ function append(parent: Element, children: Child[]): void {
   }
 }
 
+/** The text, with leave to break after every / and _. */
+export function breakable(text: string): HTMLElement {
+  const made = element("span");
+  for (const part of text.match(/[^/_]+[/_]*|[/_]+/g) ?? []) made.append(part, element("wbr"));
+  return made;
+}
+
 /** A button that stays in or out; `changed` hears what it is now. */
 export function toggle(
   label: string,

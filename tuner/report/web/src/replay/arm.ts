@@ -94,8 +94,11 @@ export class Arm {
       color: ORANGE,
       roughness: 0.9,
       transparent: true,
-      opacity: 0.28,
-      depthWrite: false,
+      opacity: 0.4,
+      // Where it is as good as inside the arm it stays behind it.
+      polygonOffset: true,
+      polygonOffsetFactor: 2,
+      polygonOffsetUnits: 40,
     });
   }
 }

@@ -45,6 +45,17 @@ export class Recording {
     return errors[Math.floor(0.98 * (errors.length - 1))] ?? 0;
   }
 
+  /** When a joint came closest to its velocity limit. */
+  peakTime(): number {
+    let [largest, at] = [-1, 0];
+    for (const column of this.ratios) {
+      column.forEach((ratio, i) => {
+        if (ratio > largest) [largest, at] = [ratio, i];
+      });
+    }
+    return at * this.dt;
+  }
+
   private pointAt(columns: Float64Array[], time: number): Vec3 | null {
     const [x, y, z] = columns.map((column) => sampleAt(column, this.dt, time));
     if (x === undefined || y === undefined || z === undefined || Number.isNaN(x + y + z)) return null;

@@ -113,6 +113,11 @@ export class Replay {
     this.state.textContent = stateAt(this.run, this.scenario, time);
   }
 
+  private toPeak(): void {
+    this.playhead.pause();
+    this.playhead.seek(this.recording?.peakTime() ?? 0);
+  }
+
   private controls(): HTMLElement {
     const { playhead } = this;
     const play = element("button", { type: "button", class: "play", onclick: () => playhead.toggle() });
@@ -155,6 +160,11 @@ export class Replay {
         this.ghostShown = shown;
         this.stage?.showGhost(shown);
       });
+    const peak = element(
+      "button",
+      { type: "button", title: "When a joint was closest to its velocity limit", onclick: () => this.toPeak() },
+      "Peak",
+    );
     const view = element("button", { type: "button", onclick: () => this.stage?.viewer.reset() }, "Reset view");
     const save = () => {
       if (this.stage === null) return;
@@ -170,6 +180,7 @@ export class Replay {
         speed,
         trail,
         ghost,
+        peak,
         view,
         saveButtons("3D replay", [{ label: "PNG", save }]),
         this.state,
@@ -189,7 +200,7 @@ export class Replay {
       item("path", "desired path"),
       item("target", "target and line of sight"),
       item("gaze", "tool’s z axis"),
-      this.scenario.runs.length > 1 && item("ghost", "start (ghost)"),
+      this.scenario.runs.length > 1 && item("ghost", `${this.data.sets[0] ?? ""} (ghost)`),
       this.scenario.obstacles.length > 0 && item("obstacle", "obstacle and its influence"),
       item("hot", "joint above 80 % of its velocity limit"),
     );

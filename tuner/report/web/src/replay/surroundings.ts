@@ -1,8 +1,6 @@
 // What stands around the arm: floor, desired path, target with the lines to it, obstacles.
 import {
-  Color,
   CylinderGeometry,
-  DoubleSide,
   GridHelper,
   Group,
   Mesh,
@@ -15,8 +13,9 @@ import {
   Vector3,
 } from "three";
 import type { Scenario, Vec3 } from "../data";
-import { GREEN, PURPLE, SKY, VERMILLION } from "../palette";
+import { GREEN, PURPLE, VERMILLION } from "../palette";
 import { cssColor } from "../theme";
+import { shellMaterial } from "./shell";
 import { tube } from "./tube";
 
 /** A thin rod that can be laid between any two points. */
@@ -43,6 +42,7 @@ export class Surroundings {
   private readonly gaze: Rod;
   private readonly obstacles: Group[];
   private floor: GridHelper | null = null;
+  private pathMaterial: MeshBasicMaterial | null = null;
 
   constructor(
     scenario: Scenario,
@@ -68,6 +68,7 @@ export class Surroundings {
     this.floor.rotation.x = Math.PI / 2;
     this.floor.position.z = -0.002;
     this.group.add(this.floor);
+    this.pathMaterial?.color.set(cssColor("ink-2"));
   }
 
   /** Tool's point and the direction of its z axis in the base. */
@@ -90,8 +91,9 @@ export class Surroundings {
     const points = scenario.path.map((p) => new Vector3(...p));
     const first = points[0];
     if (first !== undefined) points.push(first);
-    const colour = new Color(SKY);
-    return tube(points, points.map(() => [colour.r, colour.g, colour.b]), 0.0022 * this.reach);
+    const path = tube(points, points.map(() => [1, 1, 1]), 0.0022 * this.reach);
+    this.pathMaterial = path.material as MeshBasicMaterial;
+    return path;
   }
 
   private obstacle(body: number | null, influence: number): Group {
@@ -109,14 +111,7 @@ export class Surroundings {
       );
     group.add(ball(0.012 * this.reach, 1));
     if (body !== null && body > 0) group.add(ball(body, 0.45));
-    if (influence > 0) {
-      group.add(ball(influence, 0.09));
-      const wire = new Mesh(
-        new SphereGeometry(influence, 18, 10),
-        new MeshBasicMaterial({ color: VERMILLION, wireframe: true, transparent: true, opacity: 0.1, side: DoubleSide, depthWrite: false }),
-      );
-      group.add(wire);
-    }
+    if (influence > 0) group.add(new Mesh(new SphereGeometry(influence, 48, 32), shellMaterial(VERMILLION)));
     return group;
   }
 }

@@ -17,7 +17,7 @@ function chartOf(front: Front, xAxis: number, yAxis: number, told: HTMLElement):
   const series: ChartSeries[] = [
     { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7 },
     { label: "front", colour: () => onPage(BLUE), values: plain(true), marks: 9 },
-    { label: "start (published)", colour: () => onPage(ORANGE), values: only((point) => point.role === "start"), marks: 14 },
+    { label: "start", colour: () => onPage(ORANGE), values: only((point) => point.role === "start"), marks: 14 },
     { label: "chosen", colour: () => onPage(VERMILLION), values: only((point) => point.role === "chosen"), marks: 14 },
   ];
   const name = (i: number) => {

@@ -1,6 +1,6 @@
 // How much delay, gain, noise and the like each set stands.
 import type { Margin, ReportData } from "../data";
-import { element } from "../dom";
+import { breakable, element } from "../dom";
 import { formatNumber, withUnit } from "../format";
 import { section, type Section } from "./section";
 
@@ -13,13 +13,13 @@ function table(margins: Margin[], sets: string[], withScenario: boolean): HTMLEl
     const line = element(
       "tr",
       {},
-      element("th", { scope: "row" }, element("span", { class: "metric" }, margin.margin), element("span", { class: "unit" }, withUnit("", margin.unit).trim())),
+      element("th", { scope: "row" }, breakable(margin.margin), element("span", { class: "unit" }, withUnit("", margin.unit).trim())),
     );
-    if (withScenario) line.append(element("td", {}, margin.scenario));
+    if (withScenario) line.append(element("td", {}, breakable(margin.scenario)));
     sets.forEach((_, set) => {
       const reason = margin.reason[set] ?? "";
       line.append(
-        element("td", {}, element("b", {}, formatNumber(margin.values[set])), reason !== "" && element("span", { class: "aside" }, reason)),
+        element("td", {}, element("b", {}, formatNumber(margin.values[set])), reason !== "" && element("span", { class: "aside" }, breakable(reason))),
       );
     });
     body.append(line);

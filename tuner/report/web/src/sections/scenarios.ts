@@ -9,6 +9,9 @@ import { Replay } from "../replay/replay";
 import { onTheme } from "../theme";
 import { section, type Section } from "./section";
 
+/** Portion of a run. */
+const FIRST_LOOK = 0.4;
+
 class Panel {
   readonly root: HTMLElement;
   readonly playhead: Playhead;
@@ -25,6 +28,8 @@ class Panel {
   ) {
     this.root = element("div", { role: "tabpanel", id, "aria-labelledby": tab, class: "panel", hidden: true });
     this.playhead = new Playhead(scenario.duration);
+    // The arm at work: where a run begins, it only unfolds.
+    this.playhead.seek(FIRST_LOOK * scenario.duration);
     const sets = scenario.runs.map((run) => run.set);
     this.shown = new Set([sets[0] ?? 0, sets[sets.length - 1] ?? 0]);
     onTheme(() => this.replay?.setTheme());
@@ -116,22 +121,29 @@ class Panel {
   }
 }
 
+function inWindow(place: Element): boolean {
+  const box = place.getBoundingClientRect();
+  return box.bottom > 0 && box.top < innerHeight;
+}
+
 /** Keys that work wherever nothing else wants them. */
-function steerByKeys(current: () => Playhead): void {
+function steerByKeys(current: () => Panel | undefined): void {
   const steps: Record<string, number> = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 };
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
+    const panel = current();
+    if (panel === undefined || !inWindow(panel.root)) return;
+    const { playhead } = panel;
     const target = event.target instanceof Element ? event.target : document.body;
     const slider = target.matches("input.scrub");
     if (event.key === " ") {
       if (target.matches("button, select, summary, a, input:not(.scrub), textarea")) return;
-      current().toggle();
+      playhead.toggle();
     } else {
       const inReplay = slider || target.matches(".stage canvas, .plot");
       const step = steps[event.key];
       if (step === undefined || target.matches("select, input:not(.scrub), textarea, [role=tab], .scroll")) return;
       if (event.key.startsWith("Page") && !inReplay) return;
-      const playhead = current();
       playhead.pause();
       playhead.seek(playhead.time + step);
     }
@@ -172,7 +184,7 @@ export function scenariosSection(data: ReportData): Section | null {
   });
   tabs.append(...buttons);
   open(0);
-  steerByKeys(() => panels[current]?.playhead ?? new Playhead(0));
+  steerByKeys(() => panels[current]);
   return section(
     "replay",
     "Replay and plots",

@@ -1,6 +1,6 @@
 // Before and after, scenario by scenario.
 import type { MetricRow, ReportData, Table } from "../data";
-import { element } from "../dom";
+import { breakable, element } from "../dom";
 import { changeOf, formatNumber, formatRatio, ratioOf, withUnit, type Change } from "../format";
 import { section, type Section } from "./section";
 
@@ -56,7 +56,7 @@ function tableOf(table: Table, sets: string[]): HTMLElement {
       element(
         "th",
         { scope: "row", title: row.meaning },
-        element("span", { class: "metric" }, row.metric.replace(/\//g, "/\u200b")),
+        breakable(row.metric),
         element("span", { class: "unit" }, withUnit("", row.unit).trim()),
       ),
     );
