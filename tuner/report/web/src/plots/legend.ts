@@ -1,0 +1,20 @@
+// A legend whose entries show and hide what they name.
+import { element, toggle } from "../dom";
+import type { ChartSeries } from "./chart";
+
+export function legendOf(series: ChartSeries[], show: (index: number, shown: boolean) => void): HTMLElement {
+  const legend = element("div", { class: "legend", role: "group", "aria-label": "Legend" });
+  series.forEach((one, i) => {
+    if (one.values.every((value) => value === null || value === undefined)) return;
+    const button = toggle("", true, (on) => {
+      one.shown = on;
+      show(i, on);
+    });
+    button.className = "entry";
+    const swatch = element("span", { class: one.marks === undefined ? "swatch" : "swatch round" });
+    swatch.style.setProperty("--colour", one.colour());
+    button.append(swatch, one.label);
+    legend.append(button);
+  });
+  return legend;
+}
