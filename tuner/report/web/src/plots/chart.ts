@@ -110,6 +110,13 @@ export class Chart {
     this.placeLine();
   }
 
+  private zoomed(): void {
+    const [from, to] = this.range();
+    this.root.dataset["from"] = formatNumber(from);
+    this.root.dataset["to"] = formatNumber(to);
+    this.onZoom?.(from, to);
+  }
+
   private placeLine(): void {
     const [min, max] = this.range();
     const shown = this.playhead !== null && this.playhead >= min && this.playhead <= max;
@@ -190,7 +197,7 @@ export class Chart {
         draw: [(u) => this.drawLines(u), () => this.placeLine()],
         setScale: [
           (_u, key) => {
-            if (key === "x") this.onZoom?.(...this.range());
+            if (key === "x") this.zoomed();
           },
         ],
       },
