@@ -58,6 +58,7 @@ export class Replay {
   }
 
   setRun(run: Run): void {
+    if (run === this.run && this.recording !== null) return;
     this.run = run;
     this.recording = new Recording(run);
     this.strip.replaceChildren(stateStrip(run, this.scenario));
@@ -169,7 +170,7 @@ export class Replay {
     const peak = element(
       "button",
       { type: "button", title: "When a joint was closest to its velocity limit", onclick: () => this.toPeak() },
-      "Peak",
+      "Closest to limit",
     );
     const view = element("button", { type: "button", onclick: () => this.stage?.viewer.reset() }, "Reset view");
     const save = () => {
