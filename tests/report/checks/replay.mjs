@@ -72,6 +72,11 @@ export async function checkReplay({ page, expect, pictures }) {
   await page.mouse.up();
   await settle(page);
   expect((await pictures.difference(unturned, await page.locator(STAGE).screenshot())) > 0.02, "the mouse turns the view");
+  const mouse = await page.locator(STAGE).screenshot();
+  await page.locator(STAGE).focus();
+  for (let i = 0; i < 4; ++i) await page.keyboard.press("Shift+ArrowLeft");
+  await settle(page);
+  expect((await pictures.difference(mouse, await page.locator(STAGE).screenshot())) > 0.02, "and so do Shift and arrows");
 }
 
 /** Range of the time axis from its first and last label. */
@@ -99,6 +104,15 @@ export async function checkPlots({ page, expect, pictures }) {
   await page.mouse.dblclick(box.x + 0.5 * box.width, box.y + 30);
   await settle(page);
   expect((await zoomRange(page, 0)) === full[0] && (await zoomRange(page, 1)) === full[1], "a double click shows all again");
+
+  await page.locator(PLOT).first().focus();
+  await page.keyboard.press("+");
+  await settle(page);
+  const keyed = [await zoomRange(page, 0), await zoomRange(page, 1)];
+  expect(keyed[0] !== full[0] && keyed[0] === keyed[1], "plus zooms a plot that has the focus, and all others");
+  await page.keyboard.press("0");
+  await settle(page);
+  expect((await zoomRange(page, 0)) === full[0], "zero shows all again");
 
   const plot = page.locator(PLOT).first();
   const shown = await plot.locator(".canvas").screenshot();

@@ -12,6 +12,7 @@ import { Chart, type Band, type ChartSeries } from "./chart";
 import type { Figure } from "./figures";
 import { indexAt } from "./index_at";
 import { largestSize, scaleUnit } from "./scale_unit";
+import { swatch } from "./swatch";
 
 interface Trace {
   run: Run;
@@ -124,12 +125,11 @@ export class TimePlot {
       else this.hidden.add(i);
       this.refresh();
     });
-    const swatch = element("span", { class: name.startsWith("desired/") ? "swatch dotted" : "swatch" });
-    swatch.style.setProperty("--colour", colourOf(name, i));
+    const patch = swatch(() => colourOf(name, i), name.startsWith("desired/") ? "dotted" : "");
     const reading = element("span", { class: "reading" });
     this.readings.push(reading);
     button.className = "entry";
-    button.append(swatch, element("span", {}, this.label(name)), reading);
+    button.append(patch, element("span", {}, this.label(name)), reading);
     return button;
   }
 
