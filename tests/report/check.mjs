@@ -5,10 +5,11 @@ import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { findBrowser, launch, openPage, settle } from "./browser.mjs";
 import { checkDrawn } from "./checks/drawn.mjs";
-import { checkInert, dataOf } from "./checks/inert.mjs";
+import { checkInert } from "./checks/inert.mjs";
 import { checkKeyboard } from "./checks/keyboard.mjs";
 import { checkPhone, checkThemes, firstPaint, takeScreenshots } from "./checks/looks.mjs";
-import { checkPlots, checkReplay } from "./checks/replay.mjs";
+import { checkArm, checkPlots, checkReplay } from "./checks/replay.mjs";
+import { dataOf } from "./checks/variant.mjs";
 import { Pictures } from "./pictures.mjs";
 
 const PAINT_GOAL_MS = 1500;
@@ -69,6 +70,7 @@ async function checkReport(browser, file, out, quiet) {
     expect(requests[0] === address && own.length === 0, `no request but the file itself${own.length ? `: ${own[0]}` : ""}`);
     expect(complaints.length === 0, `the console stays empty${complaints.length ? `: ${complaints[0]}` : ""}`);
     await context.close();
+    await part("arm", () => checkArm(all));
     await part("phone", () => checkPhone(all));
     await part("markup", () => checkInert(all));
     await part("without WebGL", () => withoutWebGl(address, expect));

@@ -1,20 +1,10 @@
 // Names are data: the same report with markup in every name shows it and runs none of it.
-import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { pathToFileURL } from "node:url";
 import { openPage, settle, walkThrough } from "../browser.mjs";
+import { dataOf, variant } from "./variant.mjs";
 
 const SCRIPT = "<script>window.ran=1;alert(1)</script>";
 const IMAGE = "<img src=x onerror=\"window.ran=1;alert(1)\">";
 const CLOSING = "</script><script>window.ran=1</script><!--";
-const DATA = /(<script id="report-data" type="application\/json">)([\s\S]*?)(<\/script>)/;
-
-export function dataOf(file) {
-  const found = DATA.exec(readFileSync(file, "utf8"));
-  if (found === null) throw new Error(`${file}: no report data in it`);
-  return JSON.parse(found[2]);
-}
-
 function withMarkup(data) {
   const changed = structuredClone(data);
   const joints = new Map(changed.robot.joints.map((joint, i) => [joint.name, `${i % 2 === 0 ? SCRIPT : IMAGE}${i}`]));
@@ -47,10 +37,8 @@ function withMarkup(data) {
 
 export async function checkInert({ browser, file, folder, expect }) {
   const data = withMarkup(dataOf(file));
-  const json = JSON.stringify(data).replaceAll("<", "\\u003c");
-  const changed = join(folder, "markup.html");
-  writeFileSync(changed, readFileSync(file, "utf8").replace(DATA, (_, open, __, close) => open + json + close));
-  const { page, context, requests, complaints, dialogs } = await openPage(browser, pathToFileURL(changed).href);
+  const address = variant(file, data, folder, "markup.html");
+  const { page, context, requests, complaints, dialogs } = await openPage(browser, address);
   await walkThrough(page);
   for (let i = 0; i < (await page.locator("[role=tab]").count()); ++i) {
     await page.locator(`#tab-${i}`).click();

@@ -1,5 +1,6 @@
 // The replay moves the arm; its time and the plots' are one.
-import { bringIntoView, settle } from "../browser.mjs";
+import { bringIntoView, openPage, settle } from "../browser.mjs";
+import { variant } from "./variant.mjs";
 
 const CLOCK = ".panel:not([hidden]) .clock";
 const STAGE = ".panel:not([hidden]) .stage canvas";
@@ -44,7 +45,7 @@ export async function checkReplay({ page, expect, pictures }) {
   const duration = await page.evaluate(() => Number(document.querySelector(".panel:not([hidden]) .scrub").max));
   // The plots' axis may end a bucket before the run does.
   expect(Math.abs(expected - duration) < 0.02 * duration, `the plots' cursor follows it (${lineEarly.toFixed(0)} to ${lineLate.toFixed(0)} px)`);
-  expect((await pictures.difference(first, await page.locator(STAGE).screenshot())) > 0.002, "and so does the arm");
+  expect((await pictures.difference(first, await page.locator(STAGE).screenshot())) > 0.002, "and so does the picture");
 
   await page.mouse.move(box.x + 0.3 * box.width, box.y + box.height / 2);
   await settle(page);
@@ -60,7 +61,7 @@ export async function checkReplay({ page, expect, pictures }) {
   await settle(page);
   const stopped = await seconds(page);
   const moved = await pictures.difference(before, await page.locator(STAGE).screenshot());
-  expect(moved > 0.001, `and moves the arm (${(100 * moved).toFixed(2)} % of the pixels)`);
+  expect(moved > 0.001, `and moves the picture (${(100 * moved).toFixed(2)} % of the pixels)`);
   await settle(page, 300);
   expect((await seconds(page)) === stopped, "pause holds it");
 
@@ -134,4 +135,31 @@ export async function checkPlots({ page, expect, pictures }) {
     const png = content.subarray(1, 4).toString() === "PNG";
     expect(png && (await pictures.drawn(content)) > 0.01, `${name} is saved as PNG (${download.suggestedFilename()})`);
   }
+}
+
+/** A report in which nothing but the arm can move: no target, no obstacles, a tool path of one point. */
+export async function checkArm({ browser, file, folder, data, expect, pictures }) {
+  const bare = structuredClone(data);
+  for (const scenario of bare.scenarios) {
+    scenario.obstacles = [];
+    scenario.runs = scenario.runs.slice(-1);
+    for (const { replay } of scenario.runs) {
+      replay.target = [];
+      replay.obstacles = [];
+      for (const series of replay.tool) series.hi = series.lo;
+    }
+  }
+  if (bare.scenarios.every((scenario) => scenario.runs.length === 0)) return;
+  const { page, context } = await openPage(browser, variant(file, bare, folder, "arm.html"));
+  await bringIntoView(page, "#replay");
+  await settle(page, 600);
+  const before = await page.locator(STAGE).screenshot();
+  const started = await seconds(page);
+  await page.locator(".panel:not([hidden]) .play").click();
+  await passes(page, started + 0.5);
+  await page.locator(".panel:not([hidden]) .play").click();
+  await settle(page);
+  const moved = await pictures.difference(before, await page.locator(STAGE).screenshot());
+  expect(moved > 0.001, `play moves the arm itself (${(100 * moved).toFixed(2)} % of the pixels, all else at rest)`);
+  await context.close();
 }

@@ -31,7 +31,7 @@ export interface MetricRow {
 export interface Table {
   scenario: string;
   rows: MetricRow[];
-  /** One per set: "completed", "diverged" ... */
+  /** One per set: "completed", "diverged" ..., empty where there is none. */
   status: string[];
 }
 

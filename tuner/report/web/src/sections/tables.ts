@@ -65,7 +65,7 @@ function tableOf(table: Table, sets: string[]): HTMLElement {
     body.append(line);
   }
   const bad = table.status
-    .map((status, set) => (status === "completed" ? "" : `${sets[set] ?? ""}: ${status}`))
+    .map((status, set) => (status === "completed" || status === "" ? "" : `${sets[set] ?? ""}: ${status}`))
     .filter((text) => text !== "");
   return element(
     "article",
