@@ -31,7 +31,7 @@ export interface MetricRow {
 export interface Table {
   scenario: string;
   rows: MetricRow[];
-  /** One per set: "completed", "diverged" ... */
+  /** One per set: "completed", "diverged" ..., empty where there is none. */
   status: string[];
 }
 
@@ -108,7 +108,7 @@ export interface Replay {
   tool: Series[];
   /** Norm of the position error, m; no value where the state tracks no position. */
   error: Series;
-  /** Per joint, |velocity| over its limit. */
+  /** Per joint, |velocity| over its limit: the largest within dt / 2 of the sample, so that no peak is missed. */
   velocity_ratio: Series[];
 }
 

@@ -20,9 +20,17 @@ function trimZeros(text: string): string {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
-/** "1" is the unit of pure numbers and is not written. */
+const RAISED: Record<string, string> = { "-": "⁻", "1": "¹", "2": "²", "3": "³", "4": "⁴" };
+
+/** Powers raised: m/s^2 as m/s². "1", the unit of pure numbers, is not written. */
+export function formatUnit(unit: string): string {
+  if (unit === "1") return "";
+  return unit.replace(/\^(-?[1-4])(?!\d)/g, (_, power: string) => [...power].map((c) => RAISED[c] ?? c).join(""));
+}
+
 export function withUnit(text: string, unit: string): string {
-  return unit === "" || unit === "1" ? text : `${text} ${unit}`;
+  const shown = formatUnit(unit);
+  return shown === "" ? text : `${text} ${shown}`;
 }
 
 export function formatValue(value: number | null | undefined, unit: string): string {

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { changeOf, fileName, formatNumber, formatRatio, formatValue, ratioOf, shortName } from "../src/format";
+import { changeOf, fileName, formatNumber, formatRatio, formatUnit, formatValue, ratioOf, shortName } from "../src/format";
 
 test("a number reads back within its digits", () => {
   for (const value of [0.001909, 0.7662, 5134.2, 1.856, 12, 1e-7, 4.2e9, 123456, -0.3, -7e-9]) {
@@ -27,6 +27,12 @@ test("the unit of a pure number is not written", () => {
   assert.equal(formatValue(2, "1"), "2");
   assert.equal(formatValue(2, "rad/s"), "2 rad/s");
   assert.equal(formatValue(null, "rad/s"), "–");
+});
+
+test("powers in units are raised", () => {
+  assert.equal(formatUnit("1/s^2"), "1/s²");
+  assert.equal(formatUnit("kg m^-1"), "kg m⁻¹");
+  assert.equal(formatUnit("1"), "");
 });
 
 test("a ratio exists where it means something", () => {

@@ -105,9 +105,28 @@ export class Chart {
     return [(x[0] ?? 0) - pad, (x[x.length - 1] ?? 1) + pad];
   }
 
+  /** Around the playhead where it is in view. */
+  zoomBy(factor: number): void {
+    const [min, max] = this.range();
+    const [low, high] = this.fullRange();
+    const middle = this.playhead !== null && this.playhead >= min && this.playhead <= max ? this.playhead : (min + max) / 2;
+    this.setRange(Math.max(low, middle - (middle - min) * factor), Math.min(high, middle + (max - middle) * factor));
+  }
+
+  showAll(): void {
+    this.setRange(...this.fullRange());
+  }
+
   setPlayhead(x: number): void {
     this.playhead = x;
     this.placeLine();
+  }
+
+  private zoomed(): void {
+    const [from, to] = this.range();
+    this.root.dataset["from"] = formatNumber(from);
+    this.root.dataset["to"] = formatNumber(to);
+    this.onZoom?.(from, to);
   }
 
   private placeLine(): void {
@@ -119,14 +138,9 @@ export class Chart {
 
   private zoomByKey(event: KeyboardEvent): void {
     if (event.target !== this.root || event.ctrlKey || event.metaKey || event.altKey) return;
-    const [min, max] = this.range();
-    const [low, high] = this.fullRange();
-    const middle = this.playhead !== null && this.playhead >= min && this.playhead <= max ? this.playhead : (min + max) / 2;
-    const zoom = (factor: number) =>
-      this.setRange(Math.max(low, middle - (middle - min) * factor), Math.min(high, middle + (max - middle) * factor));
-    if (event.key === "+" || event.key === "=") zoom(0.5);
-    else if (event.key === "-") zoom(2);
-    else if (event.key === "0" || event.key === "Escape") this.setRange(low, high);
+    if (event.key === "+" || event.key === "=") this.zoomBy(0.5);
+    else if (event.key === "-") this.zoomBy(2);
+    else if (event.key === "0" || event.key === "Escape") this.showAll();
     else return;
     event.preventDefault();
   }
@@ -190,7 +204,7 @@ export class Chart {
         draw: [(u) => this.drawLines(u), () => this.placeLine()],
         setScale: [
           (_u, key) => {
-            if (key === "x") this.onZoom?.(...this.range());
+            if (key === "x") this.zoomed();
           },
         ],
       },

@@ -20,8 +20,8 @@ export const FIGURES: Figure[] = [
   { group: "linear_velocity_error", title: "Linear velocity error", axis: "error", fromZero: false, lines: none },
   { group: "angular_velocity_error", title: "Angular velocity error", axis: "error", fromZero: false, lines: none },
   { group: "gaze", title: "Gaze angle to the target", axis: "angle", fromZero: true, lines: none },
-  { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "|q′| / limit", fromZero: true, lines: limit },
-  { group: "torque_ratio", title: "Joint torques over their limits", axis: "|τ| / limit", fromZero: true, lines: limit },
+  { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "velocity / limit", fromZero: true, lines: limit },
+  { group: "torque_ratio", title: "Joint torques over their limits", axis: "torque / limit", fromZero: true, lines: limit },
   { group: "theta", title: "Distance of theta’s torque from the true one", axis: "torque", fromZero: true, lines: none },
   {
     group: "clearance",

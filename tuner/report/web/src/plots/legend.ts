@@ -1,6 +1,7 @@
 // A legend whose entries show and hide what they name.
 import { element, toggle } from "../dom";
 import type { ChartSeries } from "./chart";
+import { swatch } from "./swatch";
 
 export function legendOf(series: ChartSeries[], show: (index: number, shown: boolean) => void): HTMLElement {
   const legend = element("div", { class: "legend", role: "group", "aria-label": "Legend" });
@@ -11,9 +12,7 @@ export function legendOf(series: ChartSeries[], show: (index: number, shown: boo
       show(i, on);
     });
     button.className = "entry";
-    const swatch = element("span", { class: one.marks === undefined ? "swatch" : "swatch round" });
-    swatch.style.setProperty("--colour", one.colour());
-    button.append(swatch, one.label);
+    button.append(swatch(one.colour, one.marks === undefined ? "" : "round"), one.label);
     legend.append(button);
   });
   return legend;

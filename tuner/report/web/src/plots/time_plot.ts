@@ -3,7 +3,7 @@ import type { Column, Run, Scenario } from "../data";
 import { decodeSeries } from "../decode";
 import { element, toggle } from "../dom";
 import type { LegendEntry } from "../export";
-import { fileName, formatNumber, shortName, withUnit } from "../format";
+import { fileName, formatNumber, formatUnit, shortName } from "../format";
 import { watchVisible } from "../lazy";
 import { axisColour, seriesColour } from "../palette";
 import type { Playhead } from "../playhead";
@@ -12,6 +12,7 @@ import { Chart, type Band, type ChartSeries } from "./chart";
 import type { Figure } from "./figures";
 import { indexAt } from "./index_at";
 import { largestSize, scaleUnit } from "./scale_unit";
+import { swatch } from "./swatch";
 
 interface Trace {
   run: Run;
@@ -75,7 +76,7 @@ export class TimePlot {
         title: figure.title,
         file: fileName(scenario.name, figure.group),
         xLabel: "time [s]",
-        yLabel: scaled.unit === "1" ? figure.axis : `${figure.axis} [${scaled.unit}]`,
+        yLabel: `${figure.axis} [${formatUnit(scaled.unit) || "1"}]`,
         height: 190,
         x: this.x,
         series: this.traces.map((trace, i) => ({
@@ -124,12 +125,11 @@ export class TimePlot {
       else this.hidden.add(i);
       this.refresh();
     });
-    const swatch = element("span", { class: name.startsWith("desired/") ? "swatch dotted" : "swatch" });
-    swatch.style.setProperty("--colour", colourOf(name, i));
+    const patch = swatch(() => colourOf(name, i), name.startsWith("desired/") ? "dotted" : "");
     const reading = element("span", { class: "reading" });
     this.readings.push(reading);
     button.className = "entry";
-    button.append(swatch, element("span", {}, this.label(name)), reading);
+    button.append(patch, element("span", {}, this.label(name)), reading);
     return button;
   }
 
@@ -170,7 +170,7 @@ export class TimePlot {
     return this.traces
       .filter((trace) => this.shows(trace))
       .map((trace) => ({
-        label: withUnit(`${this.label(trace.column.name)}, ${this.sets[trace.run.set] ?? ""}`, ""),
+        label: `${this.label(trace.column.name)}, ${this.sets[trace.run.set] ?? ""}`,
         colour: colourOf(trace.column.name, trace.name),
         faint: trace.run.set === 0 && this.scenario.runs.length > 1,
       }));

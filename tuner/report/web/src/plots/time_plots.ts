@@ -52,6 +52,13 @@ export class TimePlots {
     for (const plot of this.plots) plot.refresh();
   }
 
+  /** For fingers, which have no drag to spare; null: all. */
+  zoomBy(factor: number | null): void {
+    const [first] = this.plots;
+    if (factor === null) first?.chart.showAll();
+    else first?.chart.zoomBy(factor);
+  }
+
   private zoomAll(by: TimePlot, from: number, to: number): void {
     this.zoom = [from, to];
     for (const plot of this.plots) if (plot !== by) plot.chart.setRange(from, to);

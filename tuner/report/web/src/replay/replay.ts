@@ -3,6 +3,7 @@ import type { ReportData, Run, Scenario } from "../data";
 import { element, toggle } from "../dom";
 import { savePng, saveButtons } from "../export";
 import { fileName, formatTime, formatValue } from "../format";
+import { watchVisible } from "../lazy";
 import { rampGradient } from "../palette";
 import type { Playhead } from "../playhead";
 import { Meters } from "./meters";
@@ -24,6 +25,7 @@ export class Replay {
   private ghostShown = true;
   private trailLength = 10;
   private alive = false;
+  private visible = true;
   private recording: Recording | null = null;
 
   constructor(
@@ -41,6 +43,10 @@ export class Replay {
       element("div", { class: "below" }, this.meters.root, this.key()),
     );
     new ResizeObserver(() => this.resize()).observe(this.place);
+    watchVisible(this.place, (visible) => {
+      this.visible = visible;
+      this.follow(this.playhead.time);
+    });
     playhead.onTime((time) => this.follow(time));
     this.setRun(run);
   }
@@ -52,6 +58,7 @@ export class Replay {
   }
 
   setRun(run: Run): void {
+    if (run === this.run && this.recording !== null) return;
     this.run = run;
     this.recording = new Recording(run);
     this.strip.replaceChildren(stateStrip(run, this.scenario));
@@ -108,7 +115,7 @@ export class Replay {
   }
 
   private follow(time: number): void {
-    this.stage?.show(time);
+    if (this.visible) this.stage?.show(time);
     if (this.recording !== null) this.meters.show(this.recording.ratiosAt(time));
     this.state.textContent = stateAt(this.run, this.scenario, time);
   }
@@ -163,7 +170,7 @@ export class Replay {
     const peak = element(
       "button",
       { type: "button", title: "When a joint was closest to its velocity limit", onclick: () => this.toPeak() },
-      "Peak",
+      "Closest to limit",
     );
     const view = element("button", { type: "button", onclick: () => this.stage?.viewer.reset() }, "Reset view");
     const save = () => {

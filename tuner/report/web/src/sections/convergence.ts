@@ -16,7 +16,7 @@ function chartOf(evaluations: Evaluations): HTMLElement {
   const { objective, feasible, start, chosen } = evaluations;
   const only = (keep: (i: number) => boolean) => objective.map((value, i) => (value !== null && keep(i) ? value : null));
   const series: ChartSeries[] = [
-    { label: "not feasible", colour: () => withAlpha("#888888", 0.55), values: only((i) => feasible[i] !== true), marks: 5 },
+    { label: "not feasible", colour: () => withAlpha("#888888", 0.85), values: only((i) => feasible[i] !== true), marks: 5 },
     { label: "feasible", colour: () => onPage(BLUE), values: only((i) => feasible[i] === true), marks: 6 },
     { label: "best feasible so far", colour: () => onPage(GREEN), values: bestSoFar(objective, feasible), width: 2, stepped: true },
     { label: "start", colour: () => onPage(ORANGE), values: only((i) => i === start), marks: 12 },

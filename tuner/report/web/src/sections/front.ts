@@ -1,7 +1,7 @@
 // The trade-off front, two criteria at a time.
 import type { Front, ReportData } from "../data";
 import { element } from "../dom";
-import { formatNumber, formatValue, withUnit } from "../format";
+import { formatNumber, formatValue, formatUnit } from "../format";
 import { whenVisible } from "../lazy";
 import { BLUE, onPage, ORANGE, VERMILLION, withAlpha } from "../palette";
 import { Chart, type ChartSeries } from "../plots/chart";
@@ -22,7 +22,7 @@ function chartOf(front: Front, xAxis: number, yAxis: number, told: HTMLElement):
   ];
   const name = (i: number) => {
     const criterion = front.criteria[i];
-    return criterion === undefined ? "" : `${criterion.name} [${criterion.unit}]`;
+    return criterion === undefined ? "" : `${criterion.name} [${formatUnit(criterion.unit) || "1"}]`;
   };
   const span = (x[x.length - 1] ?? 1) - (x[0] ?? 0);
   const chart: Chart = new Chart(
@@ -59,7 +59,7 @@ function chartOf(front: Front, xAxis: number, yAxis: number, told: HTMLElement):
 
 function pointTable(front: Front): HTMLElement {
   const head = element("tr", {}, element("th", { scope: "col" }, "point"));
-  for (const one of front.criteria) head.append(element("th", { scope: "col", class: "number" }, `${one.name} ${withUnit("", one.unit).trim()}`));
+  for (const one of front.criteria) head.append(element("th", { scope: "col", class: "number" }, `${one.name} ${formatUnit(one.unit)}`));
   const body = element("tbody");
   for (const point of front.points) {
     const role = point.role === "point" ? "" : ` (${point.role})`;

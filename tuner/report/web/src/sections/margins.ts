@@ -1,7 +1,7 @@
 // How much delay, gain, noise and the like each set stands.
 import type { Margin, ReportData } from "../data";
 import { breakable, element } from "../dom";
-import { formatNumber, withUnit } from "../format";
+import { formatNumber, formatUnit } from "../format";
 import { section, type Section } from "./section";
 
 function table(margins: Margin[], sets: string[], withScenario: boolean): HTMLElement {
@@ -13,7 +13,7 @@ function table(margins: Margin[], sets: string[], withScenario: boolean): HTMLEl
     const line = element(
       "tr",
       {},
-      element("th", { scope: "row" }, breakable(margin.margin), element("span", { class: "unit" }, withUnit("", margin.unit).trim())),
+      element("th", { scope: "row" }, breakable(margin.margin), element("span", { class: "unit" }, formatUnit(margin.unit))),
     );
     if (withScenario) line.append(element("td", {}, breakable(margin.scenario)));
     sets.forEach((_, set) => {

@@ -1,7 +1,7 @@
 // One gain set on many arms: yield, spread of the metrics, the worst arms.
 import type { Histogram, ReportData } from "../data";
 import { element, svg } from "../dom";
-import { fileName, formatNumber, formatPercent, formatValue } from "../format";
+import { fileName, formatNumber, formatPercent, formatUnit, formatValue } from "../format";
 import { drawing, label } from "../plots/drawing";
 import { ticks } from "../plots/ticks";
 import { section, type Section } from "./section";
@@ -17,7 +17,7 @@ function histogram(one: Histogram): HTMLElement {
     title,
     file: fileName("robustness", one.scenario, one.metric),
     draw: (into, width) => {
-      const [left, right, top, bottom] = [40, width - 14, 22, 150];
+      const [left, right, top, bottom] = [40, width - 14, 34, 160];
       const room = 0.03 * (high - low || 1);
       const x = (value: number) => left + ((value - low + room) / (high - low + 2 * room)) * (right - left);
       const y = (count: number) => bottom - (count / most) * (bottom - top);
@@ -52,7 +52,7 @@ function histogram(one: Histogram): HTMLElement {
       mark(one.nominal, "nominal", "nominal", 1);
       into.append(
         svg("line", { x1: left, x2: right, y1: bottom, y2: bottom, class: "rail" }),
-        label((left + right) / 2, bottom + 33, one.unit === "1" ? "ratio [1]" : `[${one.unit}]`, "middle", "faint"),
+        label((left + right) / 2, bottom + 33, one.unit === "1" ? "ratio [1]" : `[${formatUnit(one.unit)}]`, "middle", "faint"),
         label(4, 13, "arms", "start", "faint"),
       );
       return bottom + 40;

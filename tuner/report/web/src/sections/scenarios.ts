@@ -105,6 +105,8 @@ class Panel {
       mark.style.background = colour;
       bands.append(element("li", {}, mark, name));
     };
+    const zoom = (label: string, words: string, factor: number | null) =>
+      element("button", { type: "button", "aria-label": words, onclick: () => this.plots?.zoomBy(factor) }, label);
     const used = new Set(this.scenario.runs.flatMap((run) => run.states.map((change) => change.state)));
     this.scenario.states.forEach((name, i) => {
       const colour = stateColour(name);
@@ -116,7 +118,8 @@ class Panel {
       { class: "plots-key" },
       sets,
       bands,
-      element("p", { class: "note" }, "Drag: zoom. Double click: all. Pointer: time."),
+      element("span", { class: "zoom", role: "group", "aria-label": "Zoom of the time axis" }, zoom("−", "Zoom out", 2), zoom("+", "Zoom in", 0.5), zoom("All", "Show the whole run", null)),
+      element("p", { class: "note" }, "Drag to zoom, double click for all; the pointer moves the time."),
     );
   }
 }

@@ -1,7 +1,7 @@
 // Before and after, scenario by scenario.
 import type { MetricRow, ReportData, Table } from "../data";
 import { breakable, element } from "../dom";
-import { changeOf, formatNumber, formatRatio, ratioOf, withUnit, type Change } from "../format";
+import { changeOf, formatNumber, formatRatio, ratioOf, formatUnit, type Change } from "../format";
 import { section, type Section } from "./section";
 
 const MARKS: Record<Change, { mark: string; words: string }> = {
@@ -57,7 +57,7 @@ function tableOf(table: Table, sets: string[]): HTMLElement {
         "th",
         { scope: "row", title: row.meaning },
         breakable(row.metric),
-        element("span", { class: "unit" }, withUnit("", row.unit).trim()),
+        element("span", { class: "unit" }, formatUnit(row.unit)),
       ),
     );
     sets.forEach((_, set) => line.append(valueCell(row, set)));
@@ -65,7 +65,7 @@ function tableOf(table: Table, sets: string[]): HTMLElement {
     body.append(line);
   }
   const bad = table.status
-    .map((status, set) => (status === "completed" ? "" : `${sets[set] ?? ""}: ${status}`))
+    .map((status, set) => (status === "completed" || status === "" ? "" : `${sets[set] ?? ""}: ${status}`))
     .filter((text) => text !== "");
   return element(
     "article",
