@@ -44,10 +44,10 @@ function append(parent: Element, children: Child[]): void {
   }
 }
 
-/** The text, with leave to break after every / and _. */
+/** The text, with leave to break after every /, _ and point. */
 export function breakable(text: string): HTMLElement {
   const made = element("span");
-  for (const part of text.match(/[^/_]+[/_]*|[/_]+/g) ?? []) made.append(part, element("wbr"));
+  for (const part of text.match(/[^/_.]+[/_.]*|[/_.]+/g) ?? []) made.append(part, element("wbr"));
   return made;
 }
 

@@ -38,7 +38,7 @@ export class Replay {
     this.root = element(
       "div",
       { class: "replay" },
-      this.place,
+      element("div", { class: "stage-frame" }, this.place, this.state),
       this.controls(),
       element("div", { class: "below" }, this.meters.root, this.key()),
     );
@@ -190,7 +190,6 @@ export class Replay {
         peak,
         view,
         saveButtons("3D replay", [{ label: "PNG", save }]),
-        this.state,
       ),
     );
   }

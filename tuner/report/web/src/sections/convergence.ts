@@ -25,7 +25,8 @@ function chartOf(evaluations: Evaluations): HTMLElement {
   const values = objective.filter((value): value is number => value !== null);
   const runs = phaseRuns(evaluations);
   const bands = (): Band[] =>
-    runs.filter((_, i) => i % 2 === 1).map((run) => ({ from: run.from - 0.5, to: run.to + 0.5, colour: withAlpha("#888888", 0.12) }));
+    // Every other phase; of two, the first is the start alone and needs none.
+    runs.filter((_, i) => runs.length > 2 && i % 2 === 1).map((run) => ({ from: run.from - 0.5, to: run.to + 0.5, colour: withAlpha("#888888", 0.12) }));
   const chart: Chart = new Chart(
     {
       title: "Objective of every evaluation",

@@ -8,7 +8,12 @@ import { Chart, type ChartSeries } from "../plots/chart";
 import { legendOf } from "../plots/legend";
 import { section, type Section } from "./section";
 
-function chartOf(front: Front, xAxis: number, yAxis: number, told: HTMLElement): Chart {
+interface Names {
+  heading: string;
+  points: string;
+}
+
+function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told: HTMLElement): Chart {
   const points = [...front.points].sort((a, b) => (a.values[xAxis] ?? 0) - (b.values[xAxis] ?? 0));
   const x = points.map((point) => point.values[xAxis] ?? 0);
   const only = (keep: (point: Front["points"][number]) => boolean) =>
@@ -16,7 +21,7 @@ function chartOf(front: Front, xAxis: number, yAxis: number, told: HTMLElement):
   const plain = (feasible: boolean) => only((point) => point.role === "point" && point.feasible === feasible);
   const series: ChartSeries[] = [
     { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7 },
-    { label: "front", colour: () => onPage(BLUE), values: plain(true), marks: 9 },
+    { label: names.points, colour: () => onPage(BLUE), values: plain(true), marks: 9 },
     { label: "start", colour: () => onPage(ORANGE), values: only((point) => point.role === "start"), marks: 14 },
     { label: "chosen", colour: () => onPage(VERMILLION), values: only((point) => point.role === "chosen"), marks: 14 },
   ];
@@ -27,7 +32,7 @@ function chartOf(front: Front, xAxis: number, yAxis: number, told: HTMLElement):
   const span = (x[x.length - 1] ?? 1) - (x[0] ?? 0);
   const chart: Chart = new Chart(
     {
-      title: "Trade-off front",
+      title: names.heading,
       file: "front",
       xLabel: name(xAxis),
       yLabel: name(yAxis),
@@ -70,7 +75,7 @@ function pointTable(front: Front): HTMLElement {
   return element(
     "details",
     {},
-    element("summary", {}, `All ${front.points.length} points`),
+    element("summary", {}, "All points as a table"),
     element("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Points of the front" }, element("table", {}, element("thead", {}, head), body)),
   );
 }
@@ -80,8 +85,13 @@ export function frontSection(data: ReportData): Section | null {
   if (front === undefined || front.criteria.length < 2 || front.points.length === 0) return null;
   const place = element("div", { class: "plot-place tall" });
   const told = element("p", { class: "told", role: "status" }, "Point at a mark to read it.");
+  // A tuning run has no front but all that its search came by.
+  const names: Names =
+    data.kind === "pareto"
+      ? { heading: "Trade-off front", points: "front" }
+      : { heading: "Trade-off among the evaluations", points: "feasible" };
   const axes = [0, 1];
-  const make = () => place.replaceChildren(chartOf(front, axes[0] ?? 0, axes[1] ?? 1, told).root);
+  const make = () => place.replaceChildren(chartOf(front, names, axes[0] ?? 0, axes[1] ?? 1, told).root);
   const choose = (which: number, text: string) => {
     const select = element("select");
     front.criteria.forEach((one, i) => select.append(element("option", { value: i, selected: i === which }, one.name)));
@@ -94,8 +104,8 @@ export function frontSection(data: ReportData): Section | null {
   whenVisible(place, make);
   return section(
     "front",
-    "Front",
-    "Trade-off front",
+    "Trade-off",
+    names.heading,
     front.hypervolume !== null && element("p", { class: "note" }, `Hypervolume ${formatNumber(front.hypervolume)}`),
     front.criteria.length > 2 && element("p", { class: "choose" }, choose(0, "across"), choose(1, "up")),
     place,

@@ -52,14 +52,15 @@ export function gainsSection(data: ReportData): Section | null {
   });
   const item = (kind: string, text: string) =>
     element("li", {}, element("span", { class: `dot ${kind}`, "aria-hidden": true }), text);
+  const several = data.sets.length > 1;
   return section(
     "gains",
     "Gains",
-    "Gains before and after",
+    several ? "Gains before and after" : "Gains",
     element(
       "ul",
       { class: "key" },
-      item("before", data.sets[0] ?? "before"),
+      several && item("before", data.sets[0] ?? "before"),
       item("after", data.sets[data.sets.length - 1] ?? "after"),
       item("bound", "at a bound"),
       element("li", {}, "a rail runs from the lower to the upper bound"),

@@ -1,6 +1,6 @@
 // Where all this comes from, and how to make it again.
 import type { ReportData } from "../data";
-import { element } from "../dom";
+import { breakable, element } from "../dom";
 import { section, type Section } from "./section";
 
 export function provenanceSection(data: ReportData): Section {
@@ -17,7 +17,7 @@ export function provenanceSection(data: ReportData): Section {
   });
   const list = element("dl");
   for (const [name, value] of data.provenance.entries) {
-    list.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
+    list.append(element("div", {}, element("dt", {}, breakable(name)), element("dd", {}, value)));
   }
   return section(
     "provenance",

@@ -3,13 +3,8 @@ import type { ReportData } from "../data";
 import { element } from "../dom";
 import type { Section } from "./section";
 
-const KINDS: Record<ReportData["kind"], string> = {
-  tune: "Tuning run",
-  simulate: "Simulation",
-  pareto: "Trade-off front",
-  robustness: "Robustness",
-  compare: "Comparison",
-};
+/** Characters; a longer sentence is set smaller, so that the numbers below it stay in sight. */
+const LONG = 140;
 
 export function verdictSection(data: ReportData): Section {
   const details = element("ul", { class: "details" });
@@ -17,8 +12,8 @@ export function verdictSection(data: ReportData): Section {
   const root = element(
     "section",
     { id: "verdict", class: "verdict", "aria-labelledby": "verdict-heading" },
-    element("p", { class: "kind" }, `${KINDS[data.kind] ?? data.kind} · ${data.title} · ${data.robot.name}`),
-    element("h1", { id: "verdict-heading" }, data.verdict.sentence),
+    element("p", { class: "kind" }, [data.title, data.robot.name].filter((part) => part !== "").join(" · ")),
+    element("h1", { id: "verdict-heading", class: data.verdict.sentence.length > LONG && "long" }, data.verdict.sentence),
     data.verdict.details.length > 0 && details,
   );
   return { id: "verdict", short: "Verdict", root };
