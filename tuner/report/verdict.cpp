@@ -123,7 +123,9 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
                                           ended.empty() ? "" : "; " + ended));
   }
   add(verdict.details, broken, kMostLines);
-  if (const std::string worse = price(all); !worse.empty()) verdict.details.push_back("The price: " + worse);
+  const std::string worse =
+      price(changes(data.tables, headline_terms(), tuned));  // whether the study asks or not
+  if (!worse.empty()) verdict.details.push_back("The price: " + worse);
   for (const Change& change : all) {
     if (!noticeable(change)) continue;
     verdict.details.push_back(

@@ -148,6 +148,8 @@ TEST(Verdict, OfATunedRunSaysWhatGotBetterAndThatNothingIsViolated) {
       AllOf(HasSubstr("falls by 69 %"), HasSubstr("error/orientation/max falls by 83 %"),
             HasSubstr("wrist comes closest"), HasSubstr("88 %"), HasSubstr("every constraint holds")));
   EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("effort_rate/rms rises by 50 %")));
+  EXPECT_THAT(verdict.details, testing::Contains("The price: obstacle/min_clearance falls by 50 %"))
+      << "though the study does not ask for it";
 }
 
 TEST(Verdict, WithoutAFeasiblePointSaysSoFirstAndNamesTheConstraint) {
