@@ -64,12 +64,12 @@ void add_limbs(const RobotModel& model, Arm& arm) {
   constexpr double kThickness = 0.04;  // of the reach: about that of an industrial arm's wrist
   const double radius = kThickness * reach(model);
   const Chain& chain = model.chain;
-  for (int body = -1; body < chain.n; ++body) {
+  for (int next = 0; next <= chain.n; ++next) {
+    const int body = next - 1;
     const bool has_shape = std::any_of(arm.shapes.begin(), arm.shapes.end(),
                                        [body](const ArmShape& shape) { return shape.joint == body; });
     if (has_shape) continue;
-    const bool last = body + 1 == chain.n;
-    const Vec3 end = last ? chain.p_BT : chain.p_PB0[static_cast<std::size_t>(body + 1)];
+    const Vec3 end = next == chain.n ? chain.p_BT : chain.p_PB0[static_cast<std::size_t>(next)];
     if (body >= 0 || end.norm() > 0.0) arm.shapes.push_back(limb(body, Vec3::Zero(), end, radius));
   }
 }

@@ -21,7 +21,7 @@ std::string shown(const yaml::Node& node) {
 void flatten(const yaml::Node& node, const std::string& path,
              std::vector<std::pair<std::string, std::string>>& entries) {
   for (const auto& [key, value] : node.entries()) {
-    const std::string name = path.empty() ? key : path + "/" + key;
+    const std::string name = path.empty() ? key : fmt::format("{}/{}", path, key);
     if (value.kind() == yaml::Node::Kind::kMap) {
       flatten(value, name, entries);
     } else {

@@ -95,6 +95,18 @@ std::vector<double> picked(const std::vector<double>& values, const std::vector<
   return kept;
 }
 
+/// Largest value of the rows nearest to each of n samples: a peak between two of them is not missed.
+std::vector<double> peaks(const std::vector<double>& values, const std::vector<double>& time, double dt,
+                          std::size_t n) {
+  std::vector<double> largest(n, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t r = 0; r < time.size(); ++r) {
+    const auto nearest = static_cast<std::size_t>(std::max(0L, std::lround((time[r] - time.front()) / dt)));
+    double& peak = largest[std::min(nearest, n - 1)];
+    peak = std::fmax(peak, values[r]);
+  }
+  return largest;
+}
+
 /// x, y, z of a column's vector at the rows.
 std::vector<Series> vector_series(const CsvTable& rollout, const std::string& name,
                                   const std::vector<std::size_t>& rows) {
@@ -139,10 +151,10 @@ Replay replay_of(const CsvTable& rollout, const SceneScenario& scenario, const A
   replay.n = rows.size();
   for (const ArmJoint& joint : arm.joints) {
     const auto column = [&](const char* what) {
-      return quantize(picked(rollout.numbers(rollout.column(joint_column(joint, what))), rows));
+      return rollout.numbers(rollout.column(joint_column(joint, what)));
     };
-    replay.q.push_back(column("position"));
-    replay.velocity_ratio.push_back(column("velocity_ratio"));
+    replay.q.push_back(quantize(picked(column("position"), rows)));
+    replay.velocity_ratio.push_back(quantize(peaks(column("velocity_ratio"), time, replay.dt, replay.n)));
   }
   replay.target = vector_series(rollout, "target/position", rows);
   replay.tool = vector_series(rollout, "tool/position", rows);
