@@ -50,9 +50,10 @@ export async function checkInert({ browser, file, folder, expect }) {
   expect(requests.length === 1, "markup in names asks for nothing");
   expect(complaints.length === 0, `and breaks nothing${complaints.length ? `: ${complaints[0]}` : ""}`);
   expect((await page.textContent("h1")).endsWith(IMAGE), "it is shown as it is, in the verdict");
-  if (data.scenarios.length > 0) {
+  const shown = data.scenarios.filter((scenario) => scenario.runs.length > 0);
+  if (shown.length > 0) {
     expect((await page.textContent(".meters .name")) === `${SCRIPT}0`, "as a joint's name");
-    expect((await page.textContent("#tab-0")) === data.scenarios[0].name, "as a scenario's name");
+    expect((await page.textContent("#tab-0")) === shown[0].name, "as a scenario's name");
   }
   await context.close();
 }

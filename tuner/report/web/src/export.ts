@@ -1,5 +1,5 @@
 // Saving what is drawn. Everything is made in the page; nothing is sent.
-import { element } from "./dom";
+import { element, svg } from "./dom";
 import { cssColor } from "./theme";
 
 function save(content: Blob, name: string): void {
@@ -65,7 +65,7 @@ export function framedCanvas(plot: HTMLCanvasElement, title: string, legend: Leg
   return framed;
 }
 
-/** The drawing with the colours it has now: a file of its own does not know the page's style sheet. */
+/** The drawing with its title, a margin and the colours it has now: a file of its own does not know the page's style sheet. */
 function standalone(drawing: SVGSVGElement): SVGSVGElement {
   const copy = drawing.cloneNode(true) as SVGSVGElement;
   const from = drawing.querySelectorAll("*");
@@ -78,10 +78,15 @@ function standalone(drawing: SVGSVGElement): SVGSVGElement {
     }
     node.removeAttribute("class");
   });
-  const box = drawing.viewBox.baseVal;
+  const { width, height } = drawing.viewBox.baseVal;
+  const [margin, head] = [14, 40];
+  const title = svg("text", { x: 0, y: -16, "font-size": 15, "font-weight": 600, fill: cssColor("ink") });
+  title.textContent = drawing.getAttribute("aria-label");
+  copy.append(title);
+  copy.setAttribute("viewBox", `${-margin} ${-head} ${width + 2 * margin} ${height + head + margin}`);
   copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  copy.setAttribute("width", String(box.width));
-  copy.setAttribute("height", String(box.height));
+  copy.setAttribute("width", String(width + 2 * margin));
+  copy.setAttribute("height", String(height + head + margin));
   copy.setAttribute("style", `background:${cssColor("page")};font-family:system-ui,sans-serif`);
   return copy;
 }
@@ -93,7 +98,7 @@ export function saveSvg(drawing: SVGSVGElement, name: string): void {
 
 export function saveSvgAsPng(drawing: SVGSVGElement, name: string): void {
   const copy = standalone(drawing);
-  const box = drawing.viewBox.baseVal;
+  const box = copy.viewBox.baseVal;
   const scale = Math.max(2, devicePixelRatio);
   const image = new Image();
   image.onload = () => {
