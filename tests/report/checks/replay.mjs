@@ -128,7 +128,7 @@ export async function checkPlots({ page, expect, pictures }) {
     ["a plot", plot.locator(".save").first()],
     ["the 3D picture", page.locator(".panel:not([hidden]) .replay .save")],
   ]) {
-    const [download] = await Promise.all([page.waitForEvent("download", { timeout: 5000 }), where.click()]);
+    const [download] = await Promise.all([page.waitForEvent("download"), where.click()]);
     const chunks = [];
     for await (const chunk of await download.createReadStream()) chunks.push(chunk);
     const content = Buffer.concat(chunks);
