@@ -7,7 +7,7 @@ install(TARGETS armtune_core armtune_sim armtune_tuner armtune_simbody EXPORT ar
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(room core sim tuner)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/armtune
-    FILES_MATCHING PATTERN "*.hpp")
+    FILES_MATCHING PATTERN "*.hpp" PATTERN "web" EXCLUDE)
 endforeach()
 if(ARMTUNE_IDENTIFICATION)
   install(TARGETS armtune_identification EXPORT armtune_identification ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

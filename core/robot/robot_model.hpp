@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/robot/chain.hpp"
+#include "core/robot/shape.hpp"
 
 namespace armtune {
 
@@ -28,6 +29,7 @@ struct RobotModel {
   std::string base_link;
   std::string tip_link;  ///< the link the tool frame is given in
   std::vector<JointInfo> joints;
+  std::vector<Shape> shapes;  ///< of all links, for drawing; may be empty
   Chain chain;
 
   int n() const { return chain.n; }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/common/error.hpp"
+#include "core/robot/urdf_shapes.hpp"
 #include "core/robot/xml_guard.hpp"
 
 namespace armtune {
@@ -128,6 +129,7 @@ class ArmBuilder {
       open.pop_back();
       const Site site = sites_.at(link.name);
       if (site.body >= 0 && link.inertial) add_inertia(link, site);
+      append_shapes(link, site.body, site.R_BL, site.p_BL, model_.shapes);
       for (std::size_t i = 0; i < link.child_joints.size(); ++i) {
         const urdf::Joint& joint = *link.child_joints[i];
         const urdf::Link& child = *link.child_links[i];

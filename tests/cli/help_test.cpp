@@ -44,6 +44,10 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   EXPECT_THAT(help("margins"), AllOf(HasSubstr("control_rate"), HasSubstr("1 % of the control periods"),
                                      HasSubstr("--limit"), HasSubstr("armtune margins extended_tuned")));
   EXPECT_THAT(help("compare"), AllOf(HasSubstr("--scenarios"), HasSubstr("midpoint")));
+  EXPECT_THAT(help("report"), AllOf(HasSubstr("DIR"), HasSubstr("--out"), HasSubstr("report.html")));
+  for (const char* command : {"simulate", "compare", "robustness"}) {
+    EXPECT_THAT(help(command), HasSubstr("report.html")) << command;
+  }
 }
 
 TEST(Help, VersionNamesTheLibraries) {

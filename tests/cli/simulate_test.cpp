@@ -7,6 +7,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/report/report.hpp"
 
 namespace armtune {
 namespace {
@@ -29,9 +30,13 @@ TEST(Simulate, WritesTheFilesItNames) {
                                      "--out", files / "run", "--workers", "1"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.err, "") << "quiet where there is no terminal";
-  EXPECT_THAT(files_in(files / "run"),
-              testing::UnorderedElementsAre("errors.csv", "rollout_short.csv", "columns.csv", "gains.yaml",
-                                            "run.yaml"));
+  std::vector<std::string> expected = {"errors.csv", "rollout_short.csv", "columns.csv",
+                                       "gains.yaml", "run.yaml",          "scene.json"};
+  if (report::available()) expected.emplace_back("report.html");
+  EXPECT_THAT(files_in(files / "run"), testing::UnorderedElementsAreArray(expected));
+  for (const std::string& file : expected) {
+    EXPECT_THAT(done.out, HasSubstr(file == "rollout_short.csv" ? "rollout_<scenario>.csv" : file));
+  }
   const auto errors = test::read_csv(files / "run/errors.csv");
   ASSERT_EQ(errors.rows.size(), 1U);
   EXPECT_EQ(errors.at(0, "scenario"), "short");

@@ -13,6 +13,7 @@
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/report_file.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
@@ -53,6 +54,32 @@ std::vector<Scenario> scenarios_of(const Arguments& args) {
   return cli::scenarios_of(run == args.sets.end() ? std::string() : *run, args.scenarios, {});
 }
 
+/// Below the run's folder: where a set's gains and recordings are.
+std::string recordings_of(const std::string& label) {
+  return "rollouts_" + label;
+}
+
+/// A comparison is whole or nothing.
+void take_away(const std::string& folder, const std::vector<ComparedSet>& sets) {
+  std::error_code ignored;
+  for (const ComparedSet& set : sets) fs::remove_all(folder + "/" + recordings_of(set.name), ignored);
+}
+
+report::Scene scene_of(const std::vector<Scenario>& scenarios, const std::vector<ComparedSet>& sets,
+                       const Arguments& args) {
+  const auto joints = joint_names(*scenarios.front().robot);
+  std::vector<report::SceneSet> shown;
+  shown.reserve(sets.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const std::string below = recordings_of(sets[i].name);
+    write_text_file(args.folder + "/" + below + "/gains.yaml",
+                    gains_yaml(load_gains(gains_name(args.sets[i]), joints), {"from " + sets[i].name}));
+    shown.push_back({sets[i].name, below, "errors_" + sets[i].name + ".csv"});
+  }
+  return report::scene_of(scenarios, std::move(shown),
+                          load_gains(gains_name(args.sets.front()), joints).obstacleInfluenceRadius);
+}
+
 int run(const Arguments& args) {
   const auto scenarios = scenarios_of(args);
   for (const std::string& set : args.sets) {
@@ -69,6 +96,10 @@ int run(const Arguments& args) {
     options.progress = [&](std::size_t done) {
       line.show(fmt::format("{}: {} of {} scenarios", label, done, scenarios.size()));
     };
+    if (!args.folder.empty()) {
+      options.folder = args.folder + "/" + recordings_of(label);
+      make_folder(options.folder);
+    }
     sets.push_back(
         {label,
          simulate(
@@ -76,6 +107,7 @@ int run(const Arguments& args) {
              options, stop_requested())});
     if (stop_requested()) {
       line.clear();
+      if (!args.folder.empty()) take_away(args.folder, sets);
       fmt::print(stderr, "interrupted: a comparison is whole or nothing, so nothing was written\n");
       return kInterrupted;
     }
@@ -94,7 +126,9 @@ int run(const Arguments& args) {
     add_inputs(scenarios, p.inputs);
     p.workers = args.workers;
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
-    fmt::print("wrote {}: comparison.csv, errors_<set>.csv, run.yaml\n", args.folder);
+    const std::string report = add_report(args.folder, [&] { return scene_of(scenarios, sets, args); });
+    fmt::print("wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml{}\n", args.folder,
+               report);
   }
   for (const ComparedSet& set : sets) {
     for (const ScenarioResult& r : set.results) {
@@ -119,7 +153,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
-  command->add_option("--out", args->folder, "new folder for comparison.csv and errors_<set>.csv");
+  command->add_option("--out", args->folder,
+                      "new folder for comparison.csv, errors_<set>.csv and report.html");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

@@ -16,6 +16,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
@@ -101,6 +102,20 @@ RunHeader header_of(const Study& study, const Arguments& args, const ParetoOptio
   identity.emplace_back("levels", fmt::format("{}", options.levels));
   identity.emplace_back("max_evaluations", fmt::format("{}", options.max_evaluations));
   return run_header(std::move(identity), inputs_of(study));
+}
+
+/// What the report replays: the start, and the point with the least of the first criterion.
+report::Scene scene_of(const Study& study, const ParetoResult& result, const Arguments& args, bool recorded) {
+  std::vector<report::SceneSet> sets = {{"start", "start", "start/errors.csv"}};
+  if (recorded) {
+    const RecordOptions how = {study.stepper, args.workers};
+    sets = {record_set("start", args.folder, "start", study.scenarios, study.space.start, how)};
+    if (!result.front.empty()) {
+      sets.push_back(
+          record_set("point 1", args.folder, "shown", study.scenarios, result.front.front().e.gains, how));
+    }
+  }
+  return report::scene_of(study.scenarios, std::move(sets), study.space.start.obstacleInfluenceRadius);
 }
 
 int run(Arguments args, Team& team) {
@@ -202,13 +217,15 @@ int run(Arguments args, Team& team) {
   write_text_file(args.folder + "/run.yaml", run_yaml(p));
 
   fmt::print("{}", pareto_table(study, options, result));
+  const std::string report = add_report(args.folder, [&] { return scene_of(study, result, args, verified); });
   fmt::print(
-      "{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, run.yaml\n",
+      "{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, "
+      "run.yaml{}{}\n",
       !verified ? "interrupted: the points were not simulated again"
       : study.engine == Engine::kSimbody
           ? "every point was simulated again, with the same figures"
           : "every point was simulated again, by simbody: these are its figures",
-      args.folder, seconds());
+      args.folder, seconds(), verified ? "; recordings for the report in start/ and shown/" : "", report);
   if (!verified) {
     fmt::print("to go on: {} pareto --resume {}\n", program_name(), args.folder);
     return kInterrupted;

@@ -10,12 +10,14 @@
 #include <optional>
 
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
@@ -193,9 +195,25 @@ int run(Arguments args, Team& team) {
     p.seed = options.seed;
     p.workers = crew->count();
     p.wall_seconds = seconds();
-    p.extra = {{"samples", fmt::format("{}", samples.size())}, {"stepper", args.stepper}};
+    std::vector<std::string> limits;
+    for (const MetricLimit& limit : options.limits) limits.push_back(to_string(limit));
+    p.extra = {{"samples", fmt::format("{}", samples.size())},
+               {"stepper", args.stepper},
+               {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
-    fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml\n", args.folder);
+    const std::string report = add_report(args.folder, [&] {
+      const bool recorded = !stop_requested();
+      const std::string label = stem(set.path);
+      report::SceneSet nominal = {label, "nominal", "nominal/errors.csv"};
+      if (recorded) {
+        nominal = record_set(label, args.folder, "nominal", scenarios, set.gains,
+                             {options.stepper, options.workers});
+      }
+      return report::scene_of(scenarios, {nominal}, set.gains.obstacleInfluenceRadius);
+    });
+    fmt::print(
+        "\nwrote {}: samples.csv, summary.csv, run.yaml{}; the arm of the scenarios itself in nominal/\n",
+        args.folder, report);
     if (stop_requested()) {
       fmt::print("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder);
     } else {
@@ -241,7 +259,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
       ->capture_default_str();
   command->add_option("--out", args->folder,
-                      "new folder for samples.csv, summary.csv and run.yaml (default: "
+                      "new folder for samples.csv, summary.csv, run.yaml and report.html (default: "
                       "runs/robustness_<time>; with --sample none)");
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->options.workers, kWorkersHelp)

@@ -13,6 +13,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/report_file.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
@@ -89,8 +90,13 @@ int run(const Arguments& args) {
              elapsed.count(), simulated / elapsed.count(), args.workers);
   if (!args.folder.empty()) {
     write_files(args, scenarios, results, elapsed.count());
-    fmt::print("wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml\n",
-               args.folder);
+    const std::string report = add_report(args.folder, [&] {
+      const Gains gains = load_gains(args.gains, joint_names(*scenarios.front().robot));
+      return report::scene_of(scenarios, {{stem(args.gains), ".", "errors.csv"}},
+                              gains.obstacleInfluenceRadius);
+    });
+    fmt::print("wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml{}\n",
+               args.folder, report);
   }
   if (stop_requested()) return kInterrupted;
   return completed ? kDone : kFailed;
@@ -112,7 +118,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
                    "simbody, or native: armtune's own dynamics, several times faster")
       ->capture_default_str();
   command->add_option("--out", args->folder,
-                      "new folder for errors.csv, rollout_<scenario>.csv and the rest");
+                      "new folder for errors.csv, rollout_<scenario>.csv, report.html and the rest");
   command->add_option("--workers", args->workers, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

@@ -12,6 +12,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/cli/tune_help.hpp"
@@ -212,12 +213,17 @@ int run(Arguments args, Team& team) {
   const bool analysed =
       args.analysis && !result.interrupted && analyse(study, result, *objective, workers, args);
   print_verdict(study, result, *objective);
+  const std::string report = add_report(args.folder, [&study] {
+    return report::scene_of(study.scenarios,
+                            {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}},
+                            study.space.start.obstacleInfluenceRadius);
+  });
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
-      "study.yaml, run.yaml{}; the start's in start/\n"
+      "study.yaml, run.yaml{}{}; the start's in start/\n"
       "next: {} compare {}/start {}\n",
       args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
-      program_name(), args.folder, args.folder);
+      report, program_name(), args.folder, args.folder);
   if (result.interrupted || stop_requested()) {
     fmt::print("interrupted: {}; to go on: {} tune --resume {}\n",
                result.interrupted ? "the search was not finished"

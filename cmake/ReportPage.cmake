@@ -1,0 +1,28 @@
+# armtune_report_page(OUT): the report's page, built by npm from tuner/report/web in the build tree, as a .cpp file whose
+# path goes to OUT; empty where that cannot be done, which is said.
+option(ARMTUNE_REPORT "The report's page, which needs node and npm to build" ON)
+
+function(armtune_report_page OUT)
+  set(${OUT} "" PARENT_SCOPE)
+  if(NOT ARMTUNE_REPORT)
+    return()
+  endif()
+  find_program(ARMTUNE_NODE node)
+  find_program(ARMTUNE_NPM npm)
+  if(NOT ARMTUNE_NODE OR NOT ARMTUNE_NPM)
+    message(WARNING "No node or npm found: armtune is built without report.html. Install them (scripts/setup does), or "
+                    "say that it is not wanted with -DARMTUNE_REPORT=OFF.")
+    return()
+  endif()
+  set(web ${CMAKE_CURRENT_SOURCE_DIR}/report/web)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${web} ${web}/*)
+  list(FILTER files EXCLUDE REGEX "^(node_modules|dist)/")
+  list(TRANSFORM files PREPEND ${web}/ OUTPUT_VARIABLE inputs)
+  set(page ${CMAKE_CURRENT_BINARY_DIR}/report_page.cpp)
+  add_custom_command(OUTPUT ${page}
+    COMMAND ${CMAKE_COMMAND} -DWEB=${web} "-DFILES=${files}" -DWORK=${CMAKE_CURRENT_BINARY_DIR}/report_web -DPAGE=${page}
+            -DNPM=${ARMTUNE_NPM} -P ${PROJECT_SOURCE_DIR}/cmake/build_report_page.cmake
+    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/cmake/build_report_page.cmake
+    COMMENT "Building the report's page with npm" VERBATIM)
+  set(${OUT} ${page} PARENT_SCOPE)
+endfunction()

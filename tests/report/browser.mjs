@@ -1,0 +1,61 @@
+// A browser for the checks: Debian's Chromium, or what the variable CHROMIUM names.
+import { existsSync } from "node:fs";
+import { chromium } from "playwright-core";
+
+const PLACES = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+export function findBrowser() {
+  const found = process.env.CHROMIUM ?? PLACES.find((place) => existsSync(place));
+  if (found === undefined) throw new Error("no Chromium found: apt-get install chromium, or set CHROMIUM to its path");
+  return found;
+}
+
+/** webGl: in software, so that it draws on machines without graphics. */
+export function launch({ webGl = true } = {}) {
+  const drawing = webGl
+    ? ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+    : ["--disable-gpu", "--disable-3d-apis"];
+  const sandbox = process.getuid?.() === 0 ? ["--no-sandbox"] : [];
+  return chromium.launch({ executablePath: findBrowser(), args: [...drawing, ...sandbox] });
+}
+
+/** Opens a page and writes down what it asks for and complains of. */
+export async function openPage(browser, address, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const requests = [];
+  const complaints = [];
+  const dialogs = [];
+  page.on("request", (request) => requests.push(request.url()));
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.message}`));
+  page.on("dialog", (dialog) => {
+    dialogs.push(dialog.message());
+    void dialog.dismiss();
+  });
+  await page.goto(address);
+  return { page, context, requests, complaints, dialogs };
+}
+
+export async function bringIntoView(page, selector) {
+  await page.evaluate((s) => document.querySelector(s)?.scrollIntoView({ block: "start", behavior: "instant" }), selector);
+  await settle(page);
+}
+
+/** Two frames after which nothing that was asked for is still to be drawn, and the time for lazy parts. */
+export async function settle(page, ms = 150) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.waitForTimeout(ms);
+}
+
+/** Walks down the page, so that everything that waits for being seen is made. */
+export async function walkThrough(page) {
+  const step = 300;
+  for (let y = 0; y < (await page.evaluate(() => document.body.scrollHeight)); y += step) {
+    await page.evaluate((top) => window.scrollTo({ top, behavior: "instant" }), y);
+    // A frame to see what is near, one to draw it.
+    await settle(page, 20);
+  }
+}

@@ -1,0 +1,107 @@
+// Opens report pages from file:// and checks what a reader would see. See scripts/check-report.
+import { mkdirSync, mkdtempSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { findBrowser, launch, openPage, settle } from "./browser.mjs";
+import { checkDrawn } from "./checks/drawn.mjs";
+import { checkInert } from "./checks/inert.mjs";
+import { checkKeyboard } from "./checks/keyboard.mjs";
+import { checkPhone, checkThemes, firstPaint, takeScreenshots } from "./checks/looks.mjs";
+import { checkArm, checkPlots, checkReplay } from "./checks/replay.mjs";
+import { dataOf } from "./checks/variant.mjs";
+import { Pictures } from "./pictures.mjs";
+
+const PAINT_GOAL_MS = 1500;
+const LARGEST_MB = 6;
+
+async function withoutWebGl(address, expect) {
+  const browser = await launch({ webGl: false });
+  try {
+    const { page, complaints } = await openPage(browser, address);
+    if ((await page.locator("[role=tab]").count()) === 0) return;
+    await page.evaluate(() => document.querySelector("#replay").scrollIntoView({ behavior: "instant" }));
+    await settle(page, 500);
+    const words = await page.locator(".panel:not([hidden]) .no-webgl").textContent({ timeout: 5000 }).catch(() => null);
+    expect(words?.includes("WebGL") === true, "without WebGL the page says so in the picture's place");
+    const uncaught = complaints.filter((text) => text.startsWith("uncaught"));
+    expect(uncaught.length === 0, `and everything else works${uncaught.length ? `: ${uncaught[0]}` : ""}`);
+  } finally {
+    await browser.close();
+  }
+}
+
+async function checkReport(browser, file, out, quiet) {
+  const failed = [];
+  let passed = 0;
+  const expect = (holds, what) => {
+    if (holds) ++passed;
+    else failed.push(what);
+    if (!holds || !quiet) console.log(`  ${holds ? "ok  " : "FAIL"} ${what}`);
+  };
+  const part = async (name, run) => {
+    try {
+      await run();
+    } catch (error) {
+      expect(false, `${name}: ${error.message.split("\n")[0]}`);
+    }
+  };
+  mkdirSync(out, { recursive: true });
+  const folder = mkdtempSync(join(tmpdir(), "armtune-check-report-"));
+  const address = pathToFileURL(file).href;
+  const data = dataOf(file);
+  const pictures = await Pictures.make(browser);
+  try {
+    // What the browser needs for its own first page is not the report's.
+    await (await openPage(browser, "data:text/html,<p>warm")).context.close();
+    const size = statSync(file).size / 1e6;
+    expect(size <= LARGEST_MB, `${size.toFixed(2)} MB, at most ${LARGEST_MB}`);
+    const { page, context, requests, complaints } = await openPage(browser, address);
+    const paint = await firstPaint(page);
+    // Said, not judged: it is a figure of the machine and of what else runs on it.
+    console.log(`  first contentful paint after ${paint.toFixed(0)} ms${paint > PAINT_GOAL_MS ? `: over the goal of ${PAINT_GOAL_MS} ms` : ""}`);
+    const all = { browser, page, data, address, file, folder, out, expect, pictures };
+    await part("drawn", () => checkDrawn(all));
+    await part("replay", () => checkReplay(all));
+    await part("plots", () => checkPlots(all));
+    await part("themes", () => checkThemes(all));
+    await part("keyboard", () => checkKeyboard(all));
+    const own = requests.filter((one) => one !== address && !one.startsWith("blob:") && !one.startsWith("data:"));
+    expect(requests[0] === address && own.length === 0, `no request but the file itself${own.length ? `: ${own[0]}` : ""}`);
+    expect(complaints.length === 0, `the console stays empty${complaints.length ? `: ${complaints[0]}` : ""}`);
+    await context.close();
+    await part("arm", () => checkArm(all));
+    await part("phone", () => checkPhone(all));
+    await part("markup", () => checkInert(all));
+    await part("without WebGL", () => withoutWebGl(address, expect));
+    await part("screenshots", () => takeScreenshots(all));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  return { passed, failed };
+}
+
+const options = { out: "build/report-check", quiet: false, folders: [] };
+for (let i = 2; i < process.argv.length; ++i) {
+  const argument = process.argv[i];
+  if (argument === "--out") options.out = process.argv[++i];
+  else if (argument === "--quiet") options.quiet = true;
+  else options.folders.push(argument);
+}
+const from = process.env.CHECK_REPORT_FROM ?? process.cwd();
+console.log(`browser: ${findBrowser()}`);
+const browser = await launch();
+let failures = 0;
+try {
+  for (const [i, folder] of options.folders.entries()) {
+    const place = resolve(from, folder);
+    const file = place.endsWith(".html") ? place : join(place, "report.html");
+    console.log(`${folder}`);
+    const { passed, failed } = await checkReport(browser, file, resolve(from, options.out, `${i + 1}-${basename(place)}`), options.quiet);
+    console.log(`  ${passed} checks passed, ${failed.length} failed`);
+    failures += failed.length;
+  }
+} finally {
+  await browser.close();
+}
+process.exitCode = failures === 0 ? 0 : 1;

@@ -1,0 +1,65 @@
+// All that a mouse can do, keys can.
+import { bringIntoView, settle } from "../browser.mjs";
+import { passes } from "./replay.mjs";
+
+/** Tab from the top of the page on; what got the focus, and whether it showed. */
+async function tabStops(page) {
+  await page.evaluate(() => {
+    window.scrollTo({ top: 0, behavior: "instant" });
+    // The Tab key goes on from the last click: bring that to the top as well.
+    document.body.tabIndex = -1;
+    document.body.focus();
+    document.body.removeAttribute("tabindex");
+  });
+  const stops = [];
+  for (let i = 0; i < 400; ++i) {
+    await page.keyboard.press("Tab");
+    const stop = await page.evaluate(() => {
+      const one = document.activeElement;
+      if (one === null || one === document.body) return null;
+      const style = getComputedStyle(one);
+      return {
+        name: [one.tagName.toLowerCase(), one.id ? `#${one.id}` : "", ...[...one.classList].map((c) => `.${c}`)].join(""),
+        visible: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2,
+      };
+    });
+    if (stop === null) break;
+    stops.push(stop);
+  }
+  return stops;
+}
+
+export async function checkKeyboard({ page, expect, data }) {
+  const stops = await tabStops(page);
+  const unseen = stops.filter((stop) => !stop.visible).map((stop) => stop.name);
+  expect(unseen.length === 0, `focus shows on all ${stops.length} stops of the Tab key${unseen.length > 0 ? `, but not on ${unseen[0]}` : ""}`);
+  const reached = (part) => stops.some((stop) => stop.name.includes(part));
+  expect(reached("#theme"), "Tab reaches the colours' button");
+  if (data.scenarios.every((scenario) => scenario.runs.length === 0)) return;
+  for (const part of ["#tab-0", "canvas", ".play", ".scrub", "select", "figure.plot", ".entry", ".save"]) {
+    expect(reached(part), `Tab reaches ${part}`);
+  }
+  await bringIntoView(page, "#replay");
+  await page.evaluate(() => document.activeElement?.blur());
+  const clock = async () => parseFloat((await page.textContent(".panel:not([hidden]) .clock")) ?? "");
+  const begin = await clock();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  const right = await clock();
+  expect(Math.abs(right - begin - 0.2) < 0.011, "arrows move the time");
+  await page.keyboard.press("ArrowLeft");
+  expect((await clock()) < right, "and back");
+  await page.keyboard.press(" ");
+  expect(await passes(page, right), "space plays");
+  await page.keyboard.press(" ");
+  await settle(page);
+  const held = await clock();
+  await settle(page, 300);
+  expect((await clock()) === held, "and pauses");
+  if ((await page.locator("[role=tab]").count()) > 1) {
+    await page.locator("#tab-0").focus();
+    await page.keyboard.press("ArrowRight");
+    expect((await page.getAttribute("#tab-1", "aria-selected")) === "true", "arrows choose a scenario");
+    await page.keyboard.press("ArrowLeft");
+  }
+}

@@ -1,0 +1,87 @@
+// Widths, colours, first paint; and pictures of all that for eyes.
+import { join } from "node:path";
+import { bringIntoView, openPage, settle, walkThrough } from "../browser.mjs";
+
+export async function firstPaint(page) {
+  return page.evaluate(
+    () =>
+      new Promise((done) => {
+        new PerformanceObserver((list) => {
+          for (const entry of list.getEntries()) if (entry.name === "first-contentful-paint") done(entry.startTime);
+        }).observe({ type: "paint", buffered: true });
+      }),
+  );
+}
+
+const background = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+
+export async function checkThemes({ page, expect }) {
+  await page.emulateMedia({ colorScheme: "light" });
+  const light = await background(page);
+  await page.emulateMedia({ colorScheme: "dark" });
+  const dark = await background(page);
+  expect(light !== dark, `light and dark follow the system (${light}, ${dark})`);
+  await page.click("#theme");
+  expect((await background(page)) === light, "the button turns dark to light");
+  await page.click("#theme");
+  expect((await background(page)) === dark, "and back");
+  await page.emulateMedia({ colorScheme: "light" });
+}
+
+export async function checkPhone({ browser, address, expect, pictures, out }) {
+  const { page, context, complaints } = await openPage(browser, address, {
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+  });
+  await walkThrough(page);
+  const tabs = await page.locator("[role=tab]").count();
+  for (let i = 0; i < Math.max(tabs, 1); ++i) {
+    if (tabs > 0) await page.locator(`#tab-${i}`).click();
+    await walkThrough(page);
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    expect(width <= 390, `no sideways scrolling at 390 px${tabs > 0 ? `, scenario ${i + 1}` : ""} (${width} px)`);
+  }
+  await page.evaluate(() => window.scrollTo({ top: 0, behavior: "instant" }));
+  await settle(page);
+  await page.screenshot({ path: join(out, "phone-top.png") });
+  if (tabs > 0) {
+    await bringIntoView(page, "#replay");
+    await settle(page, 500);
+    await page.screenshot({ path: join(out, "phone-replay.png") });
+    const over = await page.locator(".panel:not([hidden]) .u-over").first();
+    await over.scrollIntoViewIfNeeded();
+    const box = await over.boundingBox();
+    const before = await page.textContent(".panel:not([hidden]) .clock");
+    await page.touchscreen.tap(box.x + 0.8 * box.width, box.y + box.height / 2);
+    await settle(page);
+    expect((await page.textContent(".panel:not([hidden]) .clock")) !== before, "a touch in a plot moves the time");
+  }
+  expect(complaints.length === 0, `nothing to complain about on a phone${complaints.length ? `: ${complaints[0]}` : ""}`);
+  await context.close();
+}
+
+export async function takeScreenshots({ browser, address, out, data }) {
+  for (const colorScheme of ["light", "dark"]) {
+    const { page, context } = await openPage(browser, address, { colorScheme });
+    await settle(page, 300);
+    await page.screenshot({ path: join(out, `${colorScheme}-top.png`) });
+    const scenarios = data.scenarios.filter((scenario) => scenario.runs.length > 0);
+    for (let i = 0; i < scenarios.length; ++i) {
+      await bringIntoView(page, "#replay");
+      await page.locator(`#tab-${i}`).click();
+      await settle(page, 600);
+      await bringIntoView(page, "#replay");
+      await settle(page, 300);
+      await page.screenshot({ path: join(out, `${colorScheme}-replay-${i + 1}.png`) });
+    }
+    for (const id of ["front", "convergence", "gains", "sensitivity", "robustness", "margins", "provenance"]) {
+      if ((await page.locator(`#${id}`).count()) === 0) continue;
+      await bringIntoView(page, `#${id}`);
+      await settle(page, 400);
+      await page.screenshot({ path: join(out, `${colorScheme}-${id}.png`) });
+    }
+    await context.close();
+  }
+}

@@ -1,0 +1,163 @@
+// Whole run folders as pages: what is in them, what is inert in them, how large they are.
+
+#include "tuner/report/page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "sim/csv/error_report.hpp"
+#include "tests/tuner/report/support/decode.hpp"
+#include "tests/tuner/report/support/recorded.hpp"
+#include "tuner/report/report.hpp"
+#include "tuner/report/run_report.hpp"
+
+namespace armtune::report {
+namespace {
+
+using test::at;
+using test::data_of;
+using test::parsed;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+TEST(Page, TakesTheDataInPlaceOfItsMark) {
+  EXPECT_EQ(filled_page("<p><!--report-data--></p>", "{\"a\": 1}"),
+            "<p><script id=\"report-data\" type=\"application/json\">{\"a\": 1}</script></p>");
+  EXPECT_THROW(filled_page("<p></p>", "{}"), std::runtime_error);
+  EXPECT_THROW(filled_page("<!--report-data--><!--report-data-->", "{}"), std::runtime_error);
+}
+
+TEST(Page, HasItsMarkOnceAndNamesNoPlaceToLoadFrom) {
+  if (!available()) GTEST_SKIP() << "built without the page";
+  EXPECT_NO_THROW(filled_page(page_text(), "{}"));
+  const std::string page(page_text());
+  for (const char* loads : {"<link", "src=\"http", "src='http", "href=\"http", "@import", "url(http"}) {
+    EXPECT_THAT(page, testing::Not(HasSubstr(loads)));
+  }
+}
+
+/// A run folder of simulate: the recorded rollout under each name, `repeats` times one after the other.
+void write_run(const TemporaryFolder& folder, const std::vector<std::string>& names,
+               const std::vector<SceneSet>& sets, int repeats) {
+  const CsvTable& table = test::recorded().table;
+  std::string rollout;
+  for (std::size_t c = 0; c < table.header().size(); ++c) rollout += (c > 0 ? "," : "") + table.header()[c];
+  rollout += '\n';
+  const double length = table.number(table.rows() - 1, 0) + 0.01;
+  for (int k = 0; k < repeats; ++k) {
+    for (std::size_t r = 0; r < table.rows(); ++r) {
+      std::ostringstream row;
+      row.precision(9);
+      for (std::size_t c = 0; c < table.header().size(); ++c) {
+        row << (c > 0 ? "," : "") << table.number(r, c) + (c == 0 ? k * length : 0.0);
+      }
+      rollout += row.str() + '\n';
+    }
+  }
+  std::vector<ScenarioResult> results;
+  Scene scene = test::recorded().scene;
+  const SceneScenario like = scene.scenarios.front();
+  scene.scenarios.clear();
+  scene.sets = sets;
+  for (const std::string& name : names) {
+    scene.scenarios.push_back(like);
+    scene.scenarios.back().name = name;
+    scene.scenarios.back().duration = repeats * length;
+    results.push_back({name, {}});
+  }
+  for (const SceneSet& set : sets) {
+    std::filesystem::create_directories(folder / set.folder);
+    folder.write(set.errors, errors_csv(results));
+    for (const std::string& name : names) folder.write(set.folder + "/rollout_" + name + ".csv", rollout);
+  }
+  folder.write("scene.json", scene_json(scene));
+}
+
+const std::vector<SceneSet> kTwoSets = {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}};
+
+TEST(Page, OfTwoGainSetsOverFourScenariosOfAMinuteIsAtMostSixMegabytes) {
+  if (!available()) GTEST_SKIP() << "built without the page";
+  const TemporaryFolder folder;
+  write_run(folder, {"a", "b", "c", "d"}, kTwoSets, 8);
+  const std::size_t size = write_report(folder.path(), folder / "report.html");
+  EXPECT_EQ(size, std::filesystem::file_size(folder / "report.html"));
+  EXPECT_LE(size, 6'000'000U);
+  const auto data = parsed(data_of(test::read_text(folder / "report.html")));
+  EXPECT_EQ(at(data, "scenarios").items().size(), 4U);
+  EXPECT_EQ(at(data, "scenarios/3/runs").items().size(), 2U);
+  // 700 buckets of two points, two bytes each, and a replay of 64 s at 25 a second: nothing was coarsened.
+  EXPECT_EQ(test::base64_bytes(at(data, "scenarios/0/runs/0/time/u16").as_string()).size(), 2800U);
+  EXPECT_EQ(at(data, "scenarios/0/runs/0/replay/n").as_integer(), 1600);
+}
+
+TEST(Page, OfManyScenariosIsCoarserAndStillAtMostSixMegabytes) {
+  if (!available()) GTEST_SKIP() << "built without the page";
+  const TemporaryFolder folder;
+  std::vector<std::string> names;
+  for (char c = 'a'; c < 'm'; ++c) names.emplace_back(1, c);
+  write_run(folder, names, kTwoSets, 4);
+  EXPECT_LE(write_report(folder.path(), folder / "report.html"), 6'000'000U);
+}
+
+TEST(Page, ShowsMarkupInNamesAndNeverHoldsIt) {
+  const TemporaryFolder folder;
+  const std::string evil = "<img src=x onerror=alert(1)>";
+  write_run(folder, {"plain"}, {{evil, ".", "errors.csv"}}, 1);
+  Scene scene = read_scene(folder / "scene.json");
+  scene.arms.front().name = "</script><script>alert(2)</script>";
+  folder.write("scene.json", scene_json(scene));
+  folder.write("run.yaml", "command: \"armtune <script>alert(3)</script>\"\n");
+  const std::string json = report_json(report_of(folder.path()));
+  EXPECT_EQ(json.find('<'), std::string::npos);
+  const auto data = parsed(json);
+  EXPECT_EQ(at(data, "sets/0").as_string(), evil);
+  EXPECT_EQ(at(data, "robot/name").as_string(), scene.arms.front().name);
+  EXPECT_THAT(at(data, "provenance/command").as_string(), HasSubstr("<script>"));
+}
+
+TEST(RunReport, LeavesOutWhatTheFolderDoesNotHold) {
+  const TemporaryFolder folder;
+  write_run(folder, {"only"}, {{"gains", ".", "errors.csv"}}, 1);
+  std::filesystem::remove(folder / "scene.json");
+  const ReportData data = report_of(folder.path());
+  EXPECT_EQ(data.kind, RunKind::kSimulate);
+  ASSERT_EQ(data.scenarios.size(), 1U);
+  ASSERT_EQ(data.scenarios[0].runs.size(), 1U);
+  EXPECT_EQ(data.scenarios[0].runs[0].replay.n, 0U);
+  EXPECT_FALSE(data.scenarios[0].runs[0].columns.empty());
+  EXPECT_TRUE(data.arm.joints.empty());
+  EXPECT_FALSE(data.evaluations || data.front || data.robustness);
+  EXPECT_THAT(data.verdict.details, testing::Contains(HasSubstr("scene.json")));
+  const auto json = parsed(report_json(data));
+  for (const char* part : {"evaluations", "gains", "sensitivity", "margins", "front", "robustness"}) {
+    EXPECT_EQ(json.find(part), nullptr) << part;
+  }
+  std::filesystem::remove(folder / "rollout_only.csv");
+  EXPECT_TRUE(report_of(folder.path()).scenarios[0].runs.empty());
+}
+
+TEST(RunReport, KnowsARunByItsFilesAndRefusesWhatIsNone) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(test::refusal([&] { kind_of(folder.path()); }),
+              testing::AllOf(HasSubstr(folder.path()), HasSubstr("errors.csv")));
+  EXPECT_THAT(test::refusal([&] { kind_of(folder / "missing"); }), HasSubstr("no such folder"));
+  folder.write("errors.csv", "");
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kSimulate);
+  folder.write("evaluations.csv", "");
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kTune);
+  folder.write("pareto.csv", "");
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kPareto);
+}
+
+TEST(RunReport, NamesTheFileThatCannotBeUnderstood) {
+  const TemporaryFolder folder;
+  write_run(folder, {"only"}, {{"gains", ".", "errors.csv"}}, 1);
+  folder.write("rollout_only.csv", "time,state\n0,zero\n");
+  EXPECT_THAT(test::refusal([&] { report_of(folder.path()); }), HasSubstr("rollout_only.csv"));
+}
+
+}  // namespace
+}  // namespace armtune::report

@@ -1,0 +1,196 @@
+// What the page is given of a rollout, against the rollout itself.
+
+#include "tuner/report/recording.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/tuner/report/support/recorded.hpp"
+#include "tuner/report/buckets.hpp"
+
+namespace armtune::report {
+namespace {
+
+using test::recorded;
+
+Run whole_run() {
+  return run_of(recorded().table, &recorded().shown(), &recorded().arm(), {});
+}
+
+double half_step(const Series& series) {
+  return (series.hi - series.lo) / Series::kSteps / 2.0 * (1.0 + 1e-9);
+}
+
+std::size_t row_at(const CsvTable& table, double time) {
+  const auto times = table.numbers(table.column("time"));
+  const auto after = std::lower_bound(times.begin(), times.end(), time - 1e-6);
+  return std::min(static_cast<std::size_t>(after - times.begin()), times.size() - 1);
+}
+
+TEST(Recording, ReplaysJointsTargetAndToolAsTheyWere) {
+  const CsvTable& table = recorded().table;
+  const auto run = whole_run();
+  const Replay& replay = run.replay;
+  EXPECT_DOUBLE_EQ(replay.dt, 0.04);
+  EXPECT_EQ(replay.n, 200U) << "25 a second, for the 7.99 s between the first row and the last";
+  ASSERT_EQ(replay.q.size(), recorded().arm().joints.size());
+  for (std::size_t i = 0; i < replay.n; ++i) {
+    const std::size_t row = row_at(table, static_cast<double>(i) * replay.dt);
+    for (std::size_t j = 0; j < replay.q.size(); ++j) {
+      const std::string joint = "joint/" + recorded().arm().joints[j].name;
+      EXPECT_NEAR(replay.q[j].at(i), table.number(row, table.column(joint + "/position")),
+                  half_step(replay.q[j]));
+    }
+    EXPECT_NEAR(replay.target[1].at(i), table.number(row, table.column("target/position/y")),
+                half_step(replay.target[1]));
+  }
+}
+
+TEST(Recording, TheReplaysVelocityRatiosMissNoPeak) {
+  const CsvTable& table = recorded().table;
+  const auto run = whole_run();
+  const auto time = table.numbers(table.column("time"));
+  for (std::size_t j = 0; j < run.replay.velocity_ratio.size(); ++j) {
+    const Series& shown = run.replay.velocity_ratio[j];
+    const auto ratio =
+        table.numbers(table.column("joint/" + recorded().arm().joints[j].name + "/velocity_ratio"));
+    EXPECT_EQ(shown.hi, *std::max_element(ratio.begin(), ratio.end()));
+    for (std::size_t r = 0; r < time.size(); ++r) {
+      // Of the samples on both sides of a row, one is no more than dt / 2 away and shows no less.
+      const double at = time[r] / run.replay.dt;
+      const std::size_t before = std::min(static_cast<std::size_t>(at), run.replay.n - 1);
+      const std::size_t after = std::min(before + 1, run.replay.n - 1);
+      EXPECT_GE(std::max(shown.at(before), shown.at(after)), ratio[r] - half_step(shown)) << time[r];
+    }
+  }
+}
+
+TEST(Recording, ThePagesKinematicsPutTheToolWhereItWas) {
+  const auto run = whole_run();
+  const Arm& arm = recorded().arm();
+  // Each joint is half a step of 6 rad / 65534 off at most, on a reach of 1.3 m; six of them, and the tool's
+  // own half step: below 0.5 mm.
+  for (std::size_t i = 0; i < run.replay.n; i += 7) {
+    std::vector<double> q;
+    for (const Series& joint : run.replay.q) q.push_back(joint.at(i));
+    const Eigen::Isometry3d last = test::frames(arm, q).back();
+    const Vec3 tool = last * arm.tool.p;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(tool[axis], run.replay.tool[static_cast<std::size_t>(axis)].at(i), 5e-4) << i;
+    }
+  }
+}
+
+TEST(Recording, ObstaclesAreAsFarFromTheJointsAsTheRolloutSaw) {
+  const CsvTable& table = recorded().table;
+  const auto run = whole_run();
+  const Arm& arm = recorded().arm();
+  ASSERT_FALSE(run.replay.obstacles.empty());
+  for (std::size_t i = 0; i < run.replay.n; i += 5) {
+    std::vector<double> q;
+    for (const Series& joint : run.replay.q) q.push_back(joint.at(i));
+    double nearest = INFINITY;
+    for (const Eigen::Isometry3d& frame : test::frames(arm, q)) {
+      for (const auto& center : run.replay.obstacles) {
+        const Vec3 p(center[0].at(i), center[1].at(i), center[2].at(i));
+        nearest = std::min(nearest, (frame.translation() - p).norm());
+      }
+    }
+    const std::size_t row = row_at(table, static_cast<double>(i) * run.replay.dt);
+    // As above, and a millimetre of obstacle within its own steps.
+    EXPECT_NEAR(nearest, table.number(row, table.column("obstacle/distance")), 1e-3) << i;
+  }
+}
+
+TEST(Recording, StatesAndSlerpsBeginAndEndWithTheirRows) {
+  const CsvTable& table = recorded().table;
+  const auto run = whole_run();
+  const auto time = table.numbers(table.column("time"));
+  ASSERT_FALSE(run.states.empty());
+  EXPECT_EQ(run.states.front().time, time.front());
+  const auto state = [&run](double t) {
+    int now = -1;
+    for (const StateChange& change : run.states) {
+      if (change.time <= t) now = change.state;
+    }
+    return now;
+  };
+  for (std::size_t r = 0; r < time.size(); ++r) {
+    EXPECT_EQ(state(time[r]), static_cast<int>(table.number(r, table.column("state")))) << time[r];
+  }
+  for (std::size_t i = 1; i < run.states.size(); ++i) EXPECT_NE(run.states[i].state, run.states[i - 1].state);
+}
+
+TEST(Recording, SlerpsAreTheTimesInWhichTheColumnIsOne) {
+  const std::string header =
+      "time,state,slerping,tool/position/x,error/position/x,error/position/y,error/position/z\n";
+  std::string rows;
+  const int slerping[] = {0, 1, 1, 0, 0, 1, 0, 1};
+  for (int i = 0; i < 8; ++i) rows += std::to_string(i) + ",2," + std::to_string(slerping[i]) + ",0,0,0,0\n";
+  const auto run = run_of(CsvTable::parse(header + rows, "t"), nullptr, nullptr, {});
+  const std::vector<std::pair<double, double>> expected = {{1, 3}, {5, 6}, {7, 7}};
+  EXPECT_EQ(run.slerps, expected);
+  EXPECT_EQ(run.replay.n, 0U) << "without a scene there is nothing to replay";
+}
+
+TEST(Recording, PlotsHaveEveryGroupWithExtremesOfTheWholeColumn) {
+  const CsvTable& table = recorded().table;
+  Resolution coarse;
+  coarse.buckets = 50;
+  const auto run = run_of(table, &recorded().shown(), &recorded().arm(), coarse);
+  const char* groups[] = {"position", "position_error", "orientation_error", "linear_velocity_error",
+                          "gaze",     "velocity_ratio", "torque_ratio",      "angular_velocity_error",
+                          "theta",    "clearance",      "manipulability"};
+  for (const char* group : groups) {
+    EXPECT_TRUE(std::any_of(run.columns.begin(), run.columns.end(), [group](const PlotColumn& c) {
+      return c.group == group;
+    })) << group;
+  }
+  EXPECT_EQ(run.time.steps.size(), 100U);
+  for (const PlotColumn& column : run.columns) {
+    EXPECT_EQ(column.series.steps.size(), run.time.steps.size()) << column.name;
+    const auto c = table.find(column.name);
+    if (!c) continue;  // made from others
+    const auto values = table.numbers(*c);
+    EXPECT_EQ(column.series.lo, *std::min_element(values.begin(), values.end())) << column.name;
+    EXPECT_EQ(column.series.hi, *std::max_element(values.begin(), values.end())) << column.name;
+  }
+}
+
+TEST(Recording, TorquesAreSharesOfTheirLimits) {
+  const auto run = whole_run();
+  const CsvTable& table = recorded().table;
+  for (const JointInfo& joint : recorded().scenario.robot->joints) {
+    const std::string tree = "joint/" + joint.name + "/";
+    const auto column = std::find_if(run.columns.begin(), run.columns.end(),
+                                     [&](const PlotColumn& c) { return c.name == tree + "torque_ratio"; });
+    ASSERT_NE(column, run.columns.end());
+    double largest = 0.0;
+    for (const double torque : table.numbers(table.column(tree + "torque"))) {
+      largest = std::max(largest, std::abs(torque));
+    }
+    EXPECT_DOUBLE_EQ(column->series.hi, largest / joint.limits.effort);
+    EXPECT_LE(column->series.hi, 1.0) << "the file has it after saturation";
+  }
+}
+
+TEST(Recording, ResolutionFallsWithTheNumberOfRunsAndNeverRises) {
+  std::size_t buckets = 700;
+  double rate = 25.0;
+  for (const std::size_t runs : {1U, 8U, 40U, 200U}) {
+    const Resolution r = resolution_for(runs, 34, 60.0 * static_cast<double>(runs), 4'000'000);
+    EXPECT_LE(r.buckets, buckets);
+    EXPECT_LE(r.replay_rate, rate);
+    EXPECT_GE(r.buckets, 50U);
+    EXPECT_GT(r.replay_rate, 0.0);
+    buckets = r.buckets;
+    rate = r.replay_rate;
+  }
+  EXPECT_EQ(resolution_for(8, 34, 400.0, 4'000'000).buckets, 700U) << "the bundled study is shown in full";
+  EXPECT_EQ(resolution_for(8, 34, 400.0, 4'000'000).replay_rate, 25.0);
+}
+
+}  // namespace
+}  // namespace armtune::report

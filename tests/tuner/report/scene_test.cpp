@@ -1,0 +1,179 @@
+#include "tuner/report/scene.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/robot/kinematics.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/tuner/report/support/decode.hpp"
+#include "tests/tuner/report/support/recorded.hpp"
+#include "tuner/report/base64.hpp"
+#include "tuner/report/stl_file.hpp"
+
+namespace armtune::report {
+namespace {
+
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+/// A binary STL of these corners, nine numbers a triangle; `claimed`: how many triangles its header says it
+/// has.
+std::string stl(const std::vector<float>& corners, std::uint32_t claimed) {
+  std::string text(80, 'h');
+  const auto put = [&text](const void* from, std::size_t size) {
+    text.append(static_cast<const char*>(from), size);
+  };
+  put(&claimed, 4);
+  for (std::size_t i = 0; i < corners.size(); i += 9) {
+    text.append(12, '\0');
+    put(&corners[i], 36);
+    text.append(2, '\0');
+  }
+  return text;
+}
+
+const std::vector<float> kCorners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 1, 0, 2, -1.5F};
+
+TEST(Scene, ReadsBackAsItWasWritten) {
+  const TemporaryFolder folder;
+  Scene scene =
+      scene_of({test::scenario_of("obstacle_pass"), test::scenario_of("moving_target")},
+               {{"start", "start", "start/errors.csv"}, {"<b>tuned</b>", ".", "errors.csv"}}, 0.325);
+  scene.scenarios[0].name = "</script> \"named\"";
+  const std::string text = scene_json(scene);
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  const Scene read = read_scene(folder.write("scene.json", text));
+  EXPECT_EQ(scene_json(read), text);
+  EXPECT_EQ(read.sets[1].name, "<b>tuned</b>");
+  EXPECT_EQ(read.scenarios[0].name, "</script> \"named\"");
+  EXPECT_EQ(read.arms.size(), 1U) << "one arm in both scenarios is written once";
+  EXPECT_EQ(read.scenarios[0].influence_radius, 0.325);
+  EXPECT_EQ(read.scenarios[1].influence_radius, 0.0) << "there is nothing to stay away from";
+  const auto& obstacles = test::scenario_of("obstacle_pass").obstacles;
+  ASSERT_EQ(read.scenarios[0].obstacles.size(), obstacles.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    for (const double t : {0.0, 3.7, 41.0}) {
+      EXPECT_EQ(read.scenarios[0].obstacles[i].at(t).position, obstacles[i].path.at(t).position);
+    }
+  }
+}
+
+TEST(Scene, NamesWhatIsWrongInAFile) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) {
+    return test::refusal([&] { read_scene(folder.write("scene.json", text)); });
+  };
+  EXPECT_THAT(refusal("{\"sets\": []}"), testing::AllOf(HasSubstr("scene.json:1"), HasSubstr("robots")));
+  std::string text = scene_json(test::recorded().scene);
+  text.replace(text.find("\"robot\": 0"), 10, "\"robot\": 7");
+  EXPECT_THAT(refusal(text), HasSubstr("no such robot"));
+}
+
+TEST(Arm, HasTheFramesOfTheChain) {
+  const RobotModel& model = *test::recorded().scenario.robot;
+  const Arm arm = arm_of(model);
+  ASSERT_EQ(arm.joints.size(), static_cast<std::size_t>(model.n()));
+  JointVector q(model.n());
+  for (int i = 0; i < model.n(); ++i) q[i] = 0.3 * i - 0.8;
+  Poses poses;
+  forward_kinematics(model.chain, q, poses);
+  const auto frames = test::frames(arm, {q.data(), q.data() + q.size()});
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_LT((frames[i].translation() - poses.p_0B[i]).norm(), 1e-13) << "a few roundings of metres";
+    EXPECT_LT((frames[i].linear() - poses.R_0B[i]).norm(), 1e-13);
+  }
+  EXPECT_LT((frames.back() * arm.tool.p - poses.p_0T).norm(), 1e-13);
+}
+
+TEST(Arm, WithoutShapesIsCapsulesFromJointToJoint) {
+  RobotModel model = *test::recorded().scenario.robot;
+  model.shapes.clear();
+  const Arm arm = arm_of(model);
+  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+    const auto shape = std::find_if(arm.shapes.begin(), arm.shapes.end(),
+                                    [i](const ArmShape& s) { return s.joint == static_cast<int>(i); });
+    ASSERT_NE(shape, arm.shapes.end()) << "every link is drawn";
+    const Vec3 end = i + 1 < arm.joints.size() ? arm.joints[i + 1].pose.p : arm.tool.p;
+    if (end.norm() < 1e-6) {
+      EXPECT_EQ(shape->kind, "sphere");
+      continue;
+    }
+    ASSERT_EQ(shape->kind, "capsule");
+    const Vec3 half = shape->pose.q * Vec3(0, 0, shape->size[1] / 2);
+    EXPECT_LT((shape->pose.p - half).norm(), 1e-12) << "begins at its own joint";
+    EXPECT_LT((shape->pose.p + half - end).norm(), 1e-12) << "ends at the next one";
+    EXPECT_GT(shape->size[0], 0.0);
+  }
+}
+
+TEST(Arm, MeshesAreLoadedOrTheirLinksAreCapsules) {
+  const TemporaryFolder folder;
+  folder.write("good.stl", stl(kCorners, 2));
+  folder.write("bad.stl", "solid of another kind");
+  RobotModel model = *test::recorded().scenario.robot;
+  model.source = folder / "arm.urdf";
+  model.shapes.clear();
+  for (const char* file : {"good.stl", "bad.stl", "missing.dae"}) {
+    Shape shape;
+    shape.body = static_cast<int>(model.shapes.size());
+    shape.kind = ShapeKind::kMesh;
+    shape.size = {2, 2, 2};
+    shape.file = file;
+    model.shapes.push_back(shape);
+  }
+  const Arm arm = arm_of(model);
+  std::vector<std::string> kinds(3);
+  for (const ArmShape& shape : arm.shapes) {
+    if (shape.joint >= 0 && shape.joint < 3) kinds[static_cast<std::size_t>(shape.joint)] = shape.kind;
+    if (shape.joint == 0) {
+      EXPECT_EQ(shape.triangles, base64_f32(kCorners));
+      EXPECT_THAT(shape.size, testing::ElementsAre(2, 2, 2));
+    }
+  }
+  EXPECT_EQ(kinds[0], "mesh");
+  EXPECT_NE(kinds[1], "mesh");
+  EXPECT_NE(kinds[2], "mesh");
+  EXPECT_NE(kinds[1], "");
+}
+
+TEST(StlFile, IsReadWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text, std::size_t most = 100) {
+    return read_binary_stl(folder.write("a.stl", text), most);
+  };
+  ASSERT_TRUE(read(stl(kCorners, 2)));
+  EXPECT_EQ(*read(stl(kCorners, 2)), kCorners);
+  EXPECT_FALSE(read(stl(kCorners, 3))) << "cut off";
+  EXPECT_FALSE(read(stl(kCorners, 1))) << "something behind its end";
+  EXPECT_FALSE(read(stl(kCorners, 0xffffffffU)));
+  EXPECT_FALSE(read(stl(kCorners, 2), 1)) << "more than are wanted";
+  EXPECT_FALSE(read(""));
+  auto infinite = kCorners;
+  infinite[4] = INFINITY;
+  EXPECT_FALSE(read(stl(infinite, 2)));
+  EXPECT_FALSE(read_binary_stl(folder / "missing.stl", 10));
+  EXPECT_FALSE(read_binary_stl(folder.path(), 10)) << "a folder";
+}
+
+TEST(StlFile, IsFoundByTheNamesThatUrdfsGiveIt) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "my_arm/urdf");
+  std::filesystem::create_directories(folder / "my_arm/meshes");
+  const std::string mesh = folder.write("my_arm/meshes/link.stl", "x");
+  const std::string urdf = folder / "my_arm/urdf/arm.urdf";
+  const auto same = [&](const std::string& named) {
+    const auto found = mesh_path(named, urdf);
+    return found && std::filesystem::equivalent(*found, mesh);
+  };
+  EXPECT_TRUE(same("package://my_arm/meshes/link.stl"));
+  EXPECT_TRUE(same("../meshes/link.stl"));
+  EXPECT_TRUE(same("file://" + mesh));
+  EXPECT_FALSE(mesh_path("package://other/meshes/link.stl", urdf));
+  EXPECT_FALSE(mesh_path("link.stl", urdf));
+  EXPECT_FALSE(mesh_path("..", urdf)) << "a folder is no mesh";
+}
+
+}  // namespace
+}  // namespace armtune::report

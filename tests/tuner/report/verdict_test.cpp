@@ -1,0 +1,232 @@
+#include "tuner/report/verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/csv/error_report.hpp"
+#include "tuner/report/tables.hpp"
+
+namespace armtune::report {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A result with these metrics alone.
+ScenarioResult result_of(const std::string& scenario, const std::vector<std::pair<Metric, double>>& values,
+                         const std::string& joint = "elbow",
+                         RolloutStatus status = RolloutStatus::kCompleted) {
+  ScenarioResult result;
+  result.scenario = scenario;
+  result.result.status = status;
+  result.result.metrics.max_ratio_joint = joint;
+  for (const auto& [metric, value] : values) result.result.metrics[metric] = value;
+  return result;
+}
+
+CsvTable errors_of(const std::vector<ScenarioResult>& results) {
+  return CsvTable::parse(errors_csv(results), "errors.csv");
+}
+
+std::vector<Table> two_sets() {
+  const auto start = errors_of({result_of("a", {{Metric::kOrientationMax, 0.4},
+                                                {Metric::kPositionMax, 0.01},
+                                                {Metric::kEffortRateRms, 100.0},
+                                                {Metric::kObstacleMinClearance, 0.2},
+                                                {Metric::kJointVelocityMaxRatio, 0.7},
+                                                {Metric::kJointVelocityMaxRatioTime, 2.0}}),
+                                result_of("b", {{Metric::kOrientationMax, 0.9},
+                                                {Metric::kJointVelocityMaxRatio, 0.6},
+                                                {Metric::kJointVelocityMaxRatioTime, 5.0}})});
+  const auto tuned = errors_of({result_of("a",
+                                          {{Metric::kOrientationMax, 0.1},
+                                           {Metric::kPositionMax, 0.01},
+                                           {Metric::kEffortRateRms, 150.0},
+                                           {Metric::kObstacleMinClearance, 0.1},
+                                           {Metric::kJointVelocityMaxRatio, 0.5},
+                                           {Metric::kJointVelocityMaxRatioTime, 1.0}},
+                                          "shoulder"),
+                                result_of("b",
+                                          {{Metric::kOrientationMax, 0.1},
+                                           {Metric::kJointVelocityMaxRatio, 0.88},
+                                           {Metric::kJointVelocityMaxRatioTime, 6.012}},
+                                          "wrist")});
+  return tables_of({start, tuned});
+}
+
+TEST(Tables, PutTheSetsOfAScenarioSideBySide) {
+  const auto tables = two_sets();
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0].scenario, "a");
+  EXPECT_EQ(value_of(tables[0], Metric::kOrientationMax, 0), 0.4);
+  EXPECT_EQ(value_of(tables[0], Metric::kOrientationMax, 1), 0.1);
+  EXPECT_TRUE(std::isnan(value_of(tables[1], Metric::kPositionMax, 0))) << "no set has one in b: no row";
+  for (const MetricRow& row : tables[1].rows) EXPECT_NE(row.metric, Metric::kPositionMax);
+  EXPECT_THAT(tables[1].status, ElementsAre("completed", "completed"));
+}
+
+TEST(Tables, KeepTheirColumnsWhereASetHasNoFile) {
+  const auto tables = tables_of({std::nullopt, errors_of({result_of("a", {{Metric::kPositionMax, 1.0}})})});
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_TRUE(std::isnan(value_of(tables[0], Metric::kPositionMax, 0)));
+  EXPECT_EQ(value_of(tables[0], Metric::kPositionMax, 1), 1.0);
+  EXPECT_THAT(tables[0].status, ElementsAre("", "completed"));
+}
+
+TEST(Changes, AreMeanRatiosOverTheTermsScenarios) {
+  const auto tables = two_sets();
+  const auto one = changes(tables, {{Metric::kOrientationMax, {"a"}}}, 1);
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_DOUBLE_EQ(one[0].ratio, 0.1 / 0.4);
+  const auto both = changes(tables, {{Metric::kOrientationMax, {}}}, 1);
+  // Rounding of a logarithm and an exponential.
+  EXPECT_NEAR(both[0].ratio, std::sqrt(0.1 / 0.4 * 0.1 / 0.9), 1e-14);
+  EXPECT_TRUE(changes(tables, {{Metric::kGazeRms, {}}}, 1).empty()) << "there is no such value";
+}
+
+TEST(Changes, PutTheBestFirstWhicheverDirectionIsBetter) {
+  const auto found = changes(
+      two_sets(),
+      {{Metric::kEffortRateRms, {}}, {Metric::kObstacleMinClearance, {}}, {Metric::kOrientationMax, {}}}, 1);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].metric, Metric::kOrientationMax);
+  EXPECT_EQ(found[1].metric, Metric::kEffortRateRms) << "half as much again";
+  EXPECT_EQ(found[2].metric, Metric::kObstacleMinClearance) << "half the clearance is twice as bad";
+}
+
+TEST(Verdict, NamesTheJointClosestToItsLimitWithPlaceAndTime) {
+  EXPECT_EQ(closest_joint(two_sets(), 1), "wrist comes closest to its velocity limit, 88 % at 6.01 s in b");
+  EXPECT_EQ(closest_joint(two_sets(), 0), "elbow comes closest to its velocity limit, 70 % at 2.00 s in a");
+  EXPECT_EQ(closest_joint({}, 0), "");
+  const auto over = tables_of({errors_of({result_of(
+      "a", {{Metric::kJointVelocityMaxRatio, 1.21}, {Metric::kJointVelocityMaxRatioTime, 3.0}})})});
+  EXPECT_THAT(closest_joint(over, 0), HasSubstr("breaks its velocity limit, 121 % at 3.00 s"));
+}
+
+TEST(Verdict, ListsWhatIsViolatedAndNothingElse) {
+  const auto tables = two_sets();
+  EXPECT_TRUE(violations(tables, {{Metric::kJointVelocityMaxRatio, true, 0.9, {}}}, 1).empty());
+  EXPECT_THAT(
+      violations(tables, {{Metric::kJointVelocityMaxRatio, true, 0.8, {}}}, 1),
+      ElementsAre(AllOf(HasSubstr("joint_velocity/max_ratio is 0.88 in b"), HasSubstr("at most 0.8"))));
+  EXPECT_TRUE(violations(tables, {{Metric::kJointVelocityMaxRatio, true, 0.8, {"a"}}}, 1).empty());
+  // Without a value of its own the limit is the start's.
+  EXPECT_THAT(violations(tables, {{Metric::kObstacleMinClearance, false, std::nullopt, {}}}, 1),
+              ElementsAre(HasSubstr("at least 0.2")));
+  EXPECT_TRUE(violations(tables, {{Metric::kObstacleMinClearance, false, std::nullopt, {}}}, 0).empty());
+  const auto failed = tables_of({errors_of({result_of("a", {}, "", RolloutStatus::kDiverged)})});
+  EXPECT_THAT(violations(failed, {{Metric::kJointVelocityMaxRatio, true, 1.0, {}}}, 0),
+              ElementsAre("a: diverged"));
+}
+
+ReportData tuned_data() {
+  ReportData data;
+  data.kind = RunKind::kTune;
+  data.sets = {"start", "tuned"};
+  data.tables = two_sets();
+  return data;
+}
+
+VerdictFacts tuned_facts(double limit) {
+  VerdictFacts facts;
+  facts.study.emplace();
+  facts.study->terms = {{Metric::kOrientationMax, {"a", "b"}}, {Metric::kEffortRateRms, {"a"}}};
+  facts.study->limits = {{Metric::kJointVelocityMaxRatio, true, limit, {"a", "b"}}};
+  facts.run = {
+      {"objective", "0.31"}, {"ended", "budget used up"}, {"feasible", limit < 0.88 ? "false" : "true"}};
+  return facts;
+}
+
+TEST(Verdict, OfATunedRunSaysWhatGotBetterAndThatNothingIsViolated) {
+  const Verdict verdict = verdict_of(tuned_data(), tuned_facts(0.9));
+  EXPECT_THAT(
+      verdict.sentence,
+      AllOf(HasSubstr("falls by 69 %"), HasSubstr("error/orientation/max falls by 83 %"),
+            HasSubstr("wrist comes closest"), HasSubstr("88 %"), HasSubstr("every constraint holds")));
+  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("effort_rate/rms rises by 50 %")));
+  EXPECT_THAT(verdict.details, testing::Contains("The price: obstacle/min_clearance falls by 50 %"))
+      << "though the study does not ask for it";
+}
+
+TEST(Verdict, WithoutAFeasiblePointSaysSoFirstAndNamesTheConstraint) {
+  const Verdict verdict = verdict_of(tuned_data(), tuned_facts(0.8));
+  EXPECT_THAT(verdict.sentence, AllOf(testing::StartsWith("No feasible point was found"),
+                                      HasSubstr("joint_velocity/max_ratio is 0.88 in b"),
+                                      Not(HasSubstr("every constraint holds"))));
+}
+
+TEST(Verdict, OfAnInterruptedRunSaysSoFirst) {
+  VerdictFacts facts = tuned_facts(0.9);
+  facts.run["ended"] = "interrupted";
+  EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, testing::StartsWith("Interrupted"));
+}
+
+TEST(Verdict, OfARunThatGotNoBetterDoesNotSayItDid) {
+  ReportData data = tuned_data();
+  data.tables = tables_of({errors_of({result_of("a", {{Metric::kOrientationMax, 0.1}})}),
+                           errors_of({result_of("a", {{Metric::kOrientationMax, 0.2}})})});
+  VerdictFacts facts = tuned_facts(0.9);
+  facts.run["objective"] = "1.2";
+  const Verdict verdict = verdict_of(data, facts);
+  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("no better"), Not(HasSubstr("falls by"))));
+}
+
+TEST(Verdict, OfASimulationSaysWhatFailed) {
+  ReportData data;
+  data.kind = RunKind::kSimulate;
+  data.sets = {"published"};
+  data.tables = tables_of({errors_of(
+      {result_of("good", {{Metric::kPositionMax, 0.002}, {Metric::kOrientationMax, 0.0349065850398866}}),
+       result_of("bad", {}, "", RolloutStatus::kDiverged)})});
+  const Verdict verdict = verdict_of(data, {});
+  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("1 of 2 scenarios failed: bad is diverged"),
+                                      HasSubstr("2 mm"), HasSubstr("2 deg")));
+}
+
+TEST(Verdict, OfAComparisonIsOfTheLastSetAgainstTheFirst) {
+  ReportData data = tuned_data();
+  data.kind = RunKind::kCompare;
+  EXPECT_THAT(verdict_of(data, {}).sentence, AllOf(testing::StartsWith("Against start, tuned is better in"),
+                                                   HasSubstr("error/orientation/max falls by 83 %"),
+                                                   HasSubstr("obstacle/min_clearance falls by 50 %")));
+}
+
+TEST(Verdict, OfManyArmsIsTheirYield) {
+  ReportData data;
+  data.kind = RunKind::kRobustness;
+  data.sets = {"gains"};
+  data.robustness.emplace();
+  data.robustness->samples = 200;
+  data.robustness->kept = 150;
+  data.robustness->interval = {0.68, 0.81};
+  data.robustness->broken = {{"limit x in a", 40}, {"limit y in a", 12}};
+  EXPECT_THAT(
+      verdict_of(data, {}).sentence,
+      AllOf(HasSubstr("75.0 % of 200 arms"), HasSubstr("68.0 to 81.0 %"), HasSubstr("limit x in a, by 40")));
+  data.robustness->samples = 0;
+  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("Interrupted"));
+}
+
+TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
+  ReportData data;
+  data.kind = RunKind::kPareto;
+  data.sets = {"start"};
+  data.front.emplace();
+  data.front->criteria = {{"objective", "1"}, {"obstacle/min_clearance", "m"}};
+  data.front->points = {{{0.5, 0.3}, "point 1", true, "chosen"},  // better in both: more clearance is better
+                        {{0.4, 0.1}, "point 2", true, "point"},
+                        {{1.0, 0.2}, "start", true, "start"}};
+  data.front->hypervolume = 0.25;
+  EXPECT_THAT(verdict_of(data, {}).sentence,
+              AllOf(HasSubstr("2 points, 1 of them"), HasSubstr("objective from 0.4 to 0.5 (start 1)"),
+                    HasSubstr("hypervolume 0.25")));
+  data.front->points.erase(data.front->points.begin(), data.front->points.begin() + 2);
+  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("No feasible point was found"));
+}
+
+}  // namespace
+}  // namespace armtune::report

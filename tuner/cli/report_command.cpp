@@ -1,0 +1,42 @@
+// armtune report: a run folder's page, made again.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "tuner/cli/commands.hpp"
+#include "tuner/report/report.hpp"
+
+namespace armtune::cli {
+namespace {
+
+struct Arguments {
+  std::string folder;
+  std::string path;
+};
+
+int run(const Arguments& args) {
+  const std::string path = args.path.empty() ? args.folder + "/report.html" : args.path;
+  const std::size_t size = report::write_report(args.folder, path);
+  constexpr double kMegabyte = 1e6;
+  fmt::print("wrote {} ({:.2f} MB)\n", path, static_cast<double>(size) / kMegabyte);
+  return kDone;
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "report", "Make the report of a run again: one page with replay and plots, to open or send");
+  command->add_option("DIR", args->folder, "run folder of simulate, tune, pareto, robustness or compare")
+      ->required();
+  command->add_option("--out", args->path, "file to write (default: DIR/report.html)");
+  command->footer(
+      "The page needs neither a server nor a network. Whatever the folder does not hold, it leaves out.\n\n"
+      "Example:\n  armtune report runs/ur10_gaze_20261121-103000\n");
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

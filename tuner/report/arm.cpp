@@ -1,0 +1,103 @@
+#include "tuner/report/arm.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "tuner/report/base64.hpp"
+#include "tuner/report/stl_file.hpp"
+
+namespace armtune::report {
+namespace {
+
+/// Of all meshes of an arm: 48 bytes of text each, 1.4 MB.
+constexpr std::size_t kMostTriangles = 30000;
+
+Pose pose_of(const Mat3& R, const Vec3& p) {
+  return {p, Eigen::Quaterniond(R).normalized()};
+}
+
+std::vector<double> size_of(const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      return {shape.size.x()};
+    case ShapeKind::kCylinder:
+    case ShapeKind::kCapsule:
+      return {shape.size.x(), shape.size.y()};
+    default:
+      return {shape.size.x(), shape.size.y(), shape.size.z()};
+  }
+}
+
+/// Capsule from one point to another in the frame of `joint`; a sphere where they are one.
+ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
+  ArmShape shape;
+  shape.joint = joint;
+  const Vec3 along = to - from;
+  shape.pose = {0.5 * (from + to), Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), along)};
+  if (along.norm() < 1e-6) {
+    shape.pose.q.setIdentity();
+    shape.kind = name(ShapeKind::kSphere);
+    shape.size = {radius};
+  } else {
+    shape.kind = name(ShapeKind::kCapsule);
+    shape.size = {radius, along.norm()};
+  }
+  return shape;
+}
+
+void add_shapes(const RobotModel& model, Arm& arm) {
+  std::size_t triangles = 0;
+  for (const Shape& shape : model.shapes) {
+    ArmShape drawn{shape.body, pose_of(shape.R_BS, shape.p_BS), name(shape.kind), size_of(shape), {}};
+    if (shape.kind == ShapeKind::kMesh) {
+      const auto path = mesh_path(shape.file, model.source);
+      const auto corners = path ? read_binary_stl(*path, kMostTriangles - triangles) : std::nullopt;
+      if (!corners) continue;
+      triangles += corners->size() / 9;
+      drawn.triangles = base64_f32(*corners);
+    }
+    arm.shapes.push_back(std::move(drawn));
+  }
+}
+
+void add_limbs(const RobotModel& model, Arm& arm) {
+  constexpr double kThickness = 0.04;  // of the reach: about that of an industrial arm's wrist
+  const double radius = kThickness * reach(model);
+  const Chain& chain = model.chain;
+  for (int next = 0; next <= chain.n; ++next) {
+    const int body = next - 1;
+    const bool has_shape = std::any_of(arm.shapes.begin(), arm.shapes.end(),
+                                       [body](const ArmShape& shape) { return shape.joint == body; });
+    if (has_shape) continue;
+    const Vec3 end = next == chain.n ? chain.p_BT : chain.p_PB0[static_cast<std::size_t>(next)];
+    if (body >= 0 || end.norm() > 0.0) arm.shapes.push_back(limb(body, Vec3::Zero(), end, radius));
+  }
+}
+
+}  // namespace
+
+Arm arm_of(const RobotModel& model) {
+  Arm arm;
+  arm.name = model.name;
+  arm.joints.reserve(model.joints.size());
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const JointInfo& info = model.joints[k];
+    ArmJoint joint;
+    joint.name = info.name;
+    joint.prismatic = model.chain.motion[k] == JointMotion::kPrismatic;
+    joint.pose = pose_of(model.chain.R_PB0[k], model.chain.p_PB0[k]);
+    joint.velocity_limit = info.limits.velocity;
+    joint.effort_limit = info.limits.effort;
+    if (info.limits.has_position) {
+      joint.lower = info.limits.lower;
+      joint.upper = info.limits.upper;
+    }
+    arm.joints.push_back(std::move(joint));
+  }
+  arm.tool = pose_of(model.chain.R_BT, model.chain.p_BT);
+  add_shapes(model, arm);
+  add_limbs(model, arm);
+  return arm;
+}
+
+}  // namespace armtune::report

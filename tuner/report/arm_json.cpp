@@ -1,0 +1,103 @@
+#include "tuner/report/arm_json.hpp"
+
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune::report {
+namespace {
+
+void write_pose(Json& json, const Pose& pose) {
+  json.numbers("p", {pose.p.x(), pose.p.y(), pose.p.z()});
+  json.numbers("q", {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()});
+}
+
+void write_limit(Json& json, const char* name, const std::optional<double>& limit) {
+  json.key(name);
+  limit ? json.number(*limit) : json.null();
+}
+
+Pose read_pose(yaml::MapReader& map) {
+  const auto p = map.required("p").as_numbers(3);
+  const auto q = map.required("q").as_numbers(4);
+  return {Vec3(p[0], p[1], p[2]), Eigen::Quaterniond(q[0], q[1], q[2], q[3])};
+}
+
+std::optional<double> read_limit(yaml::MapReader& map, const char* name) {
+  const yaml::Node& node = map.required(name);
+  if (node.kind() == yaml::Node::Kind::kNull) return std::nullopt;
+  return node.as_number();
+}
+
+}  // namespace
+
+void write_arm(Json& json, const Arm& arm) {
+  json.begin_object();
+  json.text("name", arm.name);
+  json.key("joints");
+  json.begin_array();
+  for (const ArmJoint& joint : arm.joints) {
+    json.begin_object();
+    json.text("name", joint.name);
+    json.text("kind", joint.prismatic ? "prismatic" : "revolute");
+    write_pose(json, joint.pose);
+    json.number("velocity_limit", joint.velocity_limit);
+    json.number("effort_limit", joint.effort_limit);
+    write_limit(json, "lower", joint.lower);
+    write_limit(json, "upper", joint.upper);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("shapes");
+  json.begin_array();
+  for (const ArmShape& shape : arm.shapes) {
+    json.begin_object();
+    json.integer("joint", shape.joint);
+    write_pose(json, shape.pose);
+    json.text("kind", shape.kind);
+    json.numbers("size", shape.size);
+    if (!shape.triangles.empty()) json.text("triangles", shape.triangles);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("tool");
+  json.begin_object();
+  write_pose(json, arm.tool);
+  json.end_object();
+  json.end_object();
+}
+
+Arm read_arm(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  Arm arm;
+  arm.name = map.required("name").as_string();
+  for (const yaml::Node& item : map.required("joints").items()) {
+    yaml::MapReader joint_map(item);
+    ArmJoint joint;
+    joint.name = joint_map.required("name").as_string();
+    joint.prismatic = joint_map.required("kind").as_string() == "prismatic";
+    joint.pose = read_pose(joint_map);
+    joint.velocity_limit = joint_map.number("velocity_limit");
+    joint.effort_limit = joint_map.number("effort_limit");
+    joint.lower = read_limit(joint_map, "lower");
+    joint.upper = read_limit(joint_map, "upper");
+    joint_map.finish();
+    arm.joints.push_back(std::move(joint));
+  }
+  for (const yaml::Node& item : map.required("shapes").items()) {
+    yaml::MapReader shape_map(item);
+    ArmShape shape;
+    shape.joint = static_cast<int>(shape_map.required("joint").as_integer());
+    shape.pose = read_pose(shape_map);
+    shape.kind = shape_map.required("kind").as_string();
+    shape.size = shape_map.required("size").as_numbers();
+    shape.triangles = shape_map.string("triangles", "");
+    shape_map.finish();
+    arm.shapes.push_back(std::move(shape));
+  }
+  yaml::MapReader tool(map.required("tool"));
+  arm.tool = read_pose(tool);
+  tool.finish();
+  map.finish();
+  return arm;
+}
+
+}  // namespace armtune::report

@@ -1,0 +1,41 @@
+#include "tuner/report/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include "core/common/error.hpp"
+#include "sim/yaml/document.hpp"
+
+namespace armtune::report {
+namespace {
+
+/// A scalar as it stands in the file.
+std::string shown(const yaml::Node& node) {
+  if (node.kind() == yaml::Node::Kind::kNull) return {};
+  try {
+    return node.as_string();
+  } catch (const InputError&) {
+    return fmt::format("{}", node.as_number());
+  }
+}
+
+void flatten(const yaml::Node& node, const std::string& path,
+             std::vector<std::pair<std::string, std::string>>& entries) {
+  for (const auto& [key, value] : node.entries()) {
+    const std::string name = path.empty() ? key : fmt::format("{}/{}", path, key);
+    if (value.kind() == yaml::Node::Kind::kMap) {
+      flatten(value, name, entries);
+    } else {
+      entries.emplace_back(name, shown(value));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> read_provenance(const std::string& path) {
+  std::vector<std::pair<std::string, std::string>> entries;
+  flatten(yaml::parse_file(path), "", entries);
+  return entries;
+}
+
+}  // namespace armtune::report

@@ -1,0 +1,173 @@
+#pragma once
+// All that a report page shows, as web/src/data.ts has it. NaN stands for a value that there is not.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/metrics/metric.hpp"
+#include "tuner/report/arm.hpp"
+#include "tuner/report/series.hpp"
+
+namespace armtune::report {
+
+enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare };
+
+/// "simulate", "tune" ...
+const char* name(RunKind kind);
+
+struct MetricRow {
+  Metric metric = Metric::kPositionMax;
+  std::vector<double> values;     ///< one per set
+  std::vector<std::string> text;  ///< the same, or empty
+};
+
+struct Table {
+  std::string scenario;
+  std::vector<MetricRow> rows;
+  std::vector<std::string> status;  ///< one per set, empty where there is none
+};
+
+struct PlotColumn {
+  std::string name;
+  std::string group;
+  std::string unit;
+  Series series;
+};
+
+struct Replay {
+  double dt = 0.0;  ///< [s]
+  std::size_t n = 0;
+  std::vector<Series> q;
+  std::vector<Series> target;
+  std::vector<std::vector<Series>> obstacles;
+  std::vector<Series> tool;
+  Series error;
+  std::vector<Series> velocity_ratio;
+};
+
+struct StateChange {
+  double time = 0.0;  ///< [s]
+  int state = 0;
+};
+
+struct Run {
+  std::size_t set = 0;
+  std::string status;
+  std::string reason;
+  std::vector<StateChange> states;
+  std::vector<std::pair<double, double>> slerps;  ///< begin and end [s]
+  Series time;
+  std::vector<PlotColumn> columns;
+  Replay replay;
+};
+
+struct ReportScenario {
+  std::string name;
+  double duration = 0.0;
+  std::vector<Vec3> path;
+  double influence_radius = 0.0;
+  std::size_t obstacles = 0;
+  std::vector<Run> runs;
+};
+
+struct Evaluations {
+  std::vector<std::string> phases;
+  std::vector<std::size_t> of;  ///< per evaluation: index into `phases`
+  std::vector<double> objective;
+  std::vector<bool> feasible;
+  std::vector<double> violation;
+  long start = -1;
+  long chosen = -1;
+};
+
+struct Gain {
+  std::string name;
+  std::string unit;
+  double lower = 0.0;
+  double upper = 0.0;
+  std::string scale;
+  std::vector<double> values;  ///< one per set
+};
+
+struct Sensitivity {
+  std::string gain;
+  double importance = 0.0;
+  double local = 0.0;
+  double elasticity = 0.0;
+  double rank_correlation = 0.0;
+};
+
+struct MarginRow {
+  std::string margin;
+  std::string unit;
+  std::string scenario;
+  std::vector<double> values;  ///< one per set
+  std::vector<std::string> reason;
+};
+
+struct FrontPoint {
+  std::vector<double> values;
+  std::string label;
+  bool feasible = false;
+  std::string role;  ///< start, chosen, point
+};
+
+struct Front {
+  std::vector<std::pair<std::string, std::string>> criteria;  ///< name, unit
+  std::vector<FrontPoint> points;
+  std::optional<double> hypervolume;
+};
+
+struct Histogram {
+  Metric metric = Metric::kPositionMax;
+  std::string scenario;
+  std::optional<double> limit;
+  std::vector<std::size_t> counts;
+  std::vector<double> edges;
+  std::optional<double> nominal;
+};
+
+struct WorstSample {
+  long sample = 0;
+  std::string text;
+};
+
+struct Robustness {
+  std::size_t samples = 0;
+  std::size_t kept = 0;  ///< keep every limit
+  std::pair<double, double> interval;
+  std::vector<Histogram> histograms;
+  std::vector<WorstSample> worst;
+  std::vector<std::pair<std::string, std::size_t>> broken;  ///< limit and samples that break it, most first
+};
+
+struct Verdict {
+  std::string sentence;
+  std::vector<std::string> details;
+};
+
+struct ReportData {
+  RunKind kind = RunKind::kSimulate;
+  std::string title;
+  Verdict verdict;
+  std::vector<std::string> sets;
+  std::vector<Table> tables;
+  Arm arm;
+  std::vector<ReportScenario> scenarios;
+  std::optional<Evaluations> evaluations;
+  std::vector<Gain> gains;
+  std::vector<Sensitivity> sensitivity;
+  std::vector<MarginRow> margins;
+  std::optional<Front> front;
+  std::optional<Robustness> robustness;
+  std::string command;
+  std::vector<std::pair<std::string, std::string>> provenance;
+};
+
+/// The object that web/src/data.ts calls ReportData.
+std::string report_json(const ReportData& data);
+
+}  // namespace armtune::report

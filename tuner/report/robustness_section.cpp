@@ -1,0 +1,129 @@
+// What many arms say of a gain set, from samples.csv.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tuner/report/sections.hpp"
+#include "tuner/report/tables.hpp"
+#include "tuner/robustness/limits.hpp"
+#include "tuner/robustness/statistics.hpp"
+#include "tuner/run/comparison.hpp"
+
+namespace armtune::report {
+namespace {
+
+constexpr std::size_t kMostBins = 40;
+constexpr std::size_t kMostWorst = 20;
+
+std::vector<MetricLimit> limits_from(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ';') {
+      parts.emplace_back();
+    } else if (c != ' ') {
+      parts.back() += c;
+    }
+  }
+  std::erase(parts, "");
+  return parse_limits(parts);
+}
+
+/// Values in bins of equal width from the smallest to the largest; about as many as their number's square
+/// root.
+void fill(const std::vector<double>& values, Histogram& histogram) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double begin = *low;
+  const double width = *high - *low;
+  const auto root = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(values.size()))));
+  const std::size_t bins = width > 0.0 ? std::min(kMostBins, root) : 1;
+  histogram.counts.assign(bins, 0);
+  for (std::size_t b = 0; b <= bins; ++b) {
+    histogram.edges.push_back(b == bins ? *high
+                                        : begin + width * static_cast<double>(b) / static_cast<double>(bins));
+  }
+  for (const double value : values) {
+    const double part = width > 0.0 ? (value - begin) / width * static_cast<double>(bins) : 0.0;
+    ++histogram.counts[std::min(static_cast<std::size_t>(part), bins - 1)];
+  }
+}
+
+/// One per scenario and metric that any completed sample has.
+void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& limits,
+                    const std::vector<Table>& tables, const std::vector<std::string>& scenarios,
+                    Robustness& robustness) {
+  const std::size_t scenario_column = samples.column("scenario");
+  const std::size_t status = samples.column("status");
+  for (const std::string& scenario : scenarios) {
+    for (const Metric metric : headline_metrics()) {
+      const auto column = samples.find(name(metric));
+      if (!column) continue;
+      std::vector<double> values;
+      for (std::size_t r = 0; r < samples.rows(); ++r) {
+        if (samples.text(r, scenario_column) != scenario || samples.text(r, status) != "completed") continue;
+        const double value = samples.number(r, *column);
+        if (std::isfinite(value)) values.push_back(value);
+      }
+      if (values.empty()) continue;
+      Histogram histogram;
+      histogram.metric = metric;
+      histogram.scenario = scenario;
+      for (const MetricLimit& limit : limits) {
+        if (limit.metric == metric) histogram.limit = limit.value;
+      }
+      for (const Table& table : tables) {
+        const double nominal = value_of(table, metric, 0);
+        if (table.scenario == scenario && !std::isnan(nominal)) histogram.nominal = nominal;
+      }
+      fill(values, histogram);
+      robustness.histograms.push_back(std::move(histogram));
+    }
+  }
+}
+
+}  // namespace
+
+Robustness robustness_of(const CsvTable& samples, const std::string& limits,
+                         const std::vector<Table>& tables) {
+  const std::size_t number = samples.column("sample");
+  const std::size_t scenario = samples.column("scenario");
+  const std::size_t broken = samples.column("broken_limit");
+  const std::size_t ratio = samples.column(name(Metric::kJointVelocityMaxRatio));
+  const std::size_t joint = samples.column("joint_velocity/max_ratio_joint");
+  Robustness found;
+  std::vector<std::string> scenarios;
+  std::map<std::string, bool> keeps;  // by sample
+  std::map<std::string, std::size_t> broken_by;
+  std::vector<std::pair<double, WorstSample>> worst;
+  for (std::size_t r = 0; r < samples.rows(); ++r) {
+    const std::string name = samples.text(r, scenario);
+    if (std::find(scenarios.begin(), scenarios.end(), name) == scenarios.end()) scenarios.push_back(name);
+    const std::string what = samples.text(r, broken);
+    bool& kept = keeps.try_emplace(samples.text(r, number), true).first->second;
+    kept = kept && what.empty();
+    if (what.empty()) continue;
+    ++broken_by[fmt::format("{} in {}", what, name)];
+    const double value = samples.number(r, ratio);
+    worst.emplace_back(value, WorstSample{static_cast<long>(samples.number(r, number)),
+                                          fmt::format("{}: {}; {} at {:.0f} % of its velocity limit", name,
+                                                      what, samples.text(r, joint), 100.0 * value)});
+  }
+  found.samples = keeps.size();
+  found.kept = static_cast<std::size_t>(
+      std::count_if(keeps.begin(), keeps.end(), [](const auto& sample) { return sample.second; }));
+  if (found.samples > 0) found.interval = wilson_interval(found.kept, found.samples);
+  found.broken.assign(broken_by.begin(), broken_by.end());
+  std::stable_sort(found.broken.begin(), found.broken.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  // A ratio that is not a number is of a run that came to nothing: the worst there is.
+  const auto rank = [](double value) { return std::isnan(value) ? INFINITY : value; };
+  std::stable_sort(worst.begin(), worst.end(),
+                   [rank](const auto& a, const auto& b) { return rank(a.first) > rank(b.first); });
+  for (std::size_t i = 0; i < worst.size() && i < kMostWorst; ++i) found.worst.push_back(worst[i].second);
+  add_histograms(samples, limits_from(limits), tables, scenarios, found);
+  return found;
+}
+
+}  // namespace armtune::report

@@ -1,0 +1,92 @@
+#include "tuner/report/scene.hpp"
+
+#include "tuner/report/arm_json.hpp"
+#include "tuner/report/json.hpp"
+
+namespace armtune::report {
+namespace {
+
+void write_path(Json& json, const HarmonicPath& path) {
+  json.begin_object();
+  json.numbers("center", {path.center.x(), path.center.y(), path.center.z()});
+  json.number("frequency", path.frequency);
+  json.number("phase", path.phase);
+  json.key("terms");
+  json.begin_array();
+  for (const HarmonicTerm& term : path.terms) {
+    json.begin_object();
+    json.integer("order", term.order);
+    json.numbers("cosine", {term.cosine.x(), term.cosine.y(), term.cosine.z()});
+    json.numbers("sine", {term.sine.x(), term.sine.y(), term.sine.z()});
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+}
+
+}  // namespace
+
+Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius) {
+  Scene scene;
+  scene.sets = std::move(sets);
+  std::vector<std::string> known;  // the arm's own file and tool, as text
+  for (const Scenario& scenario : scenarios) {
+    SceneScenario s;
+    s.name = scenario.name;
+    s.duration = scenario.duration;
+    s.path = scenario.path;
+    s.obstacles.reserve(scenario.obstacles.size());
+    for (const NamedPath& obstacle : scenario.obstacles) s.obstacles.push_back(obstacle.path);
+    if (!s.obstacles.empty()) s.influence_radius = influence_radius;
+    Arm arm = arm_of(*scenario.robot);
+    Json json;
+    write_arm(json, arm);
+    for (s.arm = 0; s.arm < known.size() && known[s.arm] != json.str();) ++s.arm;
+    if (s.arm == known.size()) {
+      known.push_back(json.take());
+      scene.arms.push_back(std::move(arm));
+    }
+    scene.scenarios.push_back(std::move(s));
+  }
+  return scene;
+}
+
+std::string scene_json(const Scene& scene) {
+  Json json;
+  json.begin_object();
+  json.key("sets");
+  json.begin_array();
+  for (const SceneSet& set : scene.sets) {
+    json.begin_object();
+    json.text("name", set.name);
+    json.text("folder", set.folder);
+    json.text("errors", set.errors);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("scenarios");
+  json.begin_array();
+  for (const SceneScenario& s : scene.scenarios) {
+    json.begin_object();
+    json.text("name", s.name);
+    json.number("duration", s.duration);
+    json.integer("robot", static_cast<long>(s.arm));
+    json.key("path");
+    write_path(json, s.path);
+    json.key("obstacles");
+    json.begin_array();
+    for (const HarmonicPath& obstacle : s.obstacles) write_path(json, obstacle);
+    json.end_array();
+    json.number("influence_radius", s.influence_radius);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("robots");
+  json.begin_array();
+  for (const Arm& arm : scene.arms) write_arm(json, arm);
+  json.end_array();
+  json.end_object();
+  return json.take() + '\n';
+}
+
+}  // namespace armtune::report

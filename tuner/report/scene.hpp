@@ -1,0 +1,44 @@
+#pragma once
+// What a run's CSV files do not say and its replay needs: scene.json, written beside them.
+
+#include <string>
+#include <vector>
+
+#include "core/trajectory/harmonic_path.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tuner/report/arm.hpp"
+
+namespace armtune::report {
+
+/// A gain set of the run and where its files are: gains.yaml and rollout_<scenario>.csv.
+struct SceneSet {
+  std::string name;
+  std::string folder = ".";           ///< below the run's
+  std::string errors = "errors.csv";  ///< below the run's
+};
+
+struct SceneScenario {
+  std::string name;
+  double duration = 0.0;  ///< [s]
+  std::size_t arm = 0;    ///< index into Scene::arms
+  HarmonicPath path;      ///< of the tool
+  std::vector<HarmonicPath> obstacles;
+  double influence_radius = 0.0;  ///< [m], of the first set's gains; 0 without obstacles
+};
+
+struct Scene {
+  std::vector<SceneSet> sets;  ///< the reference first, the result last
+  std::vector<Arm> arms;
+  std::vector<SceneScenario> scenarios;
+};
+
+/// influence_radius: of the reference gains [m].
+Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);
+
+/// Text of scene.json.
+std::string scene_json(const Scene& scene);
+
+/// Throws InputError naming file, key, value and what is expected.
+Scene read_scene(const std::string& path);
+
+}  // namespace armtune::report

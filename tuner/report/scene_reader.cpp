@@ -1,0 +1,68 @@
+#include "sim/yaml/map_reader.hpp"
+#include "tuner/report/arm_json.hpp"
+#include "tuner/report/scene.hpp"
+
+namespace armtune::report {
+namespace {
+
+Vec3 read_vec3(const yaml::Node& node) {
+  const auto v = node.as_numbers(3);
+  return {v[0], v[1], v[2]};
+}
+
+HarmonicPath read_path(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  HarmonicPath path;
+  path.center = read_vec3(map.required("center"));
+  path.frequency = map.number("frequency");
+  path.phase = map.number("phase");
+  for (const yaml::Node& item : map.required("terms").items()) {
+    yaml::MapReader term_map(item);
+    HarmonicTerm term;
+    term.order = static_cast<int>(term_map.required("order").as_integer());
+    term.cosine = read_vec3(term_map.required("cosine"));
+    term.sine = read_vec3(term_map.required("sine"));
+    term_map.finish();
+    path.terms.push_back(term);
+  }
+  map.finish();
+  return path;
+}
+
+SceneScenario read_scenario(const yaml::Node& node, std::size_t arms) {
+  yaml::MapReader map(node);
+  SceneScenario s;
+  s.name = map.required("name").as_string();
+  s.duration = map.number("duration");
+  const yaml::Node& robot = map.required("robot");
+  const long arm = robot.as_integer();
+  if (arm < 0 || static_cast<std::size_t>(arm) >= arms) robot.fail("there is no such robot in this file");
+  s.arm = static_cast<std::size_t>(arm);
+  s.path = read_path(map.required("path"));
+  for (const yaml::Node& item : map.required("obstacles").items()) s.obstacles.push_back(read_path(item));
+  s.influence_radius = map.number("influence_radius");
+  map.finish();
+  return s;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path) {
+  const yaml::Node root = yaml::parse_file(path);
+  yaml::MapReader map(root);
+  Scene scene;
+  for (const yaml::Node& item : map.required("sets").items()) {
+    yaml::MapReader set(item);
+    scene.sets.push_back({set.required("name").as_string(), set.required("folder").as_string(),
+                          set.required("errors").as_string()});
+    set.finish();
+  }
+  for (const yaml::Node& item : map.required("robots").items()) scene.arms.push_back(read_arm(item));
+  for (const yaml::Node& item : map.required("scenarios").items()) {
+    scene.scenarios.push_back(read_scenario(item, scene.arms.size()));
+  }
+  map.finish();
+  return scene;
+}
+
+}  // namespace armtune::report

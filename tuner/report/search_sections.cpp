@@ -1,0 +1,144 @@
+// What a search leaves behind: its evaluations and fronts.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tuner/report/sections.hpp"
+#include "tuner/trade_off/front.hpp"
+
+namespace armtune::report {
+namespace {
+
+/// The row whose gains are the last set's; the feasible one with the least objective among several.
+long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<Gain>& gains) {
+  std::vector<std::pair<std::size_t, double>> wanted;  // column, value
+  for (const Gain& gain : gains) {
+    const auto column = table.find(gain.name);
+    if (column && !gain.values.empty() && std::isfinite(gain.values.back())) {
+      wanted.emplace_back(*column, gain.values.back());
+    }
+  }
+  const auto has_them = [&](std::size_t r) {
+    return std::all_of(wanted.begin(), wanted.end(), [&](const std::pair<std::size_t, double>& w) {
+      // gains.yaml and evaluations.csv round a gain alike but for its last bit.
+      return std::abs(table.number(r, w.first) - w.second) <= 1e-12 * std::abs(w.second);
+    });
+  };
+  const auto better = [&e](std::size_t a, std::size_t b) {
+    if (e.feasible[a] != e.feasible[b]) return static_cast<bool>(e.feasible[a]);
+    if (!e.feasible[a] && e.violation[a] != e.violation[b]) return e.violation[a] < e.violation[b];
+    return e.objective[a] < e.objective[b];
+  };
+  long best = -1;
+  bool best_matches = false;
+  for (std::size_t r = 0; r < e.objective.size(); ++r) {
+    const bool matches = !wanted.empty() && has_them(r);
+    if (best < 0 || (matches && !best_matches) ||
+        (matches == best_matches && better(r, static_cast<std::size_t>(best)))) {
+      best = static_cast<long>(r);
+      best_matches = matches;
+    }
+  }
+  return best;
+}
+
+/// Only those that are feasible and that no other feasible one dominates, and start and chosen.
+std::vector<FrontPoint> essential(const std::vector<FrontPoint>& points) {
+  std::vector<Costs> costs;
+  std::vector<std::size_t> feasible;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].feasible) continue;
+    costs.push_back(points[i].values);
+    feasible.push_back(i);
+  }
+  std::vector<bool> keep(points.size(), false);
+  for (const std::size_t i : non_dominated(costs)) keep[feasible[i]] = true;
+  std::vector<FrontPoint> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (keep[i] || points[i].role != "point") kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+Evaluations evaluations_of(const CsvTable& table, const std::vector<Gain>& gains) {
+  const std::size_t phase = table.column("phase");
+  const std::size_t feasible = table.column("feasible");
+  Evaluations e;
+  e.objective = table.numbers(table.column("objective"));
+  e.violation = table.numbers(table.column("violation"));
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    const std::string name = table.text(r, phase);
+    const auto found = std::find(e.phases.begin(), e.phases.end(), name);
+    e.of.push_back(static_cast<std::size_t>(found - e.phases.begin()));
+    if (found == e.phases.end()) e.phases.push_back(name);
+    e.feasible.push_back(table.number(r, feasible) != 0.0);
+    if (e.start < 0 && name == "start") e.start = static_cast<long>(r);
+  }
+  e.chosen = chosen_row(table, e, gains);
+  return e;
+}
+
+std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations) {
+  constexpr std::size_t kMost = 1000;
+  const std::string metric = name(Metric::kJointVelocityMaxRatio);
+  std::vector<std::size_t> columns;
+  for (std::size_t c = 0; c < table.header().size(); ++c) {
+    const std::string& header = table.header()[c];
+    if (header.starts_with("constraint/") && header.ends_with("/" + metric)) columns.push_back(c);
+  }
+  if (columns.empty()) return std::nullopt;
+  Front front;
+  front.criteria = {{"objective", "1"}, {metric, field(Metric::kJointVelocityMaxRatio).unit}};
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    double worst = 0.0;
+    for (const std::size_t c : columns) {
+      const double value = table.number(r, c);
+      worst = std::isnan(value) || value > worst ? value : worst;
+      if (std::isnan(worst)) break;
+    }
+    const double objective = evaluations.objective[r];
+    if (!std::isfinite(worst) || !std::isfinite(objective)) continue;
+    const auto number = static_cast<long>(r);
+    front.points.push_back({{objective, worst},
+                            fmt::format("evaluation {}, {}", r, evaluations.phases[evaluations.of[r]]),
+                            evaluations.feasible[r],
+                            number == evaluations.chosen  ? "chosen"
+                            : number == evaluations.start ? "start"
+                                                          : "point"});
+  }
+  if (front.points.size() > kMost) front.points = essential(front.points);
+  if (front.points.empty()) return std::nullopt;
+  return front;
+}
+
+Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, const std::string& chosen,
+               std::optional<double> hypervolume) {
+  Front front;
+  front.hypervolume = hypervolume;
+  std::vector<std::size_t> columns;
+  for (const std::string& criterion : criteria) {
+    columns.push_back(table.column(criterion));
+    const auto metric = metric_from_name(criterion);
+    front.criteria.emplace_back(criterion, metric ? field(*metric).unit : "1");
+  }
+  const std::size_t kind = table.column("kind");
+  const std::size_t point = table.column("point");
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    FrontPoint p;
+    p.values.reserve(columns.size());
+    for (const std::size_t c : columns) p.values.push_back(table.number(r, c));
+    const bool start = table.text(r, kind) == "start";
+    const std::string number = table.text(r, point);
+    p.label = start ? "start" : "point " + number;
+    p.feasible = !start;  // pareto.csv does not say it of the start; every point of a front is
+    p.role = start ? "start" : number == chosen ? "chosen" : "point";
+    front.points.push_back(std::move(p));
+  }
+  return front;
+}
+
+}  // namespace armtune::report

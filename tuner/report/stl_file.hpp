@@ -1,0 +1,20 @@
+#pragma once
+// The triangles of a binary STL file.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace armtune::report {
+
+/// Nine coordinates per triangle, as the file has them. Nothing if it cannot be read, is no binary STL (a
+/// text one, COLLADA), its size is not that of its triangles, a coordinate is not finite, or it has more than
+/// `most` triangles.
+std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::size_t most);
+
+/// Where a mesh lies that a URDF names: `package://NAME/x` below the folder NAME that holds, or lies beside
+/// one that holds, the URDF; `file://x` as it is; any other beside the URDF. Nothing if there is no such
+/// file.
+std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf);
+
+}  // namespace armtune::report

@@ -1,0 +1,238 @@
+// What the program writes into a report page: the contract between tuner/report and this folder. Written as one
+// JSON object into <script id="report-data" type="application/json">. SI units; a unit stands beside every number
+// that is shown. Any string is data and is shown as it is: markup in a name is never run. A part that is left
+// out leaves its section out.
+
+/** One column, thinned and quantised. `u16`: base64 of little-endian uint16, 0..65534 linear from lo to hi,
+ * 65535 = no value (not finite). lo = hi for a constant. */
+export interface Series {
+  lo: number;
+  hi: number;
+  u16: string;
+}
+
+export type Vec3 = [number, number, number];
+/** w, x, y, z. */
+export type Quaternion = [number, number, number, number];
+
+export interface MetricRow {
+  metric: string;
+  unit: string;
+  meaning: string;
+  /** One per set; null where there is none. */
+  values: (number | null)[];
+  /** One per set: what stands behind the number, such as the joint and the time of a ratio. */
+  text?: string[];
+  /** Which direction is an improvement; without it neither is coloured. */
+  better?: "lower" | "higher";
+}
+
+/** Numbers of one scenario, one value per set. */
+export interface Table {
+  scenario: string;
+  rows: MetricRow[];
+  /** One per set: "completed", "diverged" ..., empty where there is none. */
+  status: string[];
+}
+
+export interface Joint {
+  name: string;
+  kind: "revolute" | "prismatic";
+  /** Frame of the joint in the previous joint's frame (the base for the first) at q = 0, m. The joint turns about
+   * or moves along its own z. */
+  p: Vec3;
+  q: Quaternion;
+  /** rad/s or m/s. */
+  velocity_limit: number;
+  /** N m or N. */
+  effort_limit: number;
+  lower: number | null;
+  upper: number | null;
+}
+
+export interface Shape {
+  /** Index of the joint it moves with; -1: the base. */
+  joint: number;
+  /** Of the shape's middle in the joint's frame. */
+  p: Vec3;
+  q: Quaternion;
+  kind: "box" | "cylinder" | "sphere" | "capsule" | "mesh";
+  /** m. box: x, y, z edges; cylinder: radius, length along z; sphere: radius; capsule: radius, length along z
+   * between the centres of its two half-spheres; mesh: scale in x, y, z (empty: 1). */
+  size: number[];
+  /** mesh: base64 of little-endian float32, nine per triangle. */
+  triangles?: string;
+}
+
+export interface Robot {
+  name: string;
+  joints: Joint[];
+  shapes: Shape[];
+  /** Tool frame in the last joint's frame; z is the direction of gaze. */
+  tool: { p: Vec3; q: Quaternion };
+}
+
+export type Group =
+  | "position"
+  | "position_error"
+  | "orientation_error"
+  | "linear_velocity_error"
+  | "angular_velocity_error"
+  | "gaze"
+  | "velocity_ratio"
+  | "torque_ratio"
+  | "theta"
+  | "clearance"
+  | "manipulability";
+
+export interface Column {
+  /** As in rollout_*.csv, such as error/position/x or joint/elbow_joint/velocity_ratio. */
+  name: string;
+  group: Group;
+  unit: string;
+  /** As many points as the run's `time`. */
+  series: Series;
+}
+
+/** Sampled evenly in time: point i is at i * dt. All series have n points. */
+export interface Replay {
+  dt: number;
+  n: number;
+  /** Per joint, rad or m. */
+  q: Series[];
+  /** x, y, z of the active target in the base frame; empty without one. */
+  target: Series[];
+  /** Per obstacle: x, y, z of its centre. */
+  obstacles: Series[][];
+  /** x, y, z of the tool. */
+  tool: Series[];
+  /** Norm of the position error, m; no value where the state tracks no position. */
+  error: Series;
+  /** Per joint, |velocity| over its limit: the largest within dt / 2 of the sample, so that no peak is missed. */
+  velocity_ratio: Series[];
+}
+
+export interface Run {
+  /** Index into `sets`. */
+  set: number;
+  status: string;
+  reason: string;
+  /** Changes, in order; state: index into the scenario's `states`. */
+  states: { t: number; state: number }[];
+  /** Begin and end of every slerp, s. */
+  slerps: [number, number][];
+  /** s, not decreasing. Two points per bucket (the smallest and the largest of each column, in order of time), or
+   * every sample of a short run. */
+  time: Series;
+  columns: Column[];
+  replay: Replay;
+}
+
+export interface Scenario {
+  name: string;
+  /** s. */
+  duration: number;
+  /** Closed polyline of the desired path, m. */
+  path: Vec3[];
+  /** m; 0 without obstacles. */
+  influence_radius: number;
+  obstacles: { body_radius: number | null }[];
+  /** Names of the controller's states. */
+  states: string[];
+  /** At most one per set. */
+  runs: Run[];
+}
+
+export interface Evaluations {
+  /** Dictionary of phases: start, sweep, search ... */
+  phase: string[];
+  /** Per evaluation: index into `phase`. */
+  of: number[];
+  objective: (number | null)[];
+  feasible: boolean[];
+  violation: (number | null)[];
+  /** Indices of evaluations; -1 if there is none. */
+  start: number;
+  chosen: number;
+}
+
+export interface Gain {
+  name: string;
+  unit: string;
+  lower: number;
+  upper: number;
+  scale: "log" | "linear";
+  values: number[];
+}
+
+export interface Sensitivity {
+  gain: string;
+  /** What the merit loses when this gain alone goes back to its start. */
+  importance: number | null;
+  /** Change of the merit for a small step of the gain, either way. */
+  local: number | null;
+  elasticity: number | null;
+  rank_correlation: number | null;
+}
+
+export interface Margin {
+  margin: string;
+  unit: string;
+  /** Scenario, or "all" for the smallest. */
+  scenario: string;
+  /** Per set: how far it stands. */
+  values: (number | null)[];
+  /** Per set: why it ends there. */
+  reason: string[];
+}
+
+export interface Front {
+  criteria: { name: string; unit: string }[];
+  points: {
+    values: number[];
+    label: string;
+    feasible: boolean;
+    role: "start" | "chosen" | "point";
+  }[];
+  hypervolume: number | null;
+}
+
+export interface Histogram {
+  metric: string;
+  unit: string;
+  scenario: string;
+  limit: number | null;
+  counts: number[];
+  /** One more than counts. */
+  edges: number[];
+  nominal: number | null;
+}
+
+export interface Robustness {
+  samples: number;
+  /** Portion of the arms that keep every limit. */
+  yield: number;
+  /** Its 95 % interval. */
+  interval: [number, number];
+  histograms: Histogram[];
+  worst: { sample: number; text: string }[];
+}
+
+export interface ReportData {
+  format: 1;
+  kind: "tune" | "simulate" | "pareto" | "robustness" | "compare";
+  title: string;
+  verdict: { sentence: string; details: string[] };
+  /** Names of the gain sets; index 0 is the reference, the last is the result. */
+  sets: string[];
+  tables: Table[];
+  robot: Robot;
+  scenarios: Scenario[];
+  evaluations?: Evaluations;
+  gains?: Gain[];
+  sensitivity?: Sensitivity[];
+  margins?: Margin[];
+  front?: Front;
+  robustness?: Robustness;
+  provenance: { command: string; entries: [string, string][] };
+}

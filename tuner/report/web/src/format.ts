@@ -1,0 +1,87 @@
+// Numbers as text.
+
+const NONE = "–";
+
+/** Four significant digits; plain where that is short, with a power of ten elsewhere. */
+export function formatNumber(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return NONE;
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const text =
+    size >= 1e6 || size < 1e-4
+      ? value.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e")
+      : trimZeros(value.toPrecision(digits));
+  return text.replace(/-/g, "−");
+}
+
+function trimZeros(text: string): string {
+  if (text.includes("e")) return String(Number(text));
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
+
+const RAISED: Record<string, string> = { "-": "⁻", "1": "¹", "2": "²", "3": "³", "4": "⁴" };
+
+/** Powers raised: m/s^2 as m/s². "1", the unit of pure numbers, is not written. */
+export function formatUnit(unit: string): string {
+  if (unit === "1") return "";
+  return unit.replace(/\^(-?[1-4])(?!\d)/g, (_, power: string) => [...power].map((c) => RAISED[c] ?? c).join(""));
+}
+
+export function withUnit(text: string, unit: string): string {
+  const shown = formatUnit(unit);
+  return shown === "" ? text : `${text} ${shown}`;
+}
+
+export function formatValue(value: number | null | undefined, unit: string): string {
+  const text = formatNumber(value);
+  return text === NONE ? text : withUnit(text, unit);
+}
+
+/** after / before; null where that says nothing (no value, or before is zero or of the other sign). */
+export function ratioOf(before: number | null | undefined, after: number | null | undefined): number | null {
+  if (before === null || before === undefined || after === null || after === undefined) return null;
+  if (before === 0 || before < 0 !== after < 0) return before === after && before !== 0 ? 1 : null;
+  return after / before;
+}
+
+export function formatRatio(ratio: number | null): string {
+  if (ratio === null) return NONE;
+  return `× ${ratio >= 100 ? formatNumber(ratio, 3) : ratio.toFixed(ratio < 0.1 ? 3 : 2)}`;
+}
+
+export type Change = "better" | "worse" | "same" | "none";
+
+/** Half a percent either way counts as the same: below that a table's third digit does not move. */
+export function changeOf(
+  before: number | null | undefined,
+  after: number | null | undefined,
+  better: "lower" | "higher" | undefined,
+): Change {
+  if (before === null || before === undefined || after === null || after === undefined) return "none";
+  if (better === undefined) return "none";
+  const scale = Math.max(Math.abs(before), Math.abs(after));
+  if (Math.abs(after - before) <= 0.005 * scale) return "same";
+  return after < before === (better === "lower") ? "better" : "worse";
+}
+
+/** As wide at 9.98 as at 10.02: the clock of the replay must not jump. */
+export function formatTime(seconds: number): string {
+  return `${seconds.toFixed(2)} s`;
+}
+
+export function formatPercent(portion: number, digits = 1): string {
+  return `${(100 * portion).toFixed(digits)} %`;
+}
+
+/** Joint of a column or gain name such as joint/elbow_joint/velocity, else what stands after the last slash. */
+export function shortName(column: string): string {
+  const parts = column.split("/");
+  if (parts[0] === "joint" && parts.length >= 3) return parts.slice(1, -1).join("/");
+  return parts[parts.length - 1] ?? column;
+}
+
+/** A name as part of a file name. */
+export function fileName(...parts: string[]): string {
+  return parts.map((part) => part.replace(/[^A-Za-z0-9_.-]+/g, "_")).filter((part) => part !== "").join("-");
+}

@@ -1,0 +1,75 @@
+// The one time of a scenario that its replay and all its plots show.
+
+type Listener = (time: number) => void;
+
+export class Playhead {
+  private now = 0;
+  private running = false;
+  private rate = 1;
+  private before = 0;
+  private frame = 0;
+  private readonly listeners = new Set<Listener>();
+  private readonly playListeners = new Set<(playing: boolean) => void>();
+
+  constructor(readonly duration: number) {}
+
+  get time(): number {
+    return this.now;
+  }
+  get playing(): boolean {
+    return this.running;
+  }
+  set speed(rate: number) {
+    this.rate = rate;
+  }
+
+  onTime(listener: Listener): void {
+    this.listeners.add(listener);
+    listener(this.now);
+  }
+  onPlaying(listener: (playing: boolean) => void): void {
+    this.playListeners.add(listener);
+    listener(this.running);
+  }
+
+  seek(time: number): void {
+    const kept = Math.min(Math.max(time, 0), this.duration);
+    if (kept === this.now || Number.isNaN(kept)) return;
+    this.now = kept;
+    for (const listener of this.listeners) listener(kept);
+  }
+
+  toggle(): void {
+    if (this.running) this.pause();
+    else this.play();
+  }
+
+  play(): void {
+    if (this.running) return;
+    if (this.now >= this.duration) this.seek(0);
+    this.running = true;
+    this.before = performance.now();
+    this.frame = requestAnimationFrame(this.step);
+    this.tellPlaying();
+  }
+
+  pause(): void {
+    if (!this.running) return;
+    this.running = false;
+    cancelAnimationFrame(this.frame);
+    this.tellPlaying();
+  }
+
+  private readonly step = (now: number): void => {
+    // A page that was hidden gets no frames: what it missed is not made up for.
+    const passed = Math.min(Math.max(now - this.before, 0), 250) / 1000;
+    this.before = now;
+    this.seek(this.now + passed * this.rate);
+    if (this.now >= this.duration) this.pause();
+    else if (this.running) this.frame = requestAnimationFrame(this.step);
+  };
+
+  private tellPlaying(): void {
+    for (const listener of this.playListeners) listener(this.running);
+  }
+}

@@ -1,0 +1,23 @@
+// What the plot of a search is made from.
+import type { Evaluations } from "../data";
+
+/** The smallest objective of a feasible evaluation up to each one; null before the first. */
+export function bestSoFar(objective: (number | null)[], feasible: boolean[]): (number | null)[] {
+  let best: number | null = null;
+  return objective.map((value, i) => {
+    if (feasible[i] === true && value !== null && (best === null || value < best)) best = value;
+    return best;
+  });
+}
+
+/** Evaluations of one phase that follow each other. */
+export function phaseRuns(evaluations: Pick<Evaluations, "phase" | "of">): { phase: string; from: number; to: number }[] {
+  const runs: { phase: string; from: number; to: number }[] = [];
+  evaluations.of.forEach((index, i) => {
+    const phase = evaluations.phase[index] ?? "";
+    const last = runs[runs.length - 1];
+    if (last !== undefined && last.phase === phase) last.to = i;
+    else runs.push({ phase, from: i, to: i });
+  });
+  return runs;
+}

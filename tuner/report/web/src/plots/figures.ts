@@ -1,0 +1,35 @@
+// Which figures a scenario has, in their order.
+import type { Group, Scenario } from "../data";
+
+export interface Figure {
+  group: Group;
+  title: string;
+  axis: string;
+  /** The y axis begins at zero. */
+  fromZero: boolean;
+  lines: (scenario: Scenario) => { value: number; label: string }[];
+}
+
+const none = () => [];
+const limit = () => [{ value: 1, label: "limit" }];
+
+export const FIGURES: Figure[] = [
+  { group: "position", title: "Tool position", axis: "position", fromZero: false, lines: none },
+  { group: "position_error", title: "Position error", axis: "error", fromZero: false, lines: none },
+  { group: "orientation_error", title: "Orientation error", axis: "error", fromZero: false, lines: none },
+  { group: "linear_velocity_error", title: "Linear velocity error", axis: "error", fromZero: false, lines: none },
+  { group: "angular_velocity_error", title: "Angular velocity error", axis: "error", fromZero: false, lines: none },
+  { group: "gaze", title: "Gaze angle to the target", axis: "angle", fromZero: true, lines: none },
+  { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "velocity / limit", fromZero: true, lines: limit },
+  { group: "torque_ratio", title: "Joint torques over their limits", axis: "torque / limit", fromZero: true, lines: limit },
+  { group: "theta", title: "Distance of theta’s torque from the true one", axis: "torque", fromZero: true, lines: none },
+  {
+    group: "clearance",
+    title: "Distance to the nearest obstacle",
+    axis: "distance",
+    fromZero: true,
+    lines: (scenario) =>
+      scenario.influence_radius > 0 ? [{ value: scenario.influence_radius, label: "influence radius" }] : [],
+  },
+  { group: "manipulability", title: "Manipulability", axis: "m", fromZero: true, lines: none },
+];

@@ -1,0 +1,13 @@
+// Finding a time among sorted ones.
+
+/** Index of the last x not after the time; 0 where all are. */
+export function indexAt(x: ArrayLike<number>, time: number): number {
+  let low = 0;
+  let high = x.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((x[middle] ?? Infinity) <= time) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}

@@ -1,0 +1,19 @@
+// A legend whose entries show and hide what they name.
+import { element, toggle } from "../dom";
+import type { ChartSeries } from "./chart";
+import { swatch } from "./swatch";
+
+export function legendOf(series: ChartSeries[], show: (index: number, shown: boolean) => void): HTMLElement {
+  const legend = element("div", { class: "legend", role: "group", "aria-label": "Legend" });
+  series.forEach((one, i) => {
+    if (one.values.every((value) => value === null || value === undefined)) return;
+    const button = toggle("", true, (on) => {
+      one.shown = on;
+      show(i, on);
+    });
+    button.className = "entry";
+    button.append(swatch(one.colour, one.marks === undefined ? "" : "round"), one.label);
+    legend.append(button);
+  });
+  return legend;
+}

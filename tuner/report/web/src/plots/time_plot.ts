@@ -1,0 +1,182 @@
+// One figure over time: the columns of one group, those of all shown gain sets over each other.
+import type { Column, Run, Scenario } from "../data";
+import { decodeSeries } from "../decode";
+import { element, toggle } from "../dom";
+import type { LegendEntry } from "../export";
+import { fileName, formatNumber, formatUnit, shortName } from "../format";
+import { watchVisible } from "../lazy";
+import { axisColour, seriesColour } from "../palette";
+import type { Playhead } from "../playhead";
+import { alignRuns, type Values } from "./align";
+import { Chart, type Band, type ChartSeries } from "./chart";
+import type { Figure } from "./figures";
+import { indexAt } from "./index_at";
+import { largestSize, scaleUnit } from "./scale_unit";
+import { swatch } from "./swatch";
+
+interface Trace {
+  run: Run;
+  column: Column;
+  /** Index of the column's name among those of the plot. */
+  name: number;
+}
+
+const DASHES: number[][] = [[5, 4], [2, 3], [8, 3, 2, 3], [1, 2]];
+
+/** The result is drawn through, the reference faint and dashed, sets between them in dashes of their own. */
+function lineOf(run: Run, result: number): Pick<ChartSeries, "dash" | "alpha" | "width"> {
+  if (run.set === result) return { width: 1.5 };
+  return { dash: DASHES[run.set % DASHES.length] ?? [5, 4], alpha: run.set === 0 ? 0.6 : 0.8, width: 1.1 };
+}
+
+function colourOf(name: string, index: number): string {
+  const axis = ["x", "y", "z"].indexOf(shortName(name));
+  return axis >= 0 && !name.startsWith("joint/") ? axisColour(axis) : seriesColour(index);
+}
+
+export class TimePlot {
+  readonly chart: Chart;
+  private readonly traces: Trace[] = [];
+  private readonly names: string[] = [];
+  private readonly x: number[];
+  private readonly values: Values[];
+  private readonly hidden = new Set<number>();
+  private readonly readings: HTMLElement[] = [];
+  private visible = true;
+  private readAt = -Infinity;
+
+  constructor(
+    private readonly figure: Figure,
+    private readonly scenario: Scenario,
+    private readonly sets: string[],
+    private readonly isShown: (set: number) => boolean,
+    private readonly playhead: Playhead,
+    bands: () => Band[],
+  ) {
+    const runs: { time: Float64Array; columns: Float64Array[] }[] = [];
+    for (const run of scenario.runs) {
+      const columns = run.columns.filter((column) => column.group === figure.group);
+      for (const column of columns) {
+        if (!this.names.includes(column.name)) this.names.push(column.name);
+        this.traces.push({ run, column, name: this.names.indexOf(column.name) });
+      }
+      if (columns.length > 0) {
+        runs.push({ time: decodeSeries(run.time), columns: columns.map((column) => decodeSeries(column.series)) });
+      }
+    }
+    const scaled = scaleUnit(this.traces[0]?.column.unit ?? "1", largestSize(runs.flatMap((run) => run.columns)));
+    const aligned = alignRuns(runs, scaled.factor);
+    this.x = aligned.x;
+    this.values = aligned.columns;
+    const legend = element("div", { class: "legend", role: "group", "aria-label": `Lines of ${figure.title}` });
+    this.names.forEach((name, i) => legend.append(this.entry(name, i)));
+    const result = Math.max(...scenario.runs.map((run) => run.set));
+    this.chart = new Chart(
+      {
+        title: figure.title,
+        file: fileName(scenario.name, figure.group),
+        xLabel: "time [s]",
+        yLabel: `${figure.axis} [${formatUnit(scaled.unit) || "1"}]`,
+        height: 190,
+        x: this.x,
+        series: this.traces.map((trace, i) => ({
+          label: `${trace.column.name} (${sets[trace.run.set] ?? ""})`,
+          colour: () => colourOf(trace.column.name, trace.name),
+          values: this.values[i] ?? [],
+          shown: this.shows(trace),
+          ...lineOf(trace.run, result),
+          ...(trace.column.name.startsWith("desired/") ? { dash: [1, 3], width: 1 } : {}),
+        })),
+        lines: figure.lines(scenario).map((line) => ({ ...line, value: line.value * scaled.factor })),
+        include: figure.fromZero ? [0] : [],
+        bands,
+        legend: () => this.exportLegend(),
+      },
+      legend,
+    );
+    this.followPointer();
+    watchVisible(this.chart.root, (visible) => {
+      this.visible = visible;
+      this.readAt = -Infinity;
+      this.follow(this.playhead.time);
+    });
+    playhead.onTime((time) => this.follow(time));
+  }
+
+  /** After a change of what is shown. */
+  refresh(): void {
+    this.traces.forEach((trace, i) => this.chart.show(i, this.shows(trace)));
+    this.readAt = -Infinity;
+    this.follow(this.playhead.time);
+  }
+
+  private shows(trace: Trace): boolean {
+    return this.isShown(trace.run.set) && !this.hidden.has(trace.name);
+  }
+
+  private label(name: string): string {
+    const short = shortName(name);
+    return name.startsWith("desired/") ? `${short} desired` : short;
+  }
+
+  private entry(name: string, i: number): HTMLElement {
+    const button = toggle("", true, (on) => {
+      if (on) this.hidden.delete(i);
+      else this.hidden.add(i);
+      this.refresh();
+    });
+    const patch = swatch(() => colourOf(name, i), name.startsWith("desired/") ? "dotted" : "");
+    const reading = element("span", { class: "reading" });
+    this.readings.push(reading);
+    button.className = "entry";
+    button.append(patch, element("span", {}, this.label(name)), reading);
+    return button;
+  }
+
+  private follow(time: number): void {
+    if (!this.visible) return;
+    this.chart.setPlayhead(time);
+    const now = performance.now();
+    // Numbers that change sixty times a second are read by nobody.
+    if (this.playhead.playing && now - this.readAt < 120) return;
+    this.readAt = now;
+    const i = indexAt(this.x, time);
+    this.readings.forEach((reading, name) => {
+      const parts: string[] = [];
+      this.traces.forEach((trace, t) => {
+        if (trace.name !== name || !this.isShown(trace.run.set)) return;
+        const value = this.values[t]?.[i];
+        parts.push(formatNumber(value ?? null, 3));
+      });
+      reading.textContent = parts.join(" → ");
+    });
+  }
+
+  /** The pointer moves the playhead while nothing plays; a click or a touch does at any time. */
+  private followPointer(): void {
+    const { over } = this.chart.plot;
+    over.style.touchAction = "pan-y";
+    const seek = (event: PointerEvent) =>
+      this.playhead.seek(this.chart.plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"));
+    over.addEventListener("pointermove", (event) => {
+      if (event.pointerType === "mouse" ? !this.playhead.playing && event.buttons === 0 : event.buttons > 0) seek(event);
+    });
+    over.addEventListener("pointerdown", (event) => {
+      if (event.button === 0) seek(event);
+    });
+  }
+
+  private exportLegend(): LegendEntry[] {
+    return this.traces
+      .filter((trace) => this.shows(trace))
+      .map((trace) => ({
+        label: `${this.label(trace.column.name)}, ${this.sets[trace.run.set] ?? ""}`,
+        colour: colourOf(trace.column.name, trace.name),
+        faint: trace.run.set === 0 && this.scenario.runs.length > 1,
+      }));
+  }
+
+  get title(): string {
+    return this.figure.title;
+  }
+}

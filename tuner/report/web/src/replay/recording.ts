@@ -1,0 +1,64 @@
+// The replay columns of one run, decoded, and their values at any time.
+import type { Run, Vec3 } from "../data";
+import { decodeSeries, sampleAt } from "../decode";
+
+export class Recording {
+  readonly dt: number;
+  readonly n: number;
+  readonly tool: Float64Array[];
+  readonly error: Float64Array;
+  private readonly positions: Float64Array[];
+  private readonly target: Float64Array[];
+  private readonly obstacles: Float64Array[][];
+  private readonly ratios: Float64Array[];
+
+  constructor(readonly run: Run) {
+    const { replay } = run;
+    this.dt = replay.dt;
+    this.n = replay.n;
+    this.positions = replay.q.map(decodeSeries);
+    this.target = replay.target.map(decodeSeries);
+    this.obstacles = replay.obstacles.map((centre) => centre.map(decodeSeries));
+    this.tool = replay.tool.map(decodeSeries);
+    this.error = decodeSeries(replay.error);
+    this.ratios = replay.velocity_ratio.map(decodeSeries);
+  }
+
+  jointsAt(time: number): number[] {
+    return this.positions.map((column) => sampleAt(column, this.dt, time));
+  }
+  ratiosAt(time: number): number[] {
+    return this.ratios.map((column) => sampleAt(column, this.dt, time));
+  }
+  targetAt(time: number): Vec3 | null {
+    return this.pointAt(this.target, time);
+  }
+  obstacleAt(index: number, time: number): Vec3 | null {
+    return this.pointAt(this.obstacles[index] ?? [], time);
+  }
+
+  /** An error that nearly all of the run stays below; the few peaks beyond it take the last colour. */
+  errorScale(): number {
+    const errors = Array.from(this.error)
+      .filter((value) => Number.isFinite(value) && value > 0)
+      .sort((a, b) => a - b);
+    return errors[Math.floor(0.98 * (errors.length - 1))] ?? 0;
+  }
+
+  /** When a joint came closest to its velocity limit. */
+  peakTime(): number {
+    let [largest, at] = [-1, 0];
+    for (const column of this.ratios) {
+      column.forEach((ratio, i) => {
+        if (ratio > largest) [largest, at] = [ratio, i];
+      });
+    }
+    return at * this.dt;
+  }
+
+  private pointAt(columns: Float64Array[], time: number): Vec3 | null {
+    const [x, y, z] = columns.map((column) => sampleAt(column, this.dt, time));
+    if (x === undefined || y === undefined || z === undefined || Number.isNaN(x + y + z)) return null;
+    return [x, y, z];
+  }
+}

@@ -1,0 +1,30 @@
+// Where all this comes from, and how to make it again.
+import type { ReportData } from "../data";
+import { breakable, element } from "../dom";
+import { section, type Section } from "./section";
+
+export function provenanceSection(data: ReportData): Section {
+  const command = element("code", {}, data.provenance.command);
+  const copy = element("button", { type: "button" }, "Copy");
+  copy.addEventListener("click", () => {
+    const range = document.createRange();
+    range.selectNodeContents(command);
+    getSelection()?.removeAllRanges();
+    getSelection()?.addRange(range);
+    const done = () => (copy.textContent = "Copied");
+    // Without the right to the clipboard the command stays selected, for Ctrl-C.
+    navigator.clipboard?.writeText(data.provenance.command).then(done, () => undefined);
+  });
+  const list = element("dl");
+  for (const [name, value] of data.provenance.entries) {
+    list.append(element("div", {}, element("dt", {}, breakable(name)), element("dd", {}, value)));
+  }
+  return section(
+    "provenance",
+    "Provenance",
+    "Where this comes from",
+    element("p", { class: "note" }, "The command that makes it again:"),
+    element("div", { class: "command" }, element("pre", { tabindex: 0 }, command), copy),
+    list,
+  );
+}

@@ -1,0 +1,199 @@
+// 3D replay and time plots: one scenario at a time, each with a time of its own.
+import type { ReportData, Run, Scenario } from "../data";
+import { element, toggle } from "../dom";
+import { whenVisible } from "../lazy";
+import { SLERP_COLOUR, stateColour } from "../palette";
+import { Playhead } from "../playhead";
+import { TimePlots } from "../plots/time_plots";
+import { Replay } from "../replay/replay";
+import { onTheme } from "../theme";
+import { section, type Section } from "./section";
+
+/** Portion of a run. */
+const FIRST_LOOK = 0.4;
+
+class Panel {
+  readonly root: HTMLElement;
+  readonly playhead: Playhead;
+  private readonly shown: Set<number>;
+  private replay: Replay | null = null;
+  private plots: TimePlots | null = null;
+  private open = false;
+
+  constructor(
+    private readonly data: ReportData,
+    private readonly scenario: Scenario,
+    id: string,
+    tab: string,
+  ) {
+    this.root = element("div", { role: "tabpanel", id, "aria-labelledby": tab, class: "panel", hidden: true });
+    this.playhead = new Playhead(scenario.duration);
+    // The arm at work: where a run begins, it only unfolds.
+    this.playhead.seek(FIRST_LOOK * scenario.duration);
+    const sets = scenario.runs.map((run) => run.set);
+    this.shown = new Set([sets[0] ?? 0, sets[sets.length - 1] ?? 0]);
+    onTheme(() => this.replay?.setTheme());
+  }
+
+  /** Made when it is opened and in view for the first time; the scene lives only while it is open. */
+  setOpen(open: boolean): void {
+    this.open = open;
+    this.root.hidden = !open;
+    if (!open) this.playhead.pause();
+    if (this.replay !== null) this.replay.setAlive(open);
+    else if (open) whenVisible(this.root, () => this.build());
+  }
+
+  private lastShown(): Run | undefined {
+    const shown = this.scenario.runs.filter((run) => this.shown.has(run.set));
+    return shown[shown.length - 1] ?? this.scenario.runs[this.scenario.runs.length - 1];
+  }
+
+  private build(): void {
+    const run = this.lastShown();
+    if (run === undefined || this.replay !== null) return;
+    this.replay = new Replay(this.data, this.scenario, this.playhead, run);
+    this.plots = new TimePlots(
+      this.scenario,
+      this.data.sets,
+      () => this.lastShown(),
+      (set) => this.shown.has(set),
+      this.playhead,
+    );
+    this.root.append(
+      ...this.troubles(),
+      element(
+        "div",
+        { class: "beside" },
+        element("div", { class: "left" }, this.replay.root),
+        element("div", { class: "right" }, this.key(), this.plots.root),
+      ),
+    );
+    this.replay.setAlive(this.open);
+  }
+
+  private troubles(): HTMLElement[] {
+    return this.scenario.runs
+      .filter((run) => run.status !== "completed")
+      .map((run) =>
+        element("p", { class: "trouble" }, `${this.data.sets[run.set] ?? ""}: ${run.status}${run.reason ? `, ${run.reason}` : ""}`),
+      );
+  }
+
+  /** Which sets are drawn, and what the bands mean. */
+  private key(): HTMLElement {
+    const sets = element("div", { class: "sets", role: "group", "aria-label": "Gain sets in the plots" });
+    if (this.scenario.runs.length > 1) {
+      for (const run of this.scenario.runs) {
+        const result = run.set === Math.max(...this.scenario.runs.map((other) => other.set));
+        const button = toggle("", this.shown.has(run.set), (on) => {
+          if (on) this.shown.add(run.set);
+          else this.shown.delete(run.set);
+          this.plots?.refresh();
+          const last = this.lastShown();
+          if (last !== undefined) this.replay?.setRun(last);
+        });
+        button.className = "entry";
+        const dash = result ? "line" : run.set === 0 ? "line dashed" : "line dotted";
+        button.append(element("span", { class: dash }), this.data.sets[run.set] ?? "");
+        sets.append(button);
+      }
+    }
+    const bands = element("ul", { class: "bands", "aria-label": "Bands behind the plots" });
+    const band = (colour: string, name: string) => {
+      const mark = element("span", { class: "mark", "aria-hidden": true });
+      mark.style.background = colour;
+      bands.append(element("li", {}, mark, name));
+    };
+    const zoom = (label: string, words: string, factor: number | null) =>
+      element("button", { type: "button", "aria-label": words, onclick: () => this.plots?.zoomBy(factor) }, label);
+    const used = new Set(this.scenario.runs.flatMap((run) => run.states.map((change) => change.state)));
+    this.scenario.states.forEach((name, i) => {
+      const colour = stateColour(name);
+      if (colour !== null && used.has(i)) band(colour, name);
+    });
+    if (this.scenario.runs.some((run) => run.slerps.length > 0)) band(SLERP_COLOUR, "slerp");
+    return element(
+      "div",
+      { class: "plots-key" },
+      sets,
+      bands,
+      element("span", { class: "zoom", role: "group", "aria-label": "Zoom of the time axis" }, zoom("−", "Zoom out", 2), zoom("+", "Zoom in", 0.5), zoom("All", "Show the whole run", null)),
+      element("p", { class: "note" }, "Drag to zoom, double click for all; the pointer moves the time."),
+    );
+  }
+}
+
+function inWindow(place: Element): boolean {
+  const box = place.getBoundingClientRect();
+  return box.bottom > 0 && box.top < innerHeight;
+}
+
+/** Keys that work wherever nothing else wants them. */
+function steerByKeys(current: () => Panel | undefined): void {
+  const steps: Record<string, number> = { ArrowLeft: -0.1, ArrowRight: 0.1, PageUp: -1, PageDown: 1 };
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.shiftKey) return;
+    const panel = current();
+    if (panel === undefined || !inWindow(panel.root)) return;
+    const { playhead } = panel;
+    const target = event.target instanceof Element ? event.target : document.body;
+    const slider = target.matches("input.scrub");
+    if (event.key === " ") {
+      if (target.matches("button, select, summary, a, input:not(.scrub), textarea")) return;
+      playhead.toggle();
+    } else {
+      const inReplay = slider || target.matches(".stage canvas, .plot");
+      const step = steps[event.key];
+      if (step === undefined || target.matches("select, input:not(.scrub), textarea, [role=tab], .scroll")) return;
+      if (event.key.startsWith("Page") && !inReplay) return;
+      playhead.pause();
+      playhead.seek(playhead.time + step);
+    }
+    event.preventDefault();
+  });
+}
+
+export function scenariosSection(data: ReportData): Section | null {
+  const scenarios = data.scenarios.filter((scenario) => scenario.runs.length > 0);
+  if (scenarios.length === 0) return null;
+  const tabs = element("div", { role: "tablist", class: "tabs", "aria-label": "Scenario" });
+  const panels = scenarios.map((scenario, i) => new Panel(data, scenario, `panel-${i}`, `tab-${i}`));
+  let current = 0;
+  const buttons = scenarios.map((scenario, i) =>
+    element(
+      "button",
+      { type: "button", role: "tab", id: `tab-${i}`, "aria-controls": `panel-${i}`, onclick: () => open(i) },
+      scenario.name,
+    ),
+  );
+  const open = (index: number) => {
+    current = index;
+    buttons.forEach((button, i) => {
+      button.setAttribute("aria-selected", String(i === index));
+      button.tabIndex = i === index ? 0 : -1;
+    });
+    panels.forEach((panel, i) => {
+      if (i !== index) panel.setOpen(false);
+    });
+    panels[index]?.setOpen(true);
+  };
+  tabs.addEventListener("keydown", (event) => {
+    const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (step === 0) return;
+    event.preventDefault();
+    open((current + step + scenarios.length) % scenarios.length);
+    buttons[current]?.focus();
+  });
+  tabs.append(...buttons);
+  open(0);
+  steerByKeys(() => panels[current]);
+  return section(
+    "replay",
+    "Replay and plots",
+    "Replay and time plots",
+    tabs,
+    ...panels.map((panel) => panel.root),
+    element("p", { class: "note keys" }, "Keys: space plays and pauses, ← → move the time. In the picture: Shift and arrows turn the view, + − zoom, 0 resets. In a plot: + − zoom, 0 shows all."),
+  );
+}

@@ -1,0 +1,73 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { bestSoFar, phaseRuns } from "../src/plots/evaluations";
+import { boundOf, placeOnScale } from "../src/plots/place_on_scale";
+import { scaleUnit } from "../src/plots/scale_unit";
+import { indexAt } from "../src/plots/index_at";
+import { ticks } from "../src/plots/ticks";
+
+test("the best so far never rises and takes no infeasible point", () => {
+  const objective = [3, 1, null, 2, 0.5, 2.5];
+  const feasible = [true, false, true, true, false, true];
+  const best = bestSoFar(objective, feasible);
+  assert.deepEqual(best, [3, 3, 3, 2, 2, 2]);
+  assert.deepEqual(bestSoFar([1, 2], [false, false]), [null, null]);
+});
+
+test("phases are counted as they follow each other", () => {
+  const runs = phaseRuns({ phase: ["start", "sweep", "search"], of: [0, 1, 1, 2, 1] });
+  assert.deepEqual(runs.map((run) => [run.phase, run.to - run.from + 1]), [["start", 1], ["sweep", 2], ["search", 1], ["sweep", 1]]);
+});
+
+test("bounds are the ends of a gain's scale and the geometric mean is the middle of a logarithmic one", () => {
+  for (const scale of ["log", "linear"] as const) {
+    const gain = { lower: 2, upper: 32, scale };
+    assert.equal(placeOnScale(gain, 2), 0);
+    assert.equal(placeOnScale(gain, 32), 1);
+    assert.equal(placeOnScale(gain, 1), 0);
+    assert.equal(placeOnScale(gain, 50), 1);
+    assert.ok(Math.abs(placeOnScale(gain, scale === "log" ? 8 : 17) - 0.5) < 1e-12);
+  }
+});
+
+test("a logarithmic scale from zero on is drawn linear", () => {
+  assert.equal(placeOnScale({ lower: 0, upper: 10, scale: "log" }, 5), 0.5);
+});
+
+test("a gain is at a bound only where it touches it", () => {
+  const gain = { lower: 1, upper: 100, scale: "log" } as const;
+  assert.equal(boundOf(gain, 1), "lower");
+  assert.equal(boundOf(gain, 100), "upper");
+  assert.equal(boundOf(gain, 1.1), "");
+  assert.equal(boundOf({ lower: 0, upper: 1600, scale: "linear" }, 0.1), "");
+});
+
+test("scaled values and their unit name the same quantity", () => {
+  assert.deepEqual(scaleUnit("m", 0.002), { factor: 1000, unit: "mm" });
+  assert.deepEqual(scaleUnit("m", 0.2), { factor: 1, unit: "m" });
+  assert.deepEqual(scaleUnit("N m", 0.002), { factor: 1, unit: "N m" });
+  assert.deepEqual(scaleUnit("rad", 0), { factor: 1, unit: "rad" });
+});
+
+test("the index at a time is the last one not after it", () => {
+  const x = [0, 0, 1, 1, 2, 5];
+  for (const time of [-1, 0, 0.5, 1, 1.9, 2, 4, 5, 9]) {
+    const i = indexAt(x, time);
+    const slow = Math.max(0, x.filter((value) => value <= time).length - 1);
+    assert.equal(i, slow, `time ${time}`);
+  }
+});
+
+test("ticks are round, evenly spaced and inside", () => {
+  for (const [lo, hi] of [[0, 1], [-0.3, 7.4], [1e-4, 3.3e-4], [0, 12345]] as const) {
+    const made = ticks(lo, hi, 5);
+    assert.ok(made.length >= 2 && made.length <= 7, `${lo} to ${hi}: ${made.length}`);
+    const step = (made[1] ?? 0) - (made[0] ?? 0);
+    made.forEach((tick, i) => {
+      assert.ok(tick >= lo - 1e-9 * step && tick <= hi + 1e-9 * step);
+      assert.ok(Math.abs(tick - ((made[0] ?? 0) + i * step)) < 1e-6 * step);
+    });
+    const mantissa = Number((step / 10 ** Math.floor(Math.log10(step * (1 + 1e-9)))).toFixed(6));
+    assert.ok([1, 2, 5].includes(mantissa), `step ${step}`);
+  }
+});
