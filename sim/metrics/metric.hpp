@@ -1,5 +1,5 @@
 #pragma once
-// The one declaration of every metric of a rollout: name, unit, meaning.
+// The one declaration of every metric of a rollout: name, unit, short words for it, meaning.
 
 #include <array>
 #include <cstddef>
@@ -53,6 +53,7 @@ inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::kCo
 struct MetricField {
   const char* name;
   const char* unit;
+  const char* words;  ///< as a sentence has them: "largest position error"
   const char* meaning;
 };
 

@@ -40,12 +40,22 @@ bool noticeable(const Change& change) {
   return std::abs(change.ratio - 1.0) >= kNoticeable;
 }
 
-/// "error/orientation/max falls by 62 %"
-std::string words(const Change& change) {
+/// "falls by 62 %"
+std::string how_much(const Change& change) {
   const double percent = 100.0 * (change.ratio - 1.0);
-  return percent > 1000.0 ? fmt::format("{} rises {:.3g}-fold", name(change.metric), change.ratio)
-                          : fmt::format("{} {} by {:.0f} %", name(change.metric),
-                                        percent < 0.0 ? "falls" : "rises", std::abs(percent));
+  return percent > 1000.0
+             ? fmt::format("rises {:.3g}-fold", change.ratio)
+             : fmt::format("{} by {:.0f} %", percent < 0.0 ? "falls" : "rises", std::abs(percent));
+}
+
+/// "the largest orientation error falls by 62 %"
+std::string words(const Change& change) {
+  return fmt::format("the {} {}", field(change.metric).words, how_much(change));
+}
+
+/// "error/orientation/max falls by 62 % (largest angle to the gaze orientation while tracking)"
+std::string exact_words(const Change& change) {
+  return fmt::format("{} {} ({})", name(change.metric), how_much(change), field(change.metric).meaning);
 }
 
 /// The best one or two improvements; empty if there is none.
@@ -109,8 +119,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const bool interrupted = ended.find("interrupted") != std::string::npos;
   std::string gain;
   if (!std::isnan(objective)) {
-    gain = objective < 1.0 ? fmt::format("the objective falls by {:.0f} %, to {:.3g} of the start's",
-                                         100.0 * (1.0 - objective), objective)
+    gain = objective < 1.0 ? fmt::format("the objective falls by {:.0f} %", 100.0 * (1.0 - objective))
                            : fmt::format("the objective is {:.3g} times the start's, no better", objective);
   }
   Verdict verdict;
@@ -128,8 +137,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   if (!worse.empty()) verdict.details.push_back("The price: " + worse);
   for (const Change& change : all) {
     if (!noticeable(change)) continue;
-    verdict.details.push_back(
-        fmt::format("{} ({}), over the study's scenarios", words(change), field(change.metric).meaning));
+    verdict.details.push_back(exact_words(change) + ", over the study's scenarios");
   }
   return verdict;
 }
@@ -241,7 +249,7 @@ Verdict of_pareto(const ReportData& data) {
   if (last > 0) {
     for (const Change& change : changes(data.tables, headline_terms(), last)) {
       if (!noticeable(change)) continue;
-      verdict.details.push_back(fmt::format("{}: {}", data.sets[last], words(change)));
+      verdict.details.push_back(fmt::format("{}: {}", data.sets[last], exact_words(change)));
     }
   }
   return verdict;

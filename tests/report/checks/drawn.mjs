@@ -26,7 +26,7 @@ async function plotted(page, selector) {
 }
 
 export async function checkDrawn({ page, data, expect, pictures }) {
-  expect((await page.textContent("h1"))?.trim() === data.verdict.sentence, "the verdict stands on top");
+  expect((await page.textContent("h1"))?.trim().replaceAll("\u00a0", " ") === data.verdict.sentence, "the verdict stands on top");
   await walkThrough(page);
   const tabs = await page.locator("[role=tab]").count();
   const withRuns = data.scenarios.filter((scenario) => scenario.runs.length > 0);

@@ -10,12 +10,14 @@ namespace {
 
 TEST(Metric, NamesAreUniqueTreesWithoutCommasAndReadBack) {
   std::set<std::string> names;
+  std::set<std::string> words;
   for (std::size_t i = 0; i < kMetricCount; ++i) {
     const MetricField& field = metric_fields()[i];
     const std::string name = field.name;
     EXPECT_TRUE(names.insert(name).second) << name << " stands twice";
     EXPECT_EQ(name.find_first_of(",\" \n"), std::string::npos) << name;
     EXPECT_NE(std::string(field.unit), "") << name;
+    EXPECT_TRUE(words.insert(field.words).second) << field.words << " stands twice";
     EXPECT_NE(std::string(field.meaning), "") << name;
     EXPECT_EQ(metric_from_name(name), static_cast<Metric>(i));
   }

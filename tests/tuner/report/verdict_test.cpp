@@ -145,10 +145,10 @@ TEST(Verdict, OfATunedRunSaysWhatGotBetterAndThatNothingIsViolated) {
   const Verdict verdict = verdict_of(tuned_data(), tuned_facts(0.9));
   EXPECT_THAT(
       verdict.sentence,
-      AllOf(HasSubstr("falls by 69 %"), HasSubstr("error/orientation/max falls by 83 %"),
+      AllOf(HasSubstr("falls by 69 %"), HasSubstr("the largest orientation error falls by 83 %"),
             HasSubstr("wrist comes closest"), HasSubstr("88 %"), HasSubstr("every constraint holds")));
   EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("effort_rate/rms rises by 50 %")));
-  EXPECT_THAT(verdict.details, testing::Contains("The price: obstacle/min_clearance falls by 50 %"))
+  EXPECT_THAT(verdict.details, testing::Contains("The price: the smallest obstacle clearance falls by 50 %"))
       << "though the study does not ask for it";
 }
 
@@ -190,9 +190,10 @@ TEST(Verdict, OfASimulationSaysWhatFailed) {
 TEST(Verdict, OfAComparisonIsOfTheLastSetAgainstTheFirst) {
   ReportData data = tuned_data();
   data.kind = RunKind::kCompare;
-  EXPECT_THAT(verdict_of(data, {}).sentence, AllOf(testing::StartsWith("Against start, tuned is better in"),
-                                                   HasSubstr("error/orientation/max falls by 83 %"),
-                                                   HasSubstr("obstacle/min_clearance falls by 50 %")));
+  EXPECT_THAT(verdict_of(data, {}).sentence,
+              AllOf(testing::StartsWith("Against start, tuned is better in"),
+                    HasSubstr("the largest orientation error falls by 83 %"),
+                    HasSubstr("the smallest obstacle clearance falls by 50 %")));
 }
 
 TEST(Verdict, OfManyArmsIsTheirYield) {

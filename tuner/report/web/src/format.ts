@@ -74,6 +74,11 @@ export function formatPercent(portion: number, digits = 1): string {
   return `${(100 * portion).toFixed(digits)} %`;
 }
 
+/** A number and the unit behind it stay on one line. */
+export function unbroken(sentence: string): string {
+  return sentence.replace(/(\d) (?=(%|mm|deg|s)(?![\w]))/g, "$1\u00a0");
+}
+
 /** Joint of a column or gain name such as joint/elbow_joint/velocity, else what stands after the last slash. */
 export function shortName(column: string): string {
   const parts = column.split("/");

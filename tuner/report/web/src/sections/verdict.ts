@@ -1,6 +1,7 @@
 // The first thing that is read.
 import type { ReportData } from "../data";
 import { element } from "../dom";
+import { unbroken } from "../format";
 import type { Section } from "./section";
 
 /** Characters; a longer sentence is set smaller, so that the numbers below it stay in sight. */
@@ -8,12 +9,12 @@ const LONG = 140;
 
 export function verdictSection(data: ReportData): Section {
   const details = element("ul", { class: "details" });
-  for (const detail of data.verdict.details) details.append(element("li", {}, detail));
+  for (const detail of data.verdict.details) details.append(element("li", {}, unbroken(detail)));
   const root = element(
     "section",
     { id: "verdict", class: "verdict", "aria-labelledby": "verdict-heading" },
     element("p", { class: "kind" }, [data.title, data.robot.name].filter((part) => part !== "").join(" · ")),
-    element("h1", { id: "verdict-heading", class: data.verdict.sentence.length > LONG && "long" }, data.verdict.sentence),
+    element("h1", { id: "verdict-heading", class: data.verdict.sentence.length > LONG && "long" }, unbroken(data.verdict.sentence)),
     data.verdict.details.length > 0 && details,
   );
   return { id: "verdict", short: "Verdict", root };
