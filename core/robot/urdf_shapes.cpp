@@ -59,6 +59,8 @@ void append(const urdf::Geometry* geometry, const urdf::Pose& origin, const Shap
   const urdf::Rotation& q = origin.rotation;
   const Eigen::Quaterniond R_LS(q.w, q.x, q.y, q.z);
   shape->body = site.body;
+  shape->link = site.link;
+  shape->collision = site.collision;
   shape->R_BS = site.R_BS * R_LS.toRotationMatrix();
   shape->p_BS = site.p_BS + site.R_BS * Vec3(origin.position.x, origin.position.y, origin.position.z);
   if (shape->R_BS.allFinite() && shape->p_BS.allFinite()) shapes.push_back(*shape);
@@ -70,13 +72,13 @@ void append_shapes(const urdf::Link& link, int body, const Mat3& R_BL, const Vec
                    std::vector<Shape>& shapes) {
   Shape site;
   site.body = body;
+  site.link = shapes.empty() ? 0 : shapes.back().link + 1;
   site.R_BS = R_BL;
   site.p_BS = p_BL;
-  const std::size_t before = shapes.size();
   for (const auto& visual : link.visual_array) {
     if (visual) append(visual->geometry.get(), visual->origin, site, shapes);
   }
-  if (shapes.size() > before) return;
+  site.collision = true;
   for (const auto& collision : link.collision_array) {
     if (collision) append(collision->geometry.get(), collision->origin, site, shapes);
   }

@@ -33,7 +33,7 @@ std::string errors_csv(const std::vector<ScenarioResult>& results) {
       text += std::isnan(value) ? "," : fmt::format(",{}", value);
       if (i == ratio) text += fmt::format(",{}", row.result.metrics.max_ratio_joint);
     }
-    text += '\n';
+    text += ',' + (row.result.reason.empty() ? std::string() : quoted(row.result.reason)) + '\n';
   }
   return text;
 }
@@ -45,6 +45,7 @@ std::vector<Column> error_columns() {
     columns.push_back({name(m), field(m).unit, field(m).meaning, {}});
     if (m == Metric::kJointVelocityMaxRatio) columns.push_back({kJointColumn, "", "joint of that ratio", {}});
   }
+  columns.push_back({"reason", "", "when, where and why it ended, if it did not complete", {}});
   return columns;
 }
 

@@ -30,15 +30,23 @@ void add_quaternion(std::vector<Column>& columns, const std::string& name, const
 
 void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool revolute) {
   const std::string tree = "joint/" + joint.name + "/";
-  const double limit = joint.limits.velocity;
+  const double velocity_limit = joint.limits.velocity;
+  const double effort_limit = joint.limits.effort;
   columns.push_back({tree + "position", revolute ? "rad" : "m", "true joint position",
                      [i](const Observation& o) { return (*o.q)[i]; }});
   columns.push_back({tree + "velocity", revolute ? "rad/s" : "m/s", "true joint velocity",
                      [i](const Observation& o) { return (*o.qd)[i]; }});
-  columns.push_back({tree + "velocity_ratio", "1", "|velocity| over its limit",
-                     [i, limit](const Observation& o) { return std::abs((*o.qd)[i]) / limit; }});
+  columns.push_back(
+      {tree + "velocity_ratio", "1", "largest |velocity| over its limit since the row before",
+       [i, velocity_limit](const Observation& o) { return std::abs((*o.qd)[i]) / velocity_limit; },
+       Over::kLargest});
   columns.push_back({tree + "torque", revolute ? "N m" : "N", "commanded torque after saturation",
                      [i](const Observation& o) { return o.control->torque[i]; }});
+  columns.push_back(
+      {tree + "torque_ratio", "1",
+       "largest |torque| over its limit since the row before, as commanded, before saturation",
+       [i, effort_limit](const Observation& o) { return std::abs(o.control->commanded[i]) / effort_limit; },
+       Over::kLargest});
 }
 
 }  // namespace
@@ -79,8 +87,9 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   add_vector(columns, "target/position", "m", "active target in the base frame",
              [](const Observation& o) { return o.target_motion.position; });
   if (!scenario.obstacles.empty()) {
-    columns.push_back({"obstacle/distance", "m", "closest joint origin to an obstacle's centre",
-                       [](const Observation& o) { return o.obstacle_distance; }});
+    columns.push_back({"obstacle/distance", "m",
+                       "least distance of a joint origin to an obstacle's centre since the row before",
+                       [](const Observation& o) { return o.obstacle_distance; }, Over::kSmallest});
   }
   columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller saw it",
                      [](const Observation& o) { return o.control->manipulability; }});

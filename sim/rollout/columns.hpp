@@ -10,11 +10,15 @@
 
 namespace armtune {
 
+/// What a row says of the periods since the row before: a limit must not be broken unseen between two rows.
+enum class Over { kThisPeriod, kLargest, kSmallest };
+
 struct Column {
   std::string name;  ///< a tree with '/', no commas
   std::string unit;
   std::string meaning;
   std::function<double(const Observation&)> value;
+  Over over = Over::kThisPeriod;
 };
 
 /// Columns for a scenario's robot, `time` first. The scenario's robot must outlive them.

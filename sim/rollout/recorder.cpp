@@ -2,19 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "sim/csv/text_file.hpp"
 
 namespace armtune {
 
 Recorder::Recorder(const Scenario& scenario, int stride)
-    : columns_(rollout_columns(scenario)), stride_(stride) {
-  values_.reserve((static_cast<std::size_t>(scenario.periods() / stride) + 1) * columns_.size());
+    : columns_(rollout_columns(scenario)), stride_(stride), row_(columns_.size()) {
+  values_.reserve((static_cast<std::size_t>(scenario.periods() / stride) + 2) * columns_.size());
 }
 
 bool Recorder::operator()(const Observation& o) {
-  if (seen_++ % stride_ == 0) {
-    for (const Column& column : columns_) values_.push_back(column.value(o));
+  const bool first_of_row = seen_ == 0 || (seen_ - 1) % stride_ == 0;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const double value = columns_[c].value(o);
+    const Over over = columns_[c].over;
+    row_[c] = first_of_row || over == Over::kThisPeriod ? value
+              : over == Over::kLargest                  ? std::max(row_[c], value)
+                                                        : std::min(row_[c], value);
   }
+  if (seen_++ % stride_ == 0) values_.insert(values_.end(), row_.begin(), row_.end());
   return true;
 }
 
@@ -24,11 +33,13 @@ void Recorder::write_csv(const std::string& path) const {
   for (std::size_t c = 0; c < columns_.size(); ++c)
     fmt::format_to(out, "{}{}", c ? "," : "", columns_[c].name);
   text.push_back('\n');
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (i % columns_.size() != 0) text.push_back(',');
-    fmt::format_to(out, "{:.9g}", values_[i]);
-    if ((i + 1) % columns_.size() == 0) text.push_back('\n');
-  }
+  const auto write = [&text, &out](std::span<const double> row) {
+    for (std::size_t c = 0; c < row.size(); ++c) fmt::format_to(out, "{}{:.9g}", c ? "," : "", row[c]);
+    text.push_back('\n');
+  };
+  const std::size_t width = columns_.size();
+  for (std::size_t i = 0; i < values_.size(); i += width) write(std::span(values_).subspan(i, width));
+  if (seen_ > 0 && (seen_ - 1) % stride_ != 0) write(row_);
   write_text_file(path, {text.data(), text.size()});
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps every k-th period of a rollout and writes it as CSV.
+// Keeps every k-th period of a rollout, and the last, and writes it as CSV.
 
 #include <string>
 
@@ -9,13 +9,14 @@ namespace armtune {
 
 class Recorder {
  public:
-  /// Keeps every `stride`-th period (>= 1), the first one included.
+  /// Keeps every `stride`-th period (>= 1), the first one included; what columns say of the periods between
+  /// goes into the row after them.
   Recorder(const Scenario& scenario, int stride);
 
   bool operator()(const Observation& o);
 
-  /// rollout_<scenario>.csv: a header row, then one row per kept period. Throws InputError if it cannot be
-  /// written.
+  /// rollout_<scenario>.csv: a header row, then one row per kept period and one for the last period, which is
+  /// where a rollout that failed says why. Throws InputError if it cannot be written.
   void write_csv(const std::string& path) const;
 
   const std::vector<Column>& columns() const { return columns_; }
@@ -24,6 +25,7 @@ class Recorder {
   std::vector<Column> columns_;
   int stride_;
   long seen_ = 0;
+  std::vector<double> row_;     ///< of the period seen last, and of those since the row before
   std::vector<double> values_;  ///< row by row
 };
 

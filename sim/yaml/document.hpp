@@ -12,10 +12,11 @@
 namespace armtune::yaml {
 
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
-inline constexpr std::size_t kMaxItems = 200'000;   ///< most values in one document, containers included
-inline constexpr std::size_t kMaxDepth = 64;        ///< most containers inside one another
-inline constexpr std::size_t kMaxKeyBytes = 200;    ///< longest key [byte]
-inline constexpr std::size_t kMaxPathBytes = 1000;  ///< longest key path [byte]
+inline constexpr std::size_t kMaxItems = 200'000;  ///< most values in one document, containers included
+inline constexpr std::size_t kMaxDepth = 64;       ///< most containers inside one another
+inline constexpr std::size_t kMaxKeyBytes =
+    1024;  ///< longest key [byte], as YAML has it; run.yaml has paths as keys
+inline constexpr std::size_t kMaxPathBytes = 4096;  ///< longest key path [byte]
 
 /// One value of a document: empty, a scalar, a list or a map, with the place it came from. Immutable.
 ///

@@ -46,8 +46,9 @@ std::string& command_line() {
   return text;
 }
 
-std::string program_name() {
-  return command_line().substr(0, command_line().find(' '));
+std::string& program_name() {
+  static std::string name;
+  return name;
 }
 
 int default_workers() {

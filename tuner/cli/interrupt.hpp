@@ -15,10 +15,10 @@ void ignore_interrupts();
 
 /// The words of the command line, for provenance; of a resumed run those it was begun with.
 std::vector<std::string>& command_words();
-/// The command line as typed.
+/// What makes the run again, for provenance (see repeating_command).
 std::string& command_line();
-/// Its first word, to name the program in advice.
-std::string program_name();
+/// The program as typed, to name it in advice.
+std::string& program_name();
 
 /// Threads to use when the user says nothing: one per processor; one among ranks.
 int default_workers();

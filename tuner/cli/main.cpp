@@ -24,12 +24,13 @@ std::string version_text() {
 }
 
 int run(int argc, char** argv) {
-  cli::command_line() = fmt::format("{}", fmt::join(argv, argv + argc, " "));
+  cli::program_name() = argv[0];
   const bool first = rank_place().rank == 0;
   // Rank 0 decides when the others stop.
   first ? cli::catch_interrupts() : cli::ignore_interrupts();
   try {
     cli::command_words() = cli::resumed_arguments({argv, argv + argc});
+    cli::command_line() = cli::repeating_command(cli::command_words());
   } catch (const InputError&) {
     if (first) throw;
     const auto failure =

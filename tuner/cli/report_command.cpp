@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "tuner/cli/commands.hpp"
-#include "tuner/report/report.hpp"
+#include "tuner/cli/report_file.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -18,9 +18,10 @@ struct Arguments {
 
 int run(const Arguments& args) {
   const std::string path = args.path.empty() ? args.folder + "/report.html" : args.path;
-  const std::size_t size = report::write_report(args.folder, path);
+  const report::Written written = report::write_report(args.folder, path);
+  warn_of_left_out(written);
   constexpr double kMegabyte = 1e6;
-  fmt::print("wrote {} ({:.2f} MB)\n", path, static_cast<double>(size) / kMegabyte);
+  fmt::print("wrote {} ({:.2f} MB)\n", path, static_cast<double>(written.bytes) / kMegabyte);
   return kDone;
 }
 

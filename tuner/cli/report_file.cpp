@@ -8,10 +8,15 @@
 #include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tuner/report/report.hpp"
 #include "tuner/run/simulate.hpp"
 
 namespace armtune::cli {
+
+void warn_of_left_out(const report::Written& written) {
+  for (const std::string& why : written.left_out) {
+    fmt::print(stderr, "armtune: warning: left out of the report: {}\n", why);
+  }
+}
 
 std::string add_report(const std::string& folder, const std::function<report::Scene()>& scene) {
   std::string written;
@@ -19,7 +24,7 @@ std::string add_report(const std::string& folder, const std::function<report::Sc
     write_text_file(folder + "/scene.json", report::scene_json(scene()));
     written = ", scene.json";
     if (!report::available()) return written;
-    report::write_report(folder, folder + "/report.html");
+    warn_of_left_out(report::write_report(folder, folder + "/report.html"));
     written += ", report.html";
   } catch (const std::exception& error) {
     fmt::print(stderr, "armtune: warning: the run is finished, but its report is not: {}\n", error.what());

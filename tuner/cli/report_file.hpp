@@ -6,6 +6,7 @@
 
 #include "core/control/gains.hpp"
 #include "sim/plant/stepper.hpp"
+#include "tuner/report/report.hpp"
 #include "tuner/report/scene.hpp"
 
 namespace armtune::cli {
@@ -14,6 +15,9 @@ namespace armtune::cli {
 /// went wrong is told on stderr, for the run itself is finished. Returns ", scene.json, report.html" or what
 /// of it was written, to follow the names of the other files.
 std::string add_report(const std::string& folder, const std::function<report::Scene()>& scene);
+
+/// On stderr, a line each.
+void warn_of_left_out(const report::Written& written);
 
 /// How a gain set is simulated for the report alone.
 struct RecordOptions {

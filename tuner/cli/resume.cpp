@@ -43,7 +43,24 @@ std::optional<std::string> cut(std::vector<std::string>& words, const std::strin
   return std::nullopt;
 }
 
+/// A word as a shell takes it for one.
+std::string shell_word(const std::string& word) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
+
+std::string repeating_command(std::vector<std::string> words) {
+  cut(words, kResume);
+  cut(words, "--out");
+  std::string text = "armtune";
+  for (std::size_t i = 1; i < words.size(); ++i) text += ' ' + shell_word(words[i]);
+  return text;
+}
 
 std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   const auto folder = cut(words, kResume);

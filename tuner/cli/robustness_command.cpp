@@ -201,8 +201,8 @@ int run(Arguments args, Team& team) {
                {"stepper", args.stepper},
                {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    const bool recorded = !stop_requested();
     const std::string report = add_report(args.folder, [&] {
-      const bool recorded = !stop_requested();
       const std::string label = stem(set.path);
       report::SceneSet nominal = {label, "nominal", "nominal/errors.csv"};
       if (recorded) {
@@ -211,9 +211,8 @@ int run(Arguments args, Team& team) {
       }
       return report::scene_of(scenarios, {nominal}, set.gains.obstacleInfluenceRadius);
     });
-    fmt::print(
-        "\nwrote {}: samples.csv, summary.csv, run.yaml{}; the arm of the scenarios itself in nominal/\n",
-        args.folder, report);
+    fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml{}{}\n", args.folder, report,
+               recorded ? "; the arm of the scenarios itself in nominal/" : "");
     if (stop_requested()) {
       fmt::print("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder);
     } else {

@@ -1,5 +1,7 @@
 // What comes after a search: sensitivity and margins.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,18 @@ std::vector<Sensitivity> sensitivity_of(const CsvTable& table) {
   return rows;
 }
 
+namespace {
+
+/// "1.27"; "≥ 100" or "≤ 10" where nothing failed on the way from the nominal value; "none" where not even
+/// that stands.
+std::string shown_margin(double nominal, double stands, double fails) {
+  if (std::isnan(stands)) return "none";
+  const char* bound = !std::isnan(fails) ? "" : stands < nominal ? "≤ " : "≥ ";
+  return fmt::format("{}{:.4g}", bound, stands);
+}
+
+}  // namespace
+
 std::vector<MarginRow> margins_of(const std::vector<std::optional<CsvTable>>& sets) {
   std::vector<MarginRow> rows;
   for (std::size_t set = 0; set < sets.size(); ++set) {
@@ -30,7 +44,9 @@ std::vector<MarginRow> margins_of(const std::vector<std::optional<CsvTable>>& se
     const std::size_t margin = table.column("margin");
     const std::size_t unit = table.column("unit");
     const std::size_t scenario = table.column("scenario");
+    const std::size_t nominal = table.column("nominal");
     const std::size_t stands = table.column("stands");
+    const std::size_t fails = table.column("fails");
     const std::size_t reason = table.column("reason");
     for (std::size_t r = 0; r < table.rows(); ++r) {
       const std::string what = table.text(r, margin);
@@ -40,10 +56,11 @@ std::vector<MarginRow> margins_of(const std::vector<std::optional<CsvTable>>& se
       });
       if (row == rows.end()) {
         rows.push_back({what, table.text(r, unit), where, std::vector<double>(sets.size(), NAN),
-                        std::vector<std::string>(sets.size())});
+                        std::vector<std::string>(sets.size()), std::vector<std::string>(sets.size())});
         row = rows.end() - 1;
       }
       row->values[set] = table.number(r, stands);
+      row->text[set] = shown_margin(table.number(r, nominal), row->values[set], table.number(r, fails));
       row->reason[set] = table.text(r, reason);
     }
   }

@@ -45,18 +45,39 @@ ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
   return shape;
 }
 
+/// Nothing for a mesh that cannot be loaded, or has more triangles than are left.
+std::optional<ArmShape> drawn(const Shape& shape, const std::string& urdf, std::size_t& triangles_left) {
+  ArmShape result{shape.body, pose_of(shape.R_BS, shape.p_BS), name(shape.kind), size_of(shape), {}};
+  if (shape.kind != ShapeKind::kMesh) return result;
+  const auto path = mesh_path(shape.file, urdf);
+  const auto corners = path ? read_binary_stl(*path, triangles_left) : std::nullopt;
+  if (!corners) return std::nullopt;
+  triangles_left -= corners->size() / 9;
+  result.triangles = base64_f32(*corners);
+  return result;
+}
+
 void add_shapes(const RobotModel& model, Arm& arm) {
-  std::size_t triangles = 0;
-  for (const Shape& shape : model.shapes) {
-    ArmShape drawn{shape.body, pose_of(shape.R_BS, shape.p_BS), name(shape.kind), size_of(shape), {}};
-    if (shape.kind == ShapeKind::kMesh) {
-      const auto path = mesh_path(shape.file, model.source);
-      const auto corners = path ? read_binary_stl(*path, kMostTriangles - triangles) : std::nullopt;
-      if (!corners) continue;
-      triangles += corners->size() / 9;
-      drawn.triangles = base64_f32(*corners);
+  std::size_t triangles_left = kMostTriangles;
+  const auto& shapes = model.shapes;
+  for (auto begin = shapes.begin(); begin != shapes.end();) {
+    const auto end =
+        std::find_if(begin, shapes.end(), [begin](const Shape& s) { return s.link != begin->link; });
+    std::size_t found = 0;
+    std::size_t failed = 0;
+    // What is to be seen is often of a kind that cannot be loaded, with a simpler body for collisions beside
+    // it.
+    for (const bool collision : {false, true}) {
+      for (auto shape = begin; shape != end; ++shape) {
+        if (shape->collision != collision) continue;
+        auto shown = drawn(*shape, model.source, triangles_left);
+        ++(shown ? found : failed);
+        if (shown) arm.shapes.push_back(std::move(*shown));
+      }
+      if (found > 0) break;
     }
-    arm.shapes.push_back(std::move(drawn));
+    if (found == 0) arm.undrawn += failed;
+    begin = end;
   }
 }
 

@@ -36,11 +36,13 @@ struct Arm {
   std::string name;
   std::vector<ArmJoint> joints;
   std::vector<ArmShape> shapes;
-  Pose tool;  ///< in the last joint's frame
+  std::size_t undrawn = 0;  ///< shapes of the URDF that could not be drawn
+  Pose tool;                ///< in the last joint's frame
 };
 
-/// Shapes as the URDF has them. Meshes that cannot be loaded, or of which an arm has too many triangles, are
-/// left out; a moving link with no shape gets capsules between joint origins.
+/// Shapes as the URDF has them: of each link what is to be seen, else what is to collide. Meshes that cannot
+/// be loaded, or of which an arm has too many triangles, are left out; a moving link with no shape gets
+/// capsules between joint origins.
 Arm arm_of(const RobotModel& model);
 
 }  // namespace armtune::report

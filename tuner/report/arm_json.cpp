@@ -58,6 +58,7 @@ void write_arm(Json& json, const Arm& arm) {
     json.end_object();
   }
   json.end_array();
+  json.integer("undrawn", static_cast<long>(arm.undrawn));
   json.key("tool");
   json.begin_object();
   write_pose(json, arm.tool);
@@ -93,6 +94,7 @@ Arm read_arm(const yaml::Node& node) {
     shape_map.finish();
     arm.shapes.push_back(std::move(shape));
   }
+  arm.undrawn = static_cast<std::size_t>(std::max(0L, map.integer("undrawn", 0)));
   yaml::MapReader tool(map.required("tool"));
   arm.tool = read_pose(tool);
   tool.finish();

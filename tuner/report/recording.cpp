@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/control/state_machine.hpp"
 #include "tuner/report/buckets.hpp"
 
 namespace armtune::report {
@@ -33,10 +34,24 @@ std::string joint_column(const ArmJoint& joint, const char* what) {
   return "joint/" + joint.name + "/" + what;
 }
 
-/// |torque| over its limit, which the file has no column of.
+/// |torque| over its limit as commanded; in older files, which have no column of it, after saturation.
 std::vector<double> torque_ratio(const CsvTable& rollout, const ArmJoint& joint) {
+  if (const auto ratio = rollout.find(joint_column(joint, "torque_ratio"))) return rollout.numbers(*ratio);
   std::vector<double> values = rollout.numbers(rollout.column(joint_column(joint, "torque")));
   for (double& value : values) value = std::abs(value) / joint.effort_limit;
+  return values;
+}
+
+/// An error's column; no value in the states that do not track it, where the file has zeros.
+std::vector<double> tracked(const CsvTable& rollout, std::size_t column, bool position) {
+  const std::size_t state = rollout.column("state");
+  std::vector<double> values = rollout.numbers(column);
+  for (std::size_t r = 0; r < values.size(); ++r) {
+    const auto now = static_cast<ControlState>(rollout.number(r, state));
+    const bool free =
+        now == ControlState::kLeaveSingularity || (position && now == ControlState::kAvoidObstacles);
+    if (free) values[r] = std::numeric_limits<double>::quiet_NaN();
+  }
   return values;
 }
 
@@ -47,8 +62,11 @@ void add_columns(const CsvTable& rollout, const Arm* arm, const Buckets& buckets
   };
   for (const GroupOf& g : kGroups) {
     for (std::size_t c = 0; c < rollout.header().size(); ++c) {
-      if (rollout.header()[c].starts_with(g.prefix))
-        add(rollout.header()[c], g.group, g.unit, rollout.numbers(c));
+      const std::string& name = rollout.header()[c];
+      if (!name.starts_with(g.prefix)) continue;
+      const bool error = name.starts_with("error/");
+      add(name, g.group, g.unit,
+          error ? tracked(rollout, c, name.starts_with("error/position/")) : rollout.numbers(c));
     }
   }
   if (arm == nullptr) return;
@@ -122,10 +140,9 @@ Series error_norm(const CsvTable& rollout, const std::vector<std::size_t>& rows)
   std::vector<double> norms(rows.size(), 0.0);
   for (const char* axis : kAxes) {
     const std::size_t c = rollout.column(std::string("error/position/") + axis);
-    for (std::size_t i = 0; i < rows.size(); ++i) norms[i] = std::hypot(norms[i], rollout.number(rows[i], c));
+    const auto values = tracked(rollout, c, true);
+    for (std::size_t i = 0; i < rows.size(); ++i) norms[i] = std::hypot(norms[i], values[rows[i]]);
   }
-  // Where no position is tracked the error is written as zero.
-  std::replace(norms.begin(), norms.end(), 0.0, std::numeric_limits<double>::quiet_NaN());
   return quantize(norms);
 }
 
@@ -183,10 +200,22 @@ Resolution resolution_for(std::size_t runs, std::size_t columns, double seconds,
   return resolution;
 }
 
+std::vector<std::string> joints_of(const CsvTable& rollout) {
+  constexpr std::string_view kBegin = "joint/";
+  constexpr std::string_view kEnd = "/position";
+  std::vector<std::string> names;
+  for (const std::string& column : rollout.header()) {
+    if (!column.starts_with(kBegin) || !column.ends_with(kEnd)) continue;
+    names.push_back(column.substr(kBegin.size(), column.size() - kBegin.size() - kEnd.size()));
+  }
+  return names;
+}
+
 Run run_of(const CsvTable& rollout, const SceneScenario* scenario, const Arm* arm,
            const Resolution& resolution) {
   Run run;
   const std::vector<double> time = rollout.numbers(rollout.column("time"));
+  if (!time.empty()) run.end = time.back();
   const Buckets buckets(time.size(), resolution.buckets);
   run.time = quantize(buckets.times(time));
   add_columns(rollout, arm, buckets, run);

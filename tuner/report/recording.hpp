@@ -17,9 +17,12 @@ struct Resolution {
 /// text.
 Resolution resolution_for(std::size_t runs, std::size_t columns, double seconds, std::size_t bytes);
 
-/// Plots, states, slerps and replay; set, status and reason are the caller's. scenario, arm: null where the
-/// run folder has no scene; then without torques over their limits, and without a replay. Throws InputError
-/// naming the file if a column is missing.
+/// Names of the joints in the order of a recording's columns.
+std::vector<std::string> joints_of(const CsvTable& rollout);
+
+/// Plots, states, slerps, end and replay; set, status and reason are the caller's. scenario, arm: null where
+/// the run folder has no scene; then without torques over their limits, and without a replay. Throws
+/// InputError naming the file if a column is missing.
 Run run_of(const CsvTable& rollout, const SceneScenario* scenario, const Arm* arm,
            const Resolution& resolution);
 

@@ -3,15 +3,21 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace armtune::report {
 
 /// Whether armtune was built with the page.
 bool available();
 
-/// Writes the report of a run folder to `path`; returns its size [byte]. Throws InputError naming a file of
-/// the folder that cannot be understood or the path if it cannot be written, std::runtime_error, which says
-/// how to get it, where the page is not built in.
-std::size_t write_report(const std::string& folder, const std::string& path);
+struct Written {
+  std::size_t bytes = 0;
+  std::vector<std::string> left_out;  ///< why, of files that could not be understood
+};
+
+/// Writes the report of a run folder to `path`: 6 MB at most, for which plots and replay are made coarser
+/// where it takes that. Throws InputError if it is no folder of a run or if the path cannot be written,
+/// std::runtime_error, which says how to get it, where the page is not built in.
+Written write_report(const std::string& folder, const std::string& path);
 
 }  // namespace armtune::report

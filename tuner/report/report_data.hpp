@@ -9,15 +9,12 @@
 
 #include "sim/metrics/metric.hpp"
 #include "tuner/report/arm.hpp"
+#include "tuner/report/run_kind.hpp"
 #include "tuner/report/series.hpp"
 
 namespace armtune::report {
 
-enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare };
-
-/// "simulate", "tune" ...
-const char* name(RunKind kind);
-
+/// One metric of a scenario.
 struct MetricRow {
   Metric metric = Metric::kPositionMax;
   std::vector<double> values;     ///< one per set
@@ -28,6 +25,13 @@ struct Table {
   std::string scenario;
   std::vector<MetricRow> rows;
   std::vector<std::string> status;  ///< one per set, empty where there is none
+  std::vector<std::string> reason;  ///< one per set, of what did not complete
+};
+
+/// What a study on many arms was judged by.
+struct Judged {
+  std::string measure;  ///< "worst of 5 arms each"
+  std::vector<Table> tables;
 };
 
 struct PlotColumn {
@@ -56,7 +60,8 @@ struct StateChange {
 struct Run {
   std::size_t set = 0;
   std::string status;
-  std::string reason;
+  std::string reason;  ///< when, where and why it ended, of what did not complete
+  double end = 0.0;    ///< [s]
   std::vector<StateChange> states;
   std::vector<std::pair<double, double>> slerps;  ///< begin and end [s]
   Series time;
@@ -70,6 +75,7 @@ struct ReportScenario {
   std::vector<Vec3> path;
   double influence_radius = 0.0;
   std::size_t obstacles = 0;
+  long arm = -1;  ///< index into ReportData::arms; -1: not known
   std::vector<Run> runs;
 };
 
@@ -79,6 +85,7 @@ struct Evaluations {
   std::vector<double> objective;
   std::vector<bool> feasible;
   std::vector<double> violation;
+  std::vector<bool> native;  ///< of armtune's own engine; empty where none is
   long start = -1;
   long chosen = -1;
 };
@@ -104,7 +111,8 @@ struct MarginRow {
   std::string margin;
   std::string unit;
   std::string scenario;
-  std::vector<double> values;  ///< one per set
+  std::vector<double> values;     ///< one per set
+  std::vector<std::string> text;  ///< one per set, the value in words
   std::vector<std::string> reason;
 };
 
@@ -112,12 +120,13 @@ struct FrontPoint {
   std::vector<double> values;
   std::string label;
   bool feasible = false;
-  std::string role;  ///< start, chosen, point
+  std::string role;  ///< start, chosen, shown, point
 };
 
 struct Front {
   std::vector<std::pair<std::string, std::string>> criteria;  ///< name, unit
   std::vector<FrontPoint> points;
+  std::vector<std::pair<std::size_t, double>> limits;  ///< index of a criterion, what the study allows of it
   std::optional<double> hypervolume;
 };
 
@@ -126,6 +135,7 @@ struct Histogram {
   std::string scenario;
   std::optional<double> limit;
   std::vector<std::size_t> counts;
+  std::size_t failed = 0;  ///< arms that did not complete, of which there is no value
   std::vector<double> edges;
   std::optional<double> nominal;
 };
@@ -155,7 +165,8 @@ struct ReportData {
   Verdict verdict;
   std::vector<std::string> sets;
   std::vector<Table> tables;
-  Arm arm;
+  std::optional<Judged> judged;
+  std::vector<Arm> arms;
   std::vector<ReportScenario> scenarios;
   std::optional<Evaluations> evaluations;
   std::vector<Gain> gains;
@@ -165,6 +176,8 @@ struct ReportData {
   std::optional<Robustness> robustness;
   std::string command;
   std::vector<std::pair<std::string, std::string>> provenance;
+  std::vector<std::string>
+      left_out;  ///< why, of files that could not be understood; not on the page by itself
 };
 
 /// The object that web/src/data.ts calls ReportData.

@@ -34,6 +34,7 @@ void write_row(Json& json, const MetricRow& row) {
   json.begin_object();
   json.text("metric", f.name);
   json.text("unit", f.unit);
+  json.text("words", f.words);
   json.text("meaning", f.meaning);
   json.numbers("values", row.values);
   if (!row.text.empty()) json.texts("text", row.text);
@@ -46,6 +47,7 @@ void write_table(Json& json, const Table& table) {
   json.text("scenario", table.scenario);
   array(json, "rows", table.rows, write_row);
   json.texts("status", table.status);
+  json.texts("reason", table.reason);
   json.end_object();
 }
 
@@ -72,6 +74,7 @@ void write_run(Json& json, const Run& run) {
   json.integer("set", static_cast<long>(run.set));
   json.text("status", run.status);
   json.text("reason", run.reason);
+  json.number("end", run.end);
   array(json, "states", run.states, [](Json& out, const StateChange& change) {
     out.begin_object();
     out.number("t", change.time);
@@ -121,6 +124,7 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
   json.end_array();
   json.texts("states", {name(ControlState::kLeaveSingularity), name(ControlState::kReturnToTrajectory),
                         name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles)});
+  json.integer("robot", scenario.arm);
   array(json, "runs", scenario.runs, write_run);
   json.end_object();
 }
@@ -132,6 +136,9 @@ void write_evaluations(Json& json, const Evaluations& e) {
   json.numbers("objective", e.objective);
   array(json, "feasible", e.feasible, [](Json& out, bool feasible) { out.boolean(feasible); });
   json.numbers("violation", e.violation);
+  if (!e.native.empty()) {
+    array(json, "native", e.native, [](Json& out, bool native) { out.boolean(native); });
+  }
   json.integer("start", e.start);
   json.integer("chosen", e.chosen);
   json.end_object();
@@ -164,6 +171,7 @@ void write_margin(Json& json, const MarginRow& row) {
   json.text("unit", row.unit);
   json.text("scenario", row.scenario);
   json.numbers("values", row.values);
+  json.texts("text", row.text);
   json.texts("reason", row.reason);
   json.end_object();
 }
@@ -185,6 +193,12 @@ void write_front(Json& json, const Front& front) {
     out.text("role", point.role);
     out.end_object();
   });
+  array(json, "limits", front.limits, [](Json& out, const std::pair<std::size_t, double>& limit) {
+    out.begin_object();
+    out.integer("criterion", static_cast<long>(limit.first));
+    out.number("value", limit.second);
+    out.end_object();
+  });
   write_optional(json, "hypervolume", front.hypervolume);
   json.end_object();
 }
@@ -197,6 +211,7 @@ void write_histogram(Json& json, const Histogram& histogram) {
   write_optional(json, "limit", histogram.limit);
   array(json, "counts", histogram.counts,
         [](Json& out, std::size_t count) { out.integer(static_cast<long>(count)); });
+  json.integer("failed", static_cast<long>(histogram.failed));
   json.numbers("edges", histogram.edges);
   write_optional(json, "nominal", histogram.nominal);
   json.end_object();
@@ -219,22 +234,6 @@ void write_robustness(Json& json, const Robustness& r) {
 
 }  // namespace
 
-const char* name(RunKind kind) {
-  switch (kind) {
-    case RunKind::kSimulate:
-      return "simulate";
-    case RunKind::kTune:
-      return "tune";
-    case RunKind::kPareto:
-      return "pareto";
-    case RunKind::kRobustness:
-      return "robustness";
-    case RunKind::kCompare:
-      return "compare";
-  }
-  return "";
-}
-
 std::string report_json(const ReportData& data) {
   Json json;
   json.begin_object();
@@ -248,8 +247,14 @@ std::string report_json(const ReportData& data) {
   json.end_object();
   json.texts("sets", data.sets);
   array(json, "tables", data.tables, write_table);
-  json.key("robot");
-  write_arm(json, data.arm);
+  if (data.judged) {
+    json.key("judged");
+    json.begin_object();
+    json.text("measure", data.judged->measure);
+    array(json, "tables", data.judged->tables, write_table);
+    json.end_object();
+  }
+  array(json, "robots", data.arms, write_arm);
   array(json, "scenarios", data.scenarios, write_scenario);
   if (data.evaluations) {
     json.key("evaluations");

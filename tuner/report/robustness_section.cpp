@@ -61,8 +61,13 @@ void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& lim
       const auto column = samples.find(name(metric));
       if (!column) continue;
       std::vector<double> values;
+      std::size_t failed = 0;
       for (std::size_t r = 0; r < samples.rows(); ++r) {
-        if (samples.text(r, scenario_column) != scenario || samples.text(r, status) != "completed") continue;
+        if (samples.text(r, scenario_column) != scenario) continue;
+        if (samples.text(r, status) != "completed") {
+          ++failed;
+          continue;
+        }
         const double value = samples.number(r, *column);
         if (std::isfinite(value)) values.push_back(value);
       }
@@ -70,6 +75,7 @@ void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& lim
       Histogram histogram;
       histogram.metric = metric;
       histogram.scenario = scenario;
+      histogram.failed = failed;
       for (const MetricLimit& limit : limits) {
         if (limit.metric == metric) histogram.limit = limit.value;
       }

@@ -22,9 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the page's 6 MB, beside its program.
-constexpr std::size_t kRecordingBytes = 4'000'000;
-
 bool exists(const std::string& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
@@ -36,26 +33,46 @@ std::optional<CsvTable> table_if_any(const std::string& path) {
 
 class Assembly {
  public:
-  explicit Assembly(std::string folder) : folder_(std::move(folder)) { data_.kind = kind_of(folder_); }
+  Assembly(std::string folder, std::size_t recording_bytes)
+      : folder_(std::move(folder)), recording_bytes_(recording_bytes) {
+    data_.kind = kind_of(folder_);
+  }
 
   ReportData make() {
-    read_provenance();
-    if (exists(file("study.yaml"))) facts_.study = read_study_facts(file("study.yaml"));
+    part([this] { read_provenance(); });
+    part([this] {
+      if (exists(file("study.yaml"))) facts_.study = read_study_facts(file("study.yaml"));
+    });
     read_scene_or_guess();
     for (const SceneSet& set : scene_.sets) data_.sets.push_back(set.name);
-    read_tables();
-    read_gains();
+    data_.arms = scene_.arms;
+    part([this] { read_tables(); });
+    part([this] { read_gains(); });
     read_recordings();
-    read_sections();
+    part([this] { read_evaluations(); });
+    part([this] { read_analyses(); });
+    part([this] { read_many(); });
     data_.title = title();
     data_.verdict = verdict_of(data_, facts_);
-    if (scene_.arms.empty()) {
+    if (scene_.arms.empty() && !data_.scenarios.empty()) {
       data_.verdict.details.emplace_back("The folder holds no scene.json, so there is no replay.");
     }
+    for (const std::string& why : data_.left_out) data_.verdict.details.push_back("Left out: " + why);
+    show_tables();
     return std::move(data_);
   }
 
  private:
+  /// What one file spoils is left out alone, and said.
+  template <typename Read>
+  void part(Read read) {
+    try {
+      read();
+    } catch (const InputError& error) {
+      data_.left_out.emplace_back(error.what());
+    }
+  }
+
   std::string file(const std::string& name) const { return folder_ + "/" + name; }
   std::string file(const SceneSet& set, const std::string& name) const {
     return file(set.folder == "." ? name : set.folder + "/" + name);
@@ -75,7 +92,7 @@ class Assembly {
   std::string title() const {
     const std::string study = entry("study");
     const std::string what = study.empty() ? std::string() : stem(study);
-    const std::string name = fs::path(folder_).lexically_normal().filename().string();
+    const std::string name = (fs::path(folder_) / ".").lexically_normal().parent_path().filename().string();
     return fmt::format("{}{}{}", report::name(data_.kind), what.empty() ? "" : " " + what,
                        name.empty() || name == "." ? "" : fmt::format(" ({})", name));
   }
@@ -97,11 +114,11 @@ class Assembly {
   }
 
   void read_scene_or_guess() {
-    if (exists(file("scene.json"))) {
-      scene_ = read_scene(file("scene.json"));
-      return;
-    }
-    scene_.sets = usual_sets();
+    part([this] {
+      if (exists(file("scene.json"))) scene_ = read_scene(file("scene.json"));
+    });
+    if (!scene_.sets.empty()) return;
+    part([this] { scene_.sets = usual_sets(); });
     if (!facts_.study) return;
     try {
       const Study study = load_study(file("study.yaml"));
@@ -116,13 +133,42 @@ class Assembly {
     data_.tables = tables_of(errors);
     std::vector<std::optional<CsvTable>> robust;
     for (const SceneSet& set : scene_.sets) robust.push_back(table_if_any(file(set, "robust_errors.csv")));
-    facts_.judged = tables_of(robust);
+    auto judged = tables_of(robust);
+    if (!judged.empty()) data_.judged = {facts_.study ? facts_.study->measure : "", std::move(judged)};
+  }
+
+  /// Those that a person looks at first and those that the study asks for: every other is in the files.
+  void show_tables() {
+    std::vector<Metric> wanted;
+    if (facts_.study) {
+      for (const StudyTerm& term : facts_.study->terms) wanted.push_back(term.metric);
+      for (const StudyLimit& limit : facts_.study->limits) wanted.push_back(limit.metric);
+    }
+    keep_rows(data_.tables, wanted);
+    if (data_.judged) keep_rows(data_.judged->tables, wanted);
+  }
+
+  /// In the order of the file's columns; from any recording where the folder says no more.
+  std::vector<std::string> joint_names() const {
+    std::vector<std::string> names;
+    if (!scene_.arms.empty()) {
+      for (const ArmJoint& joint : scene_.arms.front().joints) names.push_back(joint.name);
+      return names;
+    }
+    for (const SceneSet& set : scene_.sets) {
+      for (const Table& table : data_.tables) {
+        const std::string path = file(set, "rollout_" + table.scenario + ".csv");
+        if (!exists(path)) continue;
+        return joints_of(CsvTable::read(path));
+      }
+    }
+    return names;
   }
 
   void read_gains() {
-    if (!facts_.study || scene_.arms.empty()) return;
-    std::vector<std::string> joints;
-    for (const ArmJoint& joint : scene_.arms.front().joints) joints.push_back(joint.name);
+    if (!facts_.study) return;
+    const std::vector<std::string> joints = joint_names();
+    if (joints.empty()) return;
     const auto entries = gain_entries(joints);
     std::vector<std::optional<Gains>> gains;
     for (const SceneSet& set : scene_.sets) {
@@ -155,7 +201,6 @@ class Assembly {
   }
 
   void read_recordings() {
-    if (!scene_.arms.empty()) data_.arm = scene_.arms.front();
     const auto names = scenario_names();
     std::size_t runs = 0;
     double seconds = 0.0;
@@ -166,8 +211,9 @@ class Assembly {
         if (const SceneScenario* s = scenario(name)) seconds += s->duration;
       }
     }
-    const std::size_t columns = 22 + 2 * data_.arm.joints.size();
-    const Resolution resolution = resolution_for(runs, columns, seconds, kRecordingBytes);
+    std::size_t joints = 0;
+    for (const Arm& arm : scene_.arms) joints = std::max(joints, arm.joints.size());
+    const Resolution resolution = resolution_for(runs, 22 + 2 * joints, seconds, recording_bytes_);
     for (const std::string& name : names) add_scenario(name, resolution);
   }
 
@@ -177,64 +223,63 @@ class Assembly {
     const SceneScenario* s = scenario(name);
     const Arm* arm = s != nullptr ? &scene_.arms[s->arm] : nullptr;
     if (s != nullptr) {
+      shown.arm = static_cast<long>(s->arm);
       shown.duration = s->duration;
       shown.influence_radius = s->influence_radius;
       shown.obstacles = s->obstacles.size();
-      shown.path = closed_path(s->path);
+      shown.path = closed_polyline(s->path);
     }
     for (std::size_t set = 0; set < scene_.sets.size(); ++set) {
       const std::string path = file(scene_.sets[set], "rollout_" + name + ".csv");
       if (!exists(path)) continue;
-      const CsvTable rollout = CsvTable::read(path);
-      Run run = run_of(rollout, s, arm, resolution);
-      run.set = set;
-      run.status = status(name, set);
-      if (!run.status.empty() && run.status != "completed" && rollout.rows() > 0) {
-        run.reason = fmt::format("{} after {:.3f} s", run.status,
-                                 rollout.number(rollout.rows() - 1, rollout.column("time")));
-      }
-      // The page knows one arm: a scenario with another one has plots, but no replay.
-      if (s != nullptr && s->arm != 0) run.replay = {};
-      if (s == nullptr && rollout.rows() > 0) {
-        shown.duration = std::max(shown.duration, rollout.number(rollout.rows() - 1, rollout.column("time")));
-      }
-      shown.runs.push_back(std::move(run));
+      part([&] {
+        Run run = run_of(CsvTable::read(path), s, arm, resolution);
+        run.set = set;
+        run.status = of_set(name, set, &Table::status);
+        run.reason = of_set(name, set, &Table::reason);
+        if (run.reason.empty() && !run.status.empty() && run.status != "completed") {
+          run.reason = fmt::format("{} at {:.3f} s", run.status, run.end);
+        }
+        if (s == nullptr) shown.duration = std::max(shown.duration, run.end);
+        shown.runs.push_back(std::move(run));
+      });
     }
     data_.scenarios.push_back(std::move(shown));
   }
 
-  std::string status(const std::string& scenario, std::size_t set) const {
+  /// An entry of a scenario's table; empty where there is none.
+  std::string of_set(const std::string& scenario, std::size_t set,
+                     std::vector<std::string> Table::*entries) const {
     for (const Table& table : data_.tables) {
-      if (table.scenario == scenario && set < table.status.size()) return table.status[set];
+      if (table.scenario == scenario && set < (table.*entries).size()) return (table.*entries)[set];
     }
     return {};
   }
 
-  /// One period; a single point where the path is at rest.
-  static std::vector<Vec3> closed_path(const HarmonicPath& path) {
-    constexpr int kPoints = 180;
-    std::vector<Vec3> points;
-    if (path.frequency == 0.0 || path.terms.empty()) return {path.at(0.0).position};
-    const double period = 2.0 * M_PI / std::abs(path.frequency);
-    points.reserve(kPoints);
-    for (int i = 0; i < kPoints; ++i) points.push_back(path.at(period * i / kPoints).position);
-    return points;
+  void read_evaluations() {
+    const auto table = table_if_any(file("evaluations.csv"));
+    if (!table) return;
+    data_.evaluations = evaluations_of(*table, data_.gains);
+    if (data_.kind == RunKind::kPareto) data_.evaluations->chosen = -1;  // a front chooses none
+    if (data_.kind != RunKind::kTune) return;
+    data_.front = front_of_search(*table, *data_.evaluations,
+                                  facts_.study ? facts_.study->limits : std::vector<StudyLimit>());
   }
 
-  void read_sections() {
-    if (const auto evaluations = table_if_any(file("evaluations.csv"))) {
-      data_.evaluations = evaluations_of(*evaluations, data_.gains);
-      if (data_.kind == RunKind::kTune) data_.front = front_of_search(*evaluations, *data_.evaluations);
-    }
+  void read_analyses() {
     if (const auto sensitivity = table_if_any(file("sensitivity.csv"))) {
       data_.sensitivity = sensitivity_of(*sensitivity);
     }
     std::vector<std::optional<CsvTable>> margins;
     for (const SceneSet& set : scene_.sets) margins.push_back(table_if_any(file(set, "margins.csv")));
     data_.margins = margins_of(margins);
-    if (data_.kind == RunKind::kPareto) read_front();
-    if (data_.kind == RunKind::kRobustness) {
-      data_.robustness = robustness_of(CsvTable::read(file("samples.csv")), entry("limits"), data_.tables);
+  }
+
+  void read_many() {
+    if (data_.kind == RunKind::kPareto && exists(file("pareto.csv"))) read_front();
+    if (data_.kind != RunKind::kRobustness) return;
+    if (const auto samples = table_if_any(file("samples.csv"))) {
+      data_.robustness = robustness_of(*samples, entry("limits"), data_.tables);
     }
   }
 
@@ -252,6 +297,7 @@ class Assembly {
   }
 
   std::string folder_;
+  std::size_t recording_bytes_;
   Scene scene_;
   VerdictFacts facts_;
   ReportData data_;
@@ -259,22 +305,8 @@ class Assembly {
 
 }  // namespace
 
-RunKind kind_of(const std::string& folder) {
-  const auto has = [&folder](const char* name) { return exists(folder + "/" + name); };
-  if (!exists(folder)) throw InputError(folder + ": there is no such folder; give one that a run has left");
-  if (has("pareto.csv")) return RunKind::kPareto;
-  if (has("samples.csv")) return RunKind::kRobustness;
-  if (has("comparison.csv")) return RunKind::kCompare;
-  if (has("evaluations.csv")) return RunKind::kTune;
-  if (has("errors.csv")) return RunKind::kSimulate;
-  throw InputError(
-      folder +
-      ": holds none of errors.csv, evaluations.csv, pareto.csv, samples.csv and comparison.csv; give the "
-      "folder of a run of simulate, tune, pareto, robustness or compare");
-}
-
-ReportData report_of(const std::string& folder) {
-  return Assembly(folder).make();
+ReportData report_of(const std::string& folder, std::size_t recording_bytes) {
+  return Assembly(folder, recording_bytes).make();
 }
 
 }  // namespace armtune::report

@@ -1,5 +1,8 @@
 #include "tuner/report/scene.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "tuner/report/arm_json.hpp"
 #include "tuner/report/json.hpp"
 
@@ -49,6 +52,16 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
     scene.scenarios.push_back(std::move(s));
   }
   return scene;
+}
+
+std::vector<Vec3> closed_polyline(const HarmonicPath& path) {
+  constexpr int kPoints = 180;
+  if (path.frequency == 0.0 || path.terms.empty()) return {path.at(0.0).position};
+  const double period = 2.0 * std::numbers::pi / std::abs(path.frequency);
+  std::vector<Vec3> points;
+  points.reserve(kPoints);
+  for (int i = 0; i < kPoints; ++i) points.push_back(path.at(period * i / kPoints).position);
+  return points;
 }
 
 std::string scene_json(const Scene& scene) {

@@ -35,6 +35,9 @@ struct Scene {
 /// influence_radius: of the reference gains [m].
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);
 
+/// One period of a path [m], to be drawn closed; a single point where it is at rest.
+std::vector<Vec3> closed_polyline(const HarmonicPath& path);
+
 /// Text of scene.json.
 std::string scene_json(const Scene& scene);
 

@@ -11,7 +11,8 @@
 namespace armtune::report {
 namespace {
 
-/// The row whose gains are the last set's; the feasible one with the least objective among several.
+/// The row whose gains are the last set's; of several the judge's, then the feasible one with the least
+/// objective.
 long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<Gain>& gains) {
   std::vector<std::pair<std::size_t, double>> wanted;  // column, value
   for (const Gain& gain : gains) {
@@ -31,14 +32,18 @@ long chosen_row(const CsvTable& table, const Evaluations& e, const std::vector<G
     if (!e.feasible[a] && e.violation[a] != e.violation[b]) return e.violation[a] < e.violation[b];
     return e.objective[a] < e.objective[b];
   };
+  // 2: these gains, judged by Simbody; 1: these gains; 0: others.
+  const auto rank = [&](std::size_t r) {
+    if (wanted.empty() || !has_them(r)) return 0;
+    return e.native.empty() || !e.native[r] ? 2 : 1;
+  };
   long best = -1;
-  bool best_matches = false;
+  int best_rank = -1;
   for (std::size_t r = 0; r < e.objective.size(); ++r) {
-    const bool matches = !wanted.empty() && has_them(r);
-    if (best < 0 || (matches && !best_matches) ||
-        (matches == best_matches && better(r, static_cast<std::size_t>(best)))) {
+    const int now = rank(r);
+    if (now > best_rank || (now == best_rank && better(r, static_cast<std::size_t>(best)))) {
       best = static_cast<long>(r);
-      best_matches = matches;
+      best_rank = now;
     }
   }
   return best;
@@ -78,11 +83,16 @@ Evaluations evaluations_of(const CsvTable& table, const std::vector<Gain>& gains
     e.feasible.push_back(table.number(r, feasible) != 0.0);
     if (e.start < 0 && name == "start") e.start = static_cast<long>(r);
   }
+  if (const auto engine = table.find("engine")) {  // older files have none
+    for (std::size_t r = 0; r < table.rows(); ++r) e.native.push_back(table.text(r, *engine) == "native");
+    if (std::find(e.native.begin(), e.native.end(), true) == e.native.end()) e.native.clear();
+  }
   e.chosen = chosen_row(table, e, gains);
   return e;
 }
 
-std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations) {
+std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations,
+                                     const std::vector<StudyLimit>& limits) {
   constexpr std::size_t kMost = 1000;
   const std::string metric = name(Metric::kJointVelocityMaxRatio);
   std::vector<std::size_t> columns;
@@ -93,6 +103,10 @@ std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& e
   if (columns.empty()) return std::nullopt;
   Front front;
   front.criteria = {{"objective", "1"}, {metric, field(Metric::kJointVelocityMaxRatio).unit}};
+  for (const StudyLimit& limit : limits) {
+    if (limit.metric == Metric::kJointVelocityMaxRatio && limit.value)
+      front.limits.emplace_back(1, *limit.value);
+  }
   for (std::size_t r = 0; r < table.rows(); ++r) {
     double worst = 0.0;
     for (const std::size_t c : columns) {
@@ -103,19 +117,21 @@ std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& e
     const double objective = evaluations.objective[r];
     if (!std::isfinite(worst) || !std::isfinite(objective)) continue;
     const auto number = static_cast<long>(r);
-    front.points.push_back({{objective, worst},
-                            fmt::format("evaluation {}, {}", r, evaluations.phases[evaluations.of[r]]),
-                            evaluations.feasible[r],
-                            number == evaluations.chosen  ? "chosen"
-                            : number == evaluations.start ? "start"
-                                                          : "point"});
+    front.points.push_back(
+        {{objective, worst},
+         fmt::format("evaluation {}, {}{}", r, evaluations.phases[evaluations.of[r]],
+                     !evaluations.native.empty() && evaluations.native[r] ? ", in the native engine" : ""),
+         evaluations.feasible[r],
+         number == evaluations.chosen  ? "chosen"
+         : number == evaluations.start ? "start"
+                                       : "point"});
   }
   if (front.points.size() > kMost) front.points = essential(front.points);
   if (front.points.empty()) return std::nullopt;
   return front;
 }
 
-Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, const std::string& chosen,
+Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, const std::string& shown,
                std::optional<double> hypervolume) {
   Front front;
   front.hypervolume = hypervolume;
@@ -135,7 +151,7 @@ Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, 
     const std::string number = table.text(r, point);
     p.label = start ? "start" : "point " + number;
     p.feasible = !start;  // pareto.csv does not say it of the start; every point of a front is
-    p.role = start ? "start" : number == chosen ? "chosen" : "point";
+    p.role = start ? "start" : number == shown ? "shown" : "point";
     front.points.push_back(std::move(p));
   }
   return front;

@@ -8,16 +8,18 @@
 namespace armtune::report {
 
 /// From evaluations.csv. chosen: the gains that were written to gains.yaml, by the columns of `gains`, whose
-/// last values they are; unless any evaluation has them, the best one.
+/// last values they are, as Simbody judged them; unless any evaluation has them, the best one.
 Evaluations evaluations_of(const CsvTable& table, const std::vector<Gain>& gains);
 
 /// What a search has seen of the objective against the largest joint velocity ratio: from evaluations.csv, if
 /// the study's constraints hold that ratio. Of more than a thousand only those that no other dominates.
-std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations);
+/// limits: the study's.
+std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& evaluations,
+                                     const std::vector<StudyLimit>& limits);
 
-/// From pareto.csv. criteria: names of its columns, as run.yaml has them. chosen: number of the point that
-/// was simulated for the report, as pareto.csv has it.
-Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, const std::string& chosen,
+/// From pareto.csv. criteria: names of its columns, as run.yaml has them. shown: number of the point that
+/// was simulated for the report, as pareto.csv has it; empty if none was.
+Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, const std::string& shown,
                std::optional<double> hypervolume);
 
 /// From samples.csv. limits: as run.yaml has them, "METRIC <= VALUE; METRIC >= VALUE"; empty if it does not.

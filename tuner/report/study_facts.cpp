@@ -1,5 +1,7 @@
 #include "tuner/report/study_facts.hpp"
 
+#include <fmt/format.h>
+
 #include "sim/yaml/document.hpp"
 
 namespace armtune::report {
@@ -44,6 +46,10 @@ StudyFacts read_study_facts(const std::string& path) {
                               limit.is_word("start") ? std::nullopt : std::optional(limit.as_number()),
                               needed(item, "scenarios").as_strings()});
     }
+  }
+  if (const yaml::Node* robust = root.find("robust")) {
+    facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(),
+                                needed(*robust, "samples").as_integer());
   }
   return facts;
 }

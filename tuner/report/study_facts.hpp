@@ -34,6 +34,7 @@ struct StudyFacts {
   std::vector<StudyGain> gains;
   std::vector<StudyTerm> terms;
   std::vector<StudyLimit> limits;
+  std::string measure;  ///< "worst of 5 arms each" of a study on many arms, else empty
 };
 
 /// Of a study.yaml in a run folder. Throws InputError naming file and key.

@@ -40,6 +40,15 @@ std::string joint_and_time(const CsvTable& errors, std::size_t row) {
   return joint.empty() || std::isnan(time) ? joint : fmt::format("{} at {:.2f} s", joint, time);
 }
 
+/// Headlines first.
+std::vector<Metric> ordered_metrics() {
+  std::vector<Metric> metrics = headline_metrics();
+  for (const Metric metric : all_metrics()) {
+    if (std::find(metrics.begin(), metrics.end(), metric) == metrics.end()) metrics.push_back(metric);
+  }
+  return metrics;
+}
+
 Table table_of(const std::vector<std::optional<CsvTable>>& errors, const std::string& scenario) {
   Table table;
   table.scenario = scenario;
@@ -48,8 +57,10 @@ Table table_of(const std::vector<std::optional<CsvTable>>& errors, const std::st
   for (const auto& file : errors) {
     rows.push_back(row_of(file, scenario));
     table.status.push_back(rows.back() ? file->text(*rows.back(), file->column("status")) : std::string());
+    const auto reason = rows.back() ? file->find("reason") : std::nullopt;  // older files have none
+    table.reason.push_back(reason ? file->text(*rows.back(), *reason) : std::string());
   }
-  for (const Metric metric : headline_metrics()) {
+  for (const Metric metric : ordered_metrics()) {
     MetricRow row;
     row.metric = metric;
     bool any = false;
@@ -72,6 +83,18 @@ std::vector<Table> tables_of(const std::vector<std::optional<CsvTable>>& errors)
   std::vector<Table> tables;
   for (const std::string& scenario : scenarios_in(errors)) tables.push_back(table_of(errors, scenario));
   return tables;
+}
+
+void keep_rows(std::vector<Table>& tables, const std::vector<Metric>& wanted) {
+  const auto& headline = headline_metrics();
+  const auto is_in = [](const std::vector<Metric>& metrics, Metric metric) {
+    return std::find(metrics.begin(), metrics.end(), metric) != metrics.end();
+  };
+  for (Table& table : tables) {
+    std::erase_if(table.rows, [&](const MetricRow& row) {
+      return !is_in(headline, row.metric) && !is_in(wanted, row.metric);
+    });
+  }
 }
 
 double value_of(const Table& table, Metric metric, std::size_t set) {

@@ -8,20 +8,27 @@
 #include <cmath>
 #include <numbers>
 
+#include "tuner/report/findings.hpp"
 #include "tuner/report/tables.hpp"
+#include "tuner/report/words.hpp"
 #include "tuner/run/comparison.hpp"
 
 namespace armtune::report {
 namespace {
 
-/// Below this a change is not worth a word.
-constexpr double kNoticeable = 0.01;
+constexpr std::size_t kMostLines = 12;
 
 /// What every arm asks for, where there is no study.
 std::vector<StudyLimit> limits_of_arm() {
   return {{Metric::kJointVelocityMaxRatio, true, 1.0, {}},
           {Metric::kJointPositionMinMargin, false, 0.0, {}},
           {Metric::kJointEffortMaxRatio, true, 1.0, {}}};
+}
+
+std::vector<StudyTerm> headline_terms() {
+  std::vector<StudyTerm> terms;
+  for (const Metric metric : headline_metrics()) terms.push_back({metric, {}});
+  return terms;
 }
 
 std::string entry(const VerdictFacts& facts, const std::string& key) {
@@ -36,84 +43,58 @@ double number_entry(const VerdictFacts& facts, const std::string& key) {
   return value;
 }
 
-bool noticeable(const Change& change) {
-  return std::abs(change.ratio - 1.0) >= kNoticeable;
+/// What does not complete, then what breaks a limit.
+std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
+                                    std::size_t set) {
+  std::vector<std::string> lines = failures(tables, set);
+  for (std::string& line : violations(tables, limits, set)) lines.push_back(std::move(line));
+  return lines;
 }
 
-/// "falls by 62 %"
-std::string how_much(const Change& change) {
-  const double percent = 100.0 * (change.ratio - 1.0);
-  return percent > 1000.0
-             ? fmt::format("rises {:.3g}-fold", change.ratio)
-             : fmt::format("{} by {:.0f} %", percent < 0.0 ? "falls" : "rises", std::abs(percent));
+/// Limits of the arm that are broken though nobody asked for them.
+std::vector<std::string> not_asked(const std::vector<Table>& tables, const std::vector<std::string>& known,
+                                   std::size_t set) {
+  std::vector<std::string> lines = violations(tables, limits_of_arm(), set);
+  std::erase_if(lines, [&known](const std::string& line) {
+    // "METRIC is VALUE in SCENARIO (at most LIMIT)": the study's own limit on it is told already.
+    const std::string what = line.substr(0, line.find('('));
+    return std::any_of(known.begin(), known.end(),
+                       [&what](const std::string& other) { return other.starts_with(what); });
+  });
+  return lines;
 }
 
-/// "the largest orientation error falls by 62 %"
-std::string words(const Change& change) {
-  return fmt::format("the {} {}", field(change.metric).words, how_much(change));
-}
-
-/// "error/orientation/max falls by 62 % (largest angle to the gaze orientation while tracking)"
-std::string exact_words(const Change& change) {
-  return fmt::format("{} {} ({})", name(change.metric), how_much(change), field(change.metric).meaning);
-}
-
-/// The best one or two improvements; empty if there is none.
-std::string improvements(const std::vector<Change>& all) {
-  std::vector<std::string> told;
-  for (const Change& change : all) {
-    if (told.size() < 2 && change.worsening() < 1.0 - kNoticeable) told.push_back(words(change));
+/// Of a run that has no run.yaml yet.
+Verdict of_unfinished(const ReportData& data) {
+  Verdict verdict;
+  std::string so_far = "nothing was evaluated";
+  if (data.evaluations && data.evaluations->chosen >= 0) {
+    const Evaluations& e = *data.evaluations;
+    const auto best = static_cast<std::size_t>(e.chosen);
+    so_far = e.feasible[best]
+                 ? fmt::format("the best feasible one of {} evaluations has an objective of {:.3g}",
+                               e.objective.size(), e.objective[best])
+                 : fmt::format("none of {} evaluations is feasible", e.objective.size());
+  } else if (data.evaluations) {
+    so_far = fmt::format("{} evaluations", data.evaluations->objective.size());
+  } else if (data.robustness) {
+    so_far = fmt::format("{} of {} arms keep every limit", data.robustness->kept, data.robustness->samples);
   }
-  return fmt::format("{}", fmt::join(told, " and "));
+  verdict.sentence =
+      joined({"This run is not finished: it goes on still, or was killed", "so far " + so_far});
+  verdict.details.push_back(fmt::format("To go on with it: armtune {} --resume FOLDER", name(data.kind)));
+  return verdict;
 }
 
-/// What got worse the most; empty if nothing did.
-std::string price(const std::vector<Change>& all) {
-  if (all.empty() || all.back().worsening() < 1.0 + kNoticeable) return {};
-  return words(all.back());
-}
-
-/// The parts that are not empty as one sentence. Names of joints and metrics keep their letters.
-std::string joined(const std::vector<std::string>& parts) {
-  std::vector<std::string> told;
-  for (const std::string& part : parts) {
-    if (!part.empty()) told.push_back(part);
-  }
-  if (told.empty()) return {};
-  std::string text = fmt::format("{}.", fmt::join(told, "; "));
-  const std::string first = text.substr(0, text.find(' '));
-  if (first.find_first_of("_/") == std::string::npos && first.front() >= 'a' && first.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
-}
-
-std::string violated(const std::vector<std::string>& broken) {
-  if (broken.empty()) return {};
-  return broken.size() == 1 ? broken.front()
-                            : fmt::format("{} (and {} more)", broken.front(), broken.size() - 1);
-}
-
-void add(std::vector<std::string>& details, const std::vector<std::string>& lines, std::size_t most) {
-  for (std::size_t i = 0; i < lines.size() && i < most; ++i) details.push_back(lines[i]);
-  if (lines.size() > most) details.push_back(fmt::format("and {} more", lines.size() - most));
-}
-
-std::vector<StudyTerm> headline_terms() {
-  std::vector<StudyTerm> terms;
-  for (const Metric metric : headline_metrics()) terms.push_back({metric, {}});
-  return terms;
-}
-
-constexpr std::size_t kMostLines = 12;
-
+/// Against the start; a study on many arms by what it was judged by.
 Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const std::size_t tuned = data.sets.size() - 1;
+  const std::vector<Table>& tables = data.judged ? data.judged->tables : data.tables;
   const std::string ended = entry(facts, "ended");
   const double objective = number_entry(facts, "objective");
-  const auto all = changes(data.tables, facts.study ? facts.study->terms : headline_terms(), tuned);
-  const auto broken = violations(facts.judged.empty() ? data.tables : facts.judged,
-                                 facts.study ? facts.study->limits : limits_of_arm(), tuned);
+  const auto all = changes(tables, facts.study ? facts.study->terms : headline_terms(), tuned);
+  const auto broken = wrong_with(tables, facts.study ? facts.study->limits : limits_of_arm(), tuned);
+  const auto beside = not_asked(tables, broken, tuned);
   const bool feasible =
       entry(facts, "feasible") == "true" || (entry(facts, "feasible").empty() && broken.empty());
   const bool interrupted = ended.find("interrupted") != std::string::npos;
@@ -122,22 +103,28 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
     gain = objective < 1.0 ? fmt::format("the objective falls by {:.0f} %", 100.0 * (1.0 - objective))
                            : fmt::format("the objective is {:.3g} times the start's, no better", objective);
   }
+  std::string kept = feasible ? "every constraint holds" : "";
+  if (feasible && !beside.empty()) kept += ", but what none asks for does not: " + first_of(beside);
   Verdict verdict;
   verdict.sentence = joined({interrupted ? "Interrupted before the search was finished" : "",
                              feasible ? "" : "no feasible point was found: the best one breaks a constraint",
-                             feasible ? "" : violated(broken), gain, improvements(all),
-                             closest_joint(data.tables, tuned), feasible ? "every constraint holds" : ""});
+                             feasible ? "" : first_of(broken), gain, improvements(all, tables.size()),
+                             closest_joint(tables, tuned), kept});
+  if (data.judged) {
+    verdict.details.push_back(
+        fmt::format("Every figure here is the {}; the nominal arm's stand below", data.judged->measure));
+  }
   if (data.evaluations) {
     verdict.details.push_back(fmt::format("{} evaluations{}", data.evaluations->objective.size(),
                                           ended.empty() ? "" : "; " + ended));
   }
   add(verdict.details, broken, kMostLines);
-  const std::string worse =
-      price(changes(data.tables, headline_terms(), tuned));  // whether the study asks or not
-  if (!worse.empty()) verdict.details.push_back("The price: " + worse);
+  if (beside.size() > 1 || !feasible) add(verdict.details, beside, kMostLines);
+  if (const std::string worse = price(tables, tuned); !worse.empty()) {
+    verdict.details.push_back("The price: " + worse);
+  }
   for (const Change& change : all) {
-    if (!noticeable(change)) continue;
-    verdict.details.push_back(exact_words(change) + ", over the study's scenarios");
+    if (noticeable(change.ratio)) verdict.details.push_back(exact_words(change));
   }
   return verdict;
 }
@@ -150,47 +137,52 @@ double largest(const std::vector<Table>& tables, Metric metric) {
 }
 
 Verdict of_simulate(const ReportData& data) {
-  std::vector<std::string> failed;
-  for (const Table& table : data.tables) {
-    for (const std::string& status : table.status) {
-      if (!status.empty() && status != "completed")
-        failed.push_back(fmt::format("{} is {}", table.scenario, status));
-    }
-  }
+  const auto failed = failures(data.tables, 0);
   const auto broken = violations(data.tables, limits_of_arm(), 0);
   const double position = largest(data.tables, Metric::kPositionMax);
   const double orientation = largest(data.tables, Metric::kOrientationMax);
+  const std::size_t count = data.tables.size();
+  const std::string completed = count == 1   ? "the scenario completed"
+                                : count == 2 ? "both scenarios completed"
+                                             : fmt::format("all {} scenarios completed", count);
   Verdict verdict;
   verdict.sentence = joined(
-      {failed.empty()
-           ? fmt::format("all {} scenarios completed", data.tables.size())
-           : fmt::format("{} of {} scenarios failed: {}", failed.size(), data.tables.size(), failed.front()),
+      {failed.empty() ? completed
+                      : fmt::format("{} of {} scenarios failed: {}", failed.size(), count, first_of(failed)),
        std::isnan(position) ? ""
                             : fmt::format("while tracking the tool is at most {:.3g} mm and {:.3g} deg off",
                                           1e3 * position, orientation * 180.0 / std::numbers::pi),
-       closest_joint(data.tables, 0), broken.empty() ? "no limit of the arm is broken" : violated(broken)});
-  add(verdict.details, failed, kMostLines);
-  add(verdict.details, broken, kMostLines);
+       closest_joint(data.tables, 0),
+       !broken.empty()  ? first_of(broken)
+       : failed.empty() ? "no limit of the arm is broken"
+                        : ""});
+  if (failed.size() > 1) add(verdict.details, failed, kMostLines);
+  if (broken.size() > 1) add(verdict.details, broken, kMostLines);
   return verdict;
 }
 
 Verdict of_compare(const ReportData& data) {
+  if (data.sets.size() < 2) return of_simulate(data);
   const std::size_t last = data.sets.size() - 1;
   const auto all = changes(data.tables, headline_terms(), last);
-  const auto broken = violations(data.tables, limits_of_arm(), last);
-  const auto better = std::count_if(all.begin(), all.end(),
-                                    [](const Change& c) { return c.worsening() < 1.0 - kNoticeable; });
+  const auto broken = wrong_with(data.tables, limits_of_arm(), last);
+  const auto better = std::count_if(all.begin(), all.end(), improvement);
   Verdict verdict;
   verdict.sentence = joined({fmt::format("against {}, {} is better in {} of {} figures", data.sets[0],
                                          data.sets[last], better, all.size()),
-                             improvements(all), price(all), closest_joint(data.tables, last),
-                             broken.empty() ? "no limit of the arm is broken" : violated(broken)});
+                             improvements(all, data.tables.size()), price(data.tables, last),
+                             closest_joint(data.tables, last),
+                             broken.empty() ? "no limit of the arm is broken" : first_of(broken)});
   for (std::size_t set = 0; set < data.sets.size(); ++set) {
+    if (set > 0 && set < last) {
+      const auto others = improvements(changes(data.tables, headline_terms(), set), data.tables.size());
+      if (!others.empty()) verdict.details.push_back(fmt::format("{}: {}", data.sets[set], others));
+    }
     if (const std::string closest = closest_joint(data.tables, set); !closest.empty()) {
       verdict.details.push_back(fmt::format("{}: {}", data.sets[set], closest));
     }
     std::vector<std::string> lines;
-    for (const std::string& line : violations(data.tables, limits_of_arm(), set)) {
+    for (const std::string& line : wrong_with(data.tables, limits_of_arm(), set)) {
       lines.push_back(fmt::format("{}: {}", data.sets[set], line));
     }
     add(verdict.details, lines, kMostLines);
@@ -247,10 +239,13 @@ Verdict of_pareto(const ReportData& data) {
        last > 0 ? closest_joint(data.tables, last) : ""});
   verdict.details = std::move(ranges);
   if (last > 0) {
-    for (const Change& change : changes(data.tables, headline_terms(), last)) {
-      if (!noticeable(change)) continue;
-      verdict.details.push_back(fmt::format("{}: {}", data.sets[last], exact_words(change)));
-    }
+    verdict.details.push_back(fmt::format("replay, plots and tables show {}, the one with the least {}",
+                                          data.sets[last], data.front->criteria.front().first));
+    const auto told = improvements(changes(data.tables, headline_terms(), last), data.tables.size());
+    if (!told.empty()) verdict.details.push_back(fmt::format("{}: {}", data.sets[last], told));
+    const std::string worse = price(data.tables, last);
+    if (!worse.empty()) verdict.details.push_back("its price: " + worse);
+    add(verdict.details, violations(data.tables, limits_of_arm(), last), kMostLines);
   }
   return verdict;
 }
@@ -279,6 +274,9 @@ Verdict of_robustness(const ReportData& data) {
 }  // namespace
 
 Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
+  const bool searches =
+      data.kind == RunKind::kTune || data.kind == RunKind::kPareto || data.kind == RunKind::kRobustness;
+  if (searches && facts.run.empty()) return of_unfinished(data);
   switch (data.kind) {
     case RunKind::kSimulate:
       return of_simulate(data);

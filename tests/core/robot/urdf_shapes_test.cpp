@@ -84,18 +84,20 @@ TEST_F(UrdfShapes, AreOfEveryKindWithTheirSizes) {
   EXPECT_EQ(model.shapes[3].file, "package://arm/link.stl");
 }
 
-TEST_F(UrdfShapes, ComeFromCollisionWhereNothingIsVisible) {
+TEST_F(UrdfShapes, SayOfWhichLinkTheyAreAndWhatTheyAreFor) {
   const std::string ball = "<sphere radius='1'/>";
   const std::string box = "<box size='1 1 1'/>";
-  const auto kinds = [&](const std::string& inside) {
-    std::vector<ShapeKind> found;
-    for (const Shape& shape : read(robot(one_joint(kInertial + inside))).shapes) found.push_back(shape.kind);
-    return found;
+  const auto shapes = [&](const std::string& inside) {
+    return read(robot(one_joint(kInertial + inside))).shapes;
   };
-  using testing::ElementsAre;
-  EXPECT_THAT(kinds(visual(ball) + collision(box)), ElementsAre(ShapeKind::kSphere));
-  EXPECT_THAT(kinds(collision(box)), ElementsAre(ShapeKind::kBox));
-  EXPECT_THAT(kinds(""), testing::IsEmpty());
+  const auto both = shapes(collision(box) + visual(ball));
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].kind, ShapeKind::kSphere) << "what is to be seen comes first";
+  EXPECT_FALSE(both[0].collision);
+  EXPECT_EQ(both[1].kind, ShapeKind::kBox);
+  EXPECT_TRUE(both[1].collision);
+  EXPECT_EQ(both[0].link, both[1].link);
+  EXPECT_THAT(shapes(""), testing::IsEmpty());
 }
 
 TEST_F(UrdfShapes, ThatHaveNoExtentAreLeftOutAndTheArmIsReadAllTheSame) {

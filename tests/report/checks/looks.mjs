@@ -1,14 +1,17 @@
-// Widths, colours, first paint; and pictures of all that for eyes.
+// Widths, colours, when the verdict is painted; and pictures of all that for eyes.
 import { join } from "node:path";
 import { bringIntoView, openPage, settle, walkThrough } from "../browser.mjs";
+import { hasReplay, tabsOf } from "./variant.mjs";
 
-export async function firstPaint(page) {
+/** ms from opening the page until its verdict is on the screen; null where the browser does not say. */
+export async function verdictPainted(page) {
   return page.evaluate(
     () =>
       new Promise((done) => {
+        setTimeout(() => done(null), 10000);
         new PerformanceObserver((list) => {
-          for (const entry of list.getEntries()) if (entry.name === "first-contentful-paint") done(entry.startTime);
-        }).observe({ type: "paint", buffered: true });
+          for (const entry of list.getEntries()) if (entry.identifier === "verdict") done(entry.renderTime || entry.loadTime);
+        }).observe({ type: "element", buffered: true });
       }),
   );
 }
@@ -28,35 +31,43 @@ export async function checkThemes({ page, expect }) {
   await page.emulateMedia({ colorScheme: "light" });
 }
 
-export async function checkPhone({ browser, address, expect, pictures, out }) {
+export async function checkPhone({ browser, address, data, expect, out }) {
   const { page, context, complaints } = await openPage(browser, address, {
     viewport: { width: 390, height: 844 },
     hasTouch: true,
     isMobile: true,
     deviceScaleFactor: 2,
   });
+  if (out !== null) await page.screenshot({ path: join(out, "phone-top.png") });
   await walkThrough(page);
   const tabs = await page.locator("[role=tab]").count();
   for (let i = 0; i < Math.max(tabs, 1); ++i) {
-    if (tabs > 0) await page.locator(`#tab-${i}`).click();
-    await walkThrough(page);
+    if (i > 0) {
+      await page.locator(`#tab-${i}`).click();
+      await walkThrough(page, "#replay");
+    }
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     expect(width <= 390, `no sideways scrolling at 390 px${tabs > 0 ? `, scenario ${i + 1}` : ""} (${width} px)`);
   }
-  await page.evaluate(() => window.scrollTo({ top: 0, behavior: "instant" }));
-  await settle(page);
-  await page.screenshot({ path: join(out, "phone-top.png") });
   if (tabs > 0) {
-    await bringIntoView(page, "#replay");
-    await settle(page, 500);
-    await page.screenshot({ path: join(out, "phone-replay.png") });
-    const over = await page.locator(".panel:not([hidden]) .u-over").first();
+    if (out !== null) {
+      await bringIntoView(page, "#replay");
+      await settle(page, 500);
+      await page.screenshot({ path: join(out, "phone-replay.png") });
+    }
+    const over = page.locator(".panel:not([hidden]) .u-over").first();
     await over.scrollIntoViewIfNeeded();
     const box = await over.boundingBox();
-    const before = await page.textContent(".panel:not([hidden]) .clock");
+    const line = () => page.evaluate(() => document.querySelector(".panel:not([hidden]) .playhead").style.transform);
+    const before = await line();
     await page.touchscreen.tap(box.x + 0.8 * box.width, box.y + box.height / 2);
-    await settle(page);
-    expect((await page.textContent(".panel:not([hidden]) .clock")) !== before, "a touch in a plot moves the time");
+    await settle(page, 50);
+    expect((await line()) !== before, "a touch in a plot moves the time");
+    if (hasReplay(data, tabsOf(data)[tabs - 1])) {
+      const clock = parseFloat(await page.textContent(".panel:not([hidden]) .clock"));
+      const duration = await page.evaluate(() => Number(document.querySelector(".panel:not([hidden]) .scrub").max));
+      expect(Math.abs(clock - 0.8 * duration) < 0.02 * duration, `and the replay's (to ${clock} s)`);
+    }
   }
   expect(complaints.length === 0, `nothing to complain about on a phone${complaints.length ? `: ${complaints[0]}` : ""}`);
   await context.close();
@@ -67,8 +78,7 @@ export async function takeScreenshots({ browser, address, out, data }) {
     const { page, context } = await openPage(browser, address, { colorScheme });
     await settle(page, 300);
     await page.screenshot({ path: join(out, `${colorScheme}-top.png`) });
-    const scenarios = data.scenarios.filter((scenario) => scenario.runs.length > 0);
-    for (let i = 0; i < scenarios.length; ++i) {
+    for (let i = 0; i < tabsOf(data).length; ++i) {
       await bringIntoView(page, "#replay");
       await page.locator(`#tab-${i}`).click();
       await settle(page, 600);
@@ -76,7 +86,7 @@ export async function takeScreenshots({ browser, address, out, data }) {
       await settle(page, 300);
       await page.screenshot({ path: join(out, `${colorScheme}-replay-${i + 1}.png`) });
     }
-    for (const id of ["front", "convergence", "gains", "sensitivity", "robustness", "margins", "provenance"]) {
+    for (const id of ["numbers", "front", "convergence", "gains", "sensitivity", "robustness", "margins", "provenance"]) {
       if ((await page.locator(`#${id}`).count()) === 0) continue;
       await bringIntoView(page, `#${id}`);
       await settle(page, 400);

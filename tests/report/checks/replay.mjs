@@ -1,12 +1,12 @@
 // The replay moves the arm; its time and the plots' are one.
-import { bringIntoView, openPage, settle } from "../browser.mjs";
-import { variant } from "./variant.mjs";
+import { bringIntoView, settle } from "../browser.mjs";
+import { hasReplay, tabsOf } from "./variant.mjs";
 
 const CLOCK = ".panel:not([hidden]) .clock";
-const STAGE = ".panel:not([hidden]) .stage canvas";
+export const STAGE = ".panel:not([hidden]) .stage canvas";
 const PLOT = ".panel:not([hidden]) .plot";
 
-const seconds = async (page) => parseFloat((await page.textContent(CLOCK)) ?? "");
+export const seconds = async (page) => parseFloat((await page.textContent(CLOCK)) ?? "");
 
 /** x of the playhead in the first plot, px. */
 async function playhead(page) {
@@ -25,30 +25,30 @@ export async function passes(page, time) {
   );
 }
 
-export async function checkReplay({ page, expect, pictures }) {
-  if ((await page.locator("[role=tab]").count()) === 0) return;
+export async function checkReplay({ page, data, expect, pictures }) {
+  const [first] = tabsOf(data);
+  if (first === undefined || !hasReplay(data, first)) return;
   await page.locator("#tab-0").click();
   await bringIntoView(page, "#replay");
-  await settle(page, 600);
+  await settle(page, 200);
   const box = await page.locator(`${PLOT} .u-over`).first().boundingBox();
 
   const slider = await page.locator(".panel:not([hidden]) .scrub").boundingBox();
   await page.mouse.click(slider.x + 0.2 * slider.width, slider.y + slider.height / 2);
-  await settle(page);
+  await settle(page, 50);
   const [early, lineEarly] = [await seconds(page), await playhead(page)];
-  const first = await page.locator(STAGE).screenshot();
+  const unmoved = await page.locator(STAGE).screenshot();
   await page.mouse.click(slider.x + 0.7 * slider.width, slider.y + slider.height / 2);
-  await settle(page);
+  await settle(page, 50);
   const [late, lineLate] = [await seconds(page), await playhead(page)];
   expect(late > early, `the slider moves the time (${early} to ${late} s)`);
   const expected = ((late - early) / (lineLate - lineEarly)) * box.width;
   const duration = await page.evaluate(() => Number(document.querySelector(".panel:not([hidden]) .scrub").max));
-  // The plots' axis may end a bucket before the run does.
   expect(Math.abs(expected - duration) < 0.02 * duration, `the plots' cursor follows it (${lineEarly.toFixed(0)} to ${lineLate.toFixed(0)} px)`);
-  expect((await pictures.difference(first, await page.locator(STAGE).screenshot())) > 0.002, "and so does the picture");
+  expect((await pictures.difference(unmoved, await page.locator(STAGE).screenshot())) > 0.002, "and so does the picture");
 
   await page.mouse.move(box.x + 0.3 * box.width, box.y + box.height / 2);
-  await settle(page);
+  await settle(page, 50);
   const pointed = await seconds(page);
   expect(Math.abs(pointed - 0.3 * duration) < 0.02 * duration, `pointing into a plot moves the replay (to ${pointed} s)`);
 
@@ -58,7 +58,7 @@ export async function checkReplay({ page, expect, pictures }) {
   await page.locator(".panel:not([hidden]) .play").click();
   expect(await passes(page, started + 0.5), "play lets time pass");
   await page.locator(".panel:not([hidden]) .play").click();
-  await settle(page);
+  await settle(page, 50);
   const stopped = await seconds(page);
   const moved = await pictures.difference(before, await page.locator(STAGE).screenshot());
   expect(moved > 0.001, `and moves the picture (${(100 * moved).toFixed(2)} % of the pixels)`);
@@ -71,12 +71,12 @@ export async function checkReplay({ page, expect, pictures }) {
   await page.mouse.down();
   await page.mouse.move(canvas.x + canvas.width / 2 + 120, canvas.y + canvas.height / 2 + 20, { steps: 6 });
   await page.mouse.up();
-  await settle(page);
+  await settle(page, 50);
   expect((await pictures.difference(unturned, await page.locator(STAGE).screenshot())) > 0.02, "the mouse turns the view");
   const mouse = await page.locator(STAGE).screenshot();
   await page.locator(STAGE).focus();
   for (let i = 0; i < 4; ++i) await page.keyboard.press("Shift+ArrowLeft");
-  await settle(page);
+  await settle(page, 50);
   expect((await pictures.difference(mouse, await page.locator(STAGE).screenshot())) > 0.02, "and so do Shift and arrows");
 }
 
@@ -88,10 +88,12 @@ async function zoomRange(page, index) {
   );
 }
 
-export async function checkPlots({ page, expect, pictures }) {
-  if ((await page.locator("[role=tab]").count()) === 0) return;
+export async function checkPlots({ page, data, expect, pictures }) {
+  const [first] = tabsOf(data);
+  if (first === undefined) return;
+  await page.locator("#tab-0").click();
   await bringIntoView(page, ".panel:not([hidden]) .right");
-  await settle(page, 400);
+  await settle(page, 100);
   const over = page.locator(`${PLOT} .u-over`);
   const box = await over.first().boundingBox();
   const full = [await zoomRange(page, 0), await zoomRange(page, 1)];
@@ -99,34 +101,34 @@ export async function checkPlots({ page, expect, pictures }) {
   await page.mouse.down();
   await page.mouse.move(box.x + 0.6 * box.width, box.y + 40, { steps: 5 });
   await page.mouse.up();
-  await settle(page);
+  await settle(page, 50);
   const zoomed = [await zoomRange(page, 0), await zoomRange(page, 1)];
   expect(zoomed[0] !== full[0] && zoomed[0] === zoomed[1], `a drag zooms all plots (${zoomed[0]} s)`);
   await page.mouse.dblclick(box.x + 0.5 * box.width, box.y + 30);
-  await settle(page);
+  await settle(page, 50);
   expect((await zoomRange(page, 0)) === full[0] && (await zoomRange(page, 1)) === full[1], "a double click shows all again");
 
   await page.locator(PLOT).first().focus();
   await page.keyboard.press("+");
-  await settle(page);
+  await settle(page, 50);
   const keyed = [await zoomRange(page, 0), await zoomRange(page, 1)];
   expect(keyed[0] !== full[0] && keyed[0] === keyed[1], "plus zooms a plot that has the focus, and all others");
   await page.keyboard.press("0");
-  await settle(page);
+  await settle(page, 50);
   expect((await zoomRange(page, 0)) === full[0], "zero shows all again");
 
   const plot = page.locator(PLOT).first();
   const shown = await plot.locator(".canvas").screenshot();
   const entry = plot.locator(".legend button").first();
   await entry.click();
-  await settle(page);
+  await settle(page, 50);
   expect((await pictures.difference(shown, await plot.locator(".canvas").screenshot())) > 0, "a click in the legend hides its line");
   await entry.click();
   await page.mouse.move(4, 4);
 
   for (const [name, where] of [
     ["a plot", plot.locator(".save").first()],
-    ["the 3D picture", page.locator(".panel:not([hidden]) .replay .save")],
+    ...(hasReplay(data, first) ? [["the 3D picture", page.locator(".panel:not([hidden]) .replay .save")]] : []),
   ]) {
     const [download] = await Promise.all([page.waitForEvent("download"), where.click()]);
     const chunks = [];
@@ -135,31 +137,4 @@ export async function checkPlots({ page, expect, pictures }) {
     const png = content.subarray(1, 4).toString() === "PNG";
     expect(png && (await pictures.drawn(content)) > 0.01, `${name} is saved as PNG (${download.suggestedFilename()})`);
   }
-}
-
-/** A report in which nothing but the arm can move: no target, no obstacles, a tool path of one point. */
-export async function checkArm({ browser, file, folder, data, expect, pictures }) {
-  const bare = structuredClone(data);
-  for (const scenario of bare.scenarios) {
-    scenario.obstacles = [];
-    scenario.runs = scenario.runs.slice(-1);
-    for (const { replay } of scenario.runs) {
-      replay.target = [];
-      replay.obstacles = [];
-      for (const series of replay.tool) series.hi = series.lo;
-    }
-  }
-  if (bare.scenarios.every((scenario) => scenario.runs.length === 0)) return;
-  const { page, context } = await openPage(browser, variant(file, bare, folder, "arm.html"));
-  await bringIntoView(page, "#replay");
-  await settle(page, 600);
-  const before = await page.locator(STAGE).screenshot();
-  const started = await seconds(page);
-  await page.locator(".panel:not([hidden]) .play").click();
-  await passes(page, started + 0.5);
-  await page.locator(".panel:not([hidden]) .play").click();
-  await settle(page);
-  const moved = await pictures.difference(before, await page.locator(STAGE).screenshot());
-  expect(moved > 0.001, `play moves the arm itself (${(100 * moved).toFixed(2)} % of the pixels, all else at rest)`);
-  await context.close();
 }

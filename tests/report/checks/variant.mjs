@@ -11,6 +11,16 @@ export function dataOf(file) {
   return JSON.parse(found[2]);
 }
 
+/** Scenarios that have a tab, in their order. */
+export function tabsOf(data) {
+  return data.scenarios.filter((scenario) => scenario.runs.length > 0);
+}
+
+/** Whether a tab opens with a replay: of its last run. */
+export function hasReplay(data, scenario) {
+  return data.robots[scenario.robot] !== undefined && scenario.runs.at(-1).replay.n > 0;
+}
+
 /** Writes the report with other data to the folder; returns its address. */
 export function variant(file, data, folder, name) {
   const json = JSON.stringify(data).replaceAll("<", "\\u003c");

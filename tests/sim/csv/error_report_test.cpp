@@ -21,6 +21,7 @@ std::vector<ScenarioResult> two_results() {
   results[0].result.metrics.max_ratio_joint = "elbow_joint";
   results[1].scenario = "second";
   results[1].result.status = RolloutStatus::kDiverged;
+  results[1].result.reason = "diverged at 4.2 s, in \"followTrajectory\"";
   return results;
 }
 
@@ -38,7 +39,7 @@ TEST(ErrorsCsv, HasTheColumnsInTheirOrder) {
           "joint_velocity/max_ratio", "joint_velocity/max_ratio_joint", "joint_velocity/max_ratio_time",
           "joint_position/min_margin", "joint_effort/max_ratio", "effort_rate/rms", "obstacle/min_clearance",
           "compensation_error/rms", "response/rise_time", "response/overshoot", "response/settling_time",
-          "response/steady_state_error", "response/bandwidth"));
+          "response/steady_state_error", "response/bandwidth", "reason"));
 }
 
 TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {
@@ -47,6 +48,8 @@ TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {
   ASSERT_EQ(csv.rows.size(), 2U);
   EXPECT_EQ(csv.at(0, "status"), "completed");
   EXPECT_EQ(csv.at(1, "status"), "diverged");
+  EXPECT_EQ(csv.at(0, "reason"), "");
+  EXPECT_EQ(csv.at(1, "reason"), results[1].result.reason);
   EXPECT_EQ(csv.at(0, "joint_velocity/max_ratio_joint"), "elbow_joint");
   for (std::size_t r = 0; r < 2; ++r) {
     EXPECT_EQ(csv.rows[r].size(), csv.header.size());

@@ -17,16 +17,19 @@ using test::scenario_of;
 struct Recorded {
   test::Csv csv{""};
   std::vector<JointVector> q;  ///< of every period
+  Metrics metrics;
 };
 
 Recorded record(const Scenario& scenario, int stride) {
   const test::TemporaryFolder folder;
   Recorder recorder(scenario, stride);
   Recorded recorded;
-  Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), [&](const Observation& o) {
+  const auto observe = [&](const Observation& o) {
     recorded.q.push_back(*o.q);
     return recorder(o);
-  });
+  };
+  recorded.metrics =
+      Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), observe).metrics;
   recorder.write_csv(folder / "rollout.csv");
   recorded.csv = test::read_csv(folder / "rollout.csv");
   return recorded;
@@ -63,17 +66,55 @@ TEST(RolloutCsv, HasARowForEveryStrideWithRisingTimeAndTheTrueState) {
     const Scenario scenario = scenario_of("obstacle_pass", 0.5);
     const Recorded recorded = record(scenario, stride);
     const auto& csv = recorded.csv;
-    ASSERT_EQ(csv.rows.size(), static_cast<std::size_t>((250 + stride - 1) / stride));
+    // The first period of every stride, and the last period.
+    const std::size_t kept = static_cast<std::size_t>((250 + stride - 1) / stride);
+    ASSERT_EQ(csv.rows.size(), kept + (249 % stride != 0 ? 1 : 0));
+    EXPECT_NEAR(std::stod(csv.at(csv.rows.size() - 1, "time")), 0.002 * 249, 1e-9);
     double before = -1.0;
     for (std::size_t r = 0; r < csv.rows.size(); ++r) {
       ASSERT_EQ(csv.rows[r].size(), csv.header.size());
       const double time = std::stod(csv.at(r, "time"));
       EXPECT_GT(time, before);
-      EXPECT_NEAR(time, 0.002 * stride * static_cast<double>(r), 1e-9);
+      const std::size_t period = std::min<std::size_t>(249, r * static_cast<std::size_t>(stride));
+      EXPECT_NEAR(time, 0.002 * static_cast<double>(period), 1e-9);
       before = time;
-      const JointVector& q = recorded.q[r * static_cast<std::size_t>(stride)];
+      const JointVector& q = recorded.q[period];
       EXPECT_NEAR(std::stod(csv.at(r, "joint/elbow_joint/position")), q[2], 1e-8 * std::abs(q[2]) + 1e-300);
       EXPECT_EQ(csv.at(r, "state"), "0");
+    }
+  }
+}
+
+double largest(const test::Csv& csv, const std::string& ending) {
+  double found = 0.0;
+  for (const std::string& column : csv.header) {
+    if (!column.ends_with(ending)) continue;
+    for (std::size_t r = 0; r < csv.rows.size(); ++r) found = std::max(found, std::stod(csv.at(r, column)));
+  }
+  return found;
+}
+
+TEST(RolloutCsv, MissesNoPeakBetweenItsRows) {
+  Scenario scenario = scenario_of("obstacle_pass", 9.0);
+  const Recorded every = record(scenario, 1);
+  const Recorded recorded = record(scenario, 40);
+  // Nine digits are written.
+  const auto near = [](double expected) { return testing::DoubleNear(expected, 1e-8 * expected); };
+  const Metrics& m = recorded.metrics;
+  EXPECT_THAT(largest(recorded.csv, "/velocity_ratio"), near(m[Metric::kJointVelocityMaxRatio]));
+  EXPECT_THAT(largest(recorded.csv, "/torque_ratio"), near(m[Metric::kJointEffortMaxRatio]));
+  double closest = INFINITY;
+  for (std::size_t r = 0; r < recorded.csv.rows.size(); ++r) {
+    closest = std::min(closest, std::stod(recorded.csv.at(r, "obstacle/distance")));
+  }
+  EXPECT_THAT(closest, near(m[Metric::kObstacleMinClearance]));
+  for (const char* column : {"joint/elbow_joint/velocity_ratio", "joint/wrist_1_joint/torque_ratio"}) {
+    for (std::size_t r = 1; r + 1 < recorded.csv.rows.size(); ++r) {
+      double peak = 0.0;
+      for (std::size_t k = 40 * (r - 1) + 1; k <= 40 * r; ++k) {
+        peak = std::max(peak, std::stod(every.csv.at(k, column)));
+      }
+      ASSERT_EQ(std::stod(recorded.csv.at(r, column)), peak) << column << ", row " << r;
     }
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// CSV without quoted commas, as the program's tables of numbers are.
+// CSV read back, quoted cells included; none of them holds a line break.
 
 #include <algorithm>
 #include <sstream>
@@ -12,11 +12,17 @@ namespace armtune::test {
 
 inline std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> out(1);
-  for (const char c : line) {
-    if (c == ',') {
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') {
+      if (quoted && i + 1 < line.size() && line[i + 1] == '"')
+        out.back() += line[i++];
+      else
+        quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
       out.emplace_back();
     } else {
-      out.back() += c;
+      out.back() += line[i];
     }
   }
   return out;

@@ -147,10 +147,11 @@ TEST(ParseLimits, RefusesATextThatIsTooLarge) {
 }
 
 TEST(ParseLimits, RefusesKeysAndPathsThatAreTooLong) {
-  EXPECT_TRUE(
-      contains(parse_error(fmt::format("? {:k<201}\n: 1\n", 'k')), "has 201 bytes; expected at most 200"));
-  EXPECT_TRUE(contains(parse_error(repeat(fmt::format("{{{:k<150}: ", 'k'), 7) + "1" + repeat("}", 7)),
-                       "longer than 1000 bytes"));
+  const auto key = [](std::size_t bytes) { return parse_error("? " + std::string(bytes, 'k') + "\n: 1\n"); };
+  EXPECT_EQ(key(kMaxKeyBytes), "no error");
+  EXPECT_TRUE(contains(key(kMaxKeyBytes + 1), "has 1025 bytes; expected at most 1024"));
+  EXPECT_TRUE(contains(parse_error(repeat(fmt::format("{{{:k<150}: ", 'k'), 28) + "1" + repeat("}", 28)),
+                       "longer than 4096 bytes"));
 }
 
 TEST(ParseLimits, ReadsALargeMapInReasonableTime) {

@@ -2,6 +2,7 @@
 
 #include "tuner/report/page.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "sim/csv/error_report.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
+#include "tuner/journal/journal.hpp"
 #include "tuner/report/report.hpp"
 #include "tuner/report/run_report.hpp"
 
@@ -46,7 +48,7 @@ void write_run(const TemporaryFolder& folder, const std::vector<std::string>& na
   std::string rollout;
   for (std::size_t c = 0; c < table.header().size(); ++c) rollout += (c > 0 ? "," : "") + table.header()[c];
   rollout += '\n';
-  const double length = table.number(table.rows() - 1, 0) + 0.01;
+  const double length = table.number(table.rows() - 1, 0) + 0.002;
   for (int k = 0; k < repeats; ++k) {
     for (std::size_t r = 0; r < table.rows(); ++r) {
       std::ostringstream row;
@@ -82,7 +84,7 @@ TEST(Page, OfTwoGainSetsOverFourScenariosOfAMinuteIsAtMostSixMegabytes) {
   if (!available()) GTEST_SKIP() << "built without the page";
   const TemporaryFolder folder;
   write_run(folder, {"a", "b", "c", "d"}, kTwoSets, 8);
-  const std::size_t size = write_report(folder.path(), folder / "report.html");
+  const std::size_t size = write_report(folder.path(), folder / "report.html").bytes;
   EXPECT_EQ(size, std::filesystem::file_size(folder / "report.html"));
   EXPECT_LE(size, 6'000'000U);
   const auto data = parsed(data_of(test::read_text(folder / "report.html")));
@@ -97,9 +99,17 @@ TEST(Page, OfManyScenariosIsCoarserAndStillAtMostSixMegabytes) {
   if (!available()) GTEST_SKIP() << "built without the page";
   const TemporaryFolder folder;
   std::vector<std::string> names;
-  for (char c = 'a'; c < 'm'; ++c) names.emplace_back(1, c);
-  write_run(folder, names, kTwoSets, 4);
-  EXPECT_LE(write_report(folder.path(), folder / "report.html"), 6'000'000U);
+  for (int i = 0; i < 40; ++i) names.push_back(fmt::format("scenario_{}", i));
+  write_run(folder, names, kTwoSets, 2);
+  Scene scene = read_scene(folder / "scene.json");
+  // More obstacles and a heavier arm than any estimate thought of.
+  for (SceneScenario& s : scene.scenarios) s.obstacles.resize(12, s.obstacles.front());
+  ArmShape mesh;
+  mesh.kind = "mesh";
+  mesh.triangles = std::string(1'400'000, 'A');
+  scene.arms.front().shapes.push_back(mesh);
+  folder.write("scene.json", scene_json(scene));
+  EXPECT_LE(write_report(folder.path(), folder / "report.html").bytes, 6'000'000U);
 }
 
 TEST(Page, ShowsMarkupInNamesAndNeverHoldsIt) {
@@ -114,7 +124,7 @@ TEST(Page, ShowsMarkupInNamesAndNeverHoldsIt) {
   EXPECT_EQ(json.find('<'), std::string::npos);
   const auto data = parsed(json);
   EXPECT_EQ(at(data, "sets/0").as_string(), evil);
-  EXPECT_EQ(at(data, "robot/name").as_string(), scene.arms.front().name);
+  EXPECT_EQ(at(data, "robots/0/name").as_string(), scene.arms.front().name);
   EXPECT_THAT(at(data, "provenance/command").as_string(), HasSubstr("<script>"));
 }
 
@@ -128,7 +138,8 @@ TEST(RunReport, LeavesOutWhatTheFolderDoesNotHold) {
   ASSERT_EQ(data.scenarios[0].runs.size(), 1U);
   EXPECT_EQ(data.scenarios[0].runs[0].replay.n, 0U);
   EXPECT_FALSE(data.scenarios[0].runs[0].columns.empty());
-  EXPECT_TRUE(data.arm.joints.empty());
+  EXPECT_TRUE(data.arms.empty());
+  EXPECT_EQ(data.scenarios[0].arm, -1);
   EXPECT_FALSE(data.evaluations || data.front || data.robustness);
   EXPECT_THAT(data.verdict.details, testing::Contains(HasSubstr("scene.json")));
   const auto json = parsed(report_json(data));
@@ -150,13 +161,51 @@ TEST(RunReport, KnowsARunByItsFilesAndRefusesWhatIsNone) {
   EXPECT_EQ(kind_of(folder.path()), RunKind::kTune);
   folder.write("pareto.csv", "");
   EXPECT_EQ(kind_of(folder.path()), RunKind::kPareto);
+  std::filesystem::remove(folder / "pareto.csv");
+  RunHeader header;
+  header.arguments = {"pareto", "study.yaml"};
+  Journal::begin(folder / "journal.txt", header);
+  EXPECT_EQ(kind_of(folder.path()), RunKind::kPareto) << "killed before there was a front";
 }
 
-TEST(RunReport, NamesTheFileThatCannotBeUnderstood) {
+TEST(RunReport, DrawsEveryScenarioWithItsOwnArm) {
+  const TemporaryFolder folder;
+  write_run(folder, {"one", "two"}, {{"gains", ".", "errors.csv"}}, 1);
+  Scene scene = read_scene(folder / "scene.json");
+  scene.arms.push_back(scene.arms.front());
+  scene.arms[1].tool.p.z() += 0.1;
+  scene.scenarios[1].arm = 1;
+  folder.write("scene.json", scene_json(scene));
+  const ReportData data = report_of(folder.path());
+  ASSERT_EQ(data.arms.size(), 2U);
+  EXPECT_EQ(data.scenarios[1].arm, 1);
+  EXPECT_GT(data.scenarios[1].runs[0].replay.n, 0U);
+}
+
+TEST(RunReport, LeavesOutTheFileThatCannotBeUnderstoodAndNamesIt) {
   const TemporaryFolder folder;
   write_run(folder, {"only"}, {{"gains", ".", "errors.csv"}}, 1);
   folder.write("rollout_only.csv", "time,state\n0,zero\n");
-  EXPECT_THAT(test::refusal([&] { report_of(folder.path()); }), HasSubstr("rollout_only.csv"));
+  folder.write("run.yaml", "command: [\n");
+  const ReportData data = report_of(folder.path());
+  ASSERT_EQ(data.left_out.size(), 2U);
+  EXPECT_THAT(data.left_out[0], HasSubstr("run.yaml"));
+  EXPECT_THAT(data.left_out[1], HasSubstr("rollout_only.csv"));
+  EXPECT_THAT(data.verdict.details, testing::Contains("Left out: " + data.left_out[1]));
+  EXPECT_EQ(data.tables.size(), 1U) << "the rest is there";
+}
+
+TEST(RunReport, TellsARunThatEndedEarlyWithItsReason) {
+  const TemporaryFolder folder;
+  write_run(folder, {"only"}, {{"gains", ".", "errors.csv"}}, 1);
+  ScenarioResult result{"only", {}};
+  result.result.status = RolloutStatus::kDiverged;
+  result.result.reason = "diverged at 4.206 s in followTrajectory: wrist moves at 64, over its limit";
+  folder.write("errors.csv", errors_csv({result}));
+  const auto run = report_of(folder.path()).scenarios[0].runs[0];
+  const CsvTable& table = test::recorded().table;
+  EXPECT_EQ(run.reason, result.result.reason);
+  EXPECT_EQ(run.end, table.number(table.rows() - 1, table.column("time")));
 }
 
 }  // namespace

@@ -84,8 +84,9 @@ TEST(Recording, ThePagesKinematicsPutTheToolWhereItWas) {
 }
 
 TEST(Recording, ObstaclesAreAsFarFromTheJointsAsTheRolloutSaw) {
-  const CsvTable& table = recorded().table;
-  const auto run = whole_run();
+  // Of every period: the column is the least since the row before.
+  const CsvTable table = test::recording_of(recorded().scenario, recorded().gains, 1);
+  const auto run = run_of(table, &recorded().shown(), &recorded().arm(), {});
   const Arm& arm = recorded().arm();
   ASSERT_FALSE(run.replay.obstacles.empty());
   for (std::size_t i = 0; i < run.replay.n; i += 5) {
@@ -152,28 +153,61 @@ TEST(Recording, PlotsHaveEveryGroupWithExtremesOfTheWholeColumn) {
   for (const PlotColumn& column : run.columns) {
     EXPECT_EQ(column.series.steps.size(), run.time.steps.size()) << column.name;
     const auto c = table.find(column.name);
-    if (!c) continue;  // made from others
+    if (!c) continue;                                 // made from others
+    if (column.name.starts_with("error/")) continue;  // have gaps
     const auto values = table.numbers(*c);
     EXPECT_EQ(column.series.lo, *std::min_element(values.begin(), values.end())) << column.name;
     EXPECT_EQ(column.series.hi, *std::max_element(values.begin(), values.end())) << column.name;
   }
 }
 
-TEST(Recording, TorquesAreSharesOfTheirLimits) {
-  const auto run = whole_run();
+/// The recording without the columns whose names end so, as an older armtune wrote it.
+CsvTable without(const std::string& ending) {
   const CsvTable& table = recorded().table;
-  for (const JointInfo& joint : recorded().scenario.robot->joints) {
-    const std::string tree = "joint/" + joint.name + "/";
-    const auto column = std::find_if(run.columns.begin(), run.columns.end(),
-                                     [&](const PlotColumn& c) { return c.name == tree + "torque_ratio"; });
-    ASSERT_NE(column, run.columns.end());
-    double largest = 0.0;
-    for (const double torque : table.numbers(table.column(tree + "torque"))) {
-      largest = std::max(largest, std::abs(torque));
+  std::string text;
+  for (std::size_t r = 0; r <= table.rows(); ++r) {
+    std::string row;
+    for (std::size_t c = 0; c < table.header().size(); ++c) {
+      if (table.header()[c].ends_with(ending)) continue;
+      row += (row.empty() ? "" : ",") + (r == 0 ? table.header()[c] : table.text(r - 1, c));
     }
-    EXPECT_DOUBLE_EQ(column->series.hi, largest / joint.limits.effort);
-    EXPECT_LE(column->series.hi, 1.0) << "the file has it after saturation";
+    text += row + '\n';
   }
+  return CsvTable::parse(text, "old.csv");
+}
+
+TEST(Recording, TorquesAreSharesOfTheirLimitsAlsoOfFilesThatOnlyHaveTorques) {
+  const auto run = whole_run();
+  const auto old = run_of(without("/torque_ratio"), &recorded().shown(), &recorded().arm(), {});
+  for (const JointInfo& joint : recorded().scenario.robot->joints) {
+    const std::string name = "joint/" + joint.name + "/torque_ratio";
+    const auto is_it = [&name](const PlotColumn& c) { return c.name == name; };
+    const auto commanded = std::find_if(run.columns.begin(), run.columns.end(), is_it);
+    const auto sent = std::find_if(old.columns.begin(), old.columns.end(), is_it);
+    ASSERT_NE(commanded, run.columns.end());
+    ASSERT_NE(sent, old.columns.end());
+    EXPECT_LE(sent->series.hi, 1.0) << "what was sent is inside the limit";
+    EXPECT_GE(commanded->series.hi * (1.0 + 1e-8), sent->series.hi) << "nine digits are written";
+  }
+}
+
+TEST(Recording, ErrorsHaveGapsWhereNothingTracksThem) {
+  const CsvTable& table = recorded().table;
+  Resolution fine;
+  fine.buckets = table.rows();
+  const auto run = run_of(table, &recorded().shown(), &recorded().arm(), fine);
+  bool free = false;
+  for (const PlotColumn& column : run.columns) {
+    const bool position = column.group == "position_error";
+    if (!column.name.starts_with("error/")) continue;
+    for (std::size_t r = 0; r < table.rows(); ++r) {
+      const auto state = static_cast<int>(table.number(r, table.column("state")));
+      const bool tracked = state != 0 && !(position && state == 3);
+      free = free || !tracked;
+      ASSERT_EQ(std::isnan(column.series.at(r)), !tracked) << column.name << ", row " << r;
+    }
+  }
+  EXPECT_TRUE(free) << "the arm leaves its singularity first";
 }
 
 TEST(Recording, ResolutionFallsWithTheNumberOfRunsAndNeverRises) {

@@ -115,18 +115,30 @@ TEST(Arm, MeshesAreLoadedOrTheirLinksAreCapsules) {
   RobotModel model = *test::recorded().scenario.robot;
   model.source = folder / "arm.urdf";
   model.shapes.clear();
-  for (const char* file : {"good.stl", "bad.stl", "missing.dae"}) {
+  const auto add = [&model](int link, const char* file, bool collision) {
     Shape shape;
-    shape.body = static_cast<int>(model.shapes.size());
+    shape.body = link;
+    shape.link = link;
+    shape.collision = collision;
     shape.kind = ShapeKind::kMesh;
     shape.size = {2, 2, 2};
     shape.file = file;
     model.shapes.push_back(shape);
-  }
+  };
+  add(0, "good.stl", false);
+  add(0, "good.stl", true);  // not drawn twice
+  add(1, "bad.stl", false);
+  add(2, "missing.dae", false);
+  add(2, "missing.stl", true);
+  add(3, "missing.dae", false);
+  add(3, "good.stl", true);
   const Arm arm = arm_of(model);
-  std::vector<std::string> kinds(3);
+  std::vector<std::string> kinds(4);
+  EXPECT_EQ(
+      std::count_if(arm.shapes.begin(), arm.shapes.end(), [](const ArmShape& s) { return s.joint == 0; }), 1);
+  EXPECT_EQ(arm.undrawn, 3U) << "one of link 1, two of link 2; link 3 has its collision body";
   for (const ArmShape& shape : arm.shapes) {
-    if (shape.joint >= 0 && shape.joint < 3) kinds[static_cast<std::size_t>(shape.joint)] = shape.kind;
+    if (shape.joint >= 0 && shape.joint < 4) kinds[static_cast<std::size_t>(shape.joint)] = shape.kind;
     if (shape.joint == 0) {
       EXPECT_EQ(shape.triangles, base64_f32(kCorners));
       EXPECT_THAT(shape.size, testing::ElementsAre(2, 2, 2));
@@ -136,6 +148,7 @@ TEST(Arm, MeshesAreLoadedOrTheirLinksAreCapsules) {
   EXPECT_NE(kinds[1], "mesh");
   EXPECT_NE(kinds[2], "mesh");
   EXPECT_NE(kinds[1], "");
+  EXPECT_EQ(kinds[3], "mesh");
 }
 
 TEST(StlFile, IsReadWholeOrNotAtAll) {

@@ -47,10 +47,26 @@ TEST(EvaluationsSection, KeepsEveryEvaluationAndFindsStartAndChosen) {
   EXPECT_THAT(e.feasible, ElementsAre(false, true, true, false, true));
 }
 
+TEST(EvaluationsSection, ChoosesWhatSimbodyJudgedAmongTheSameGains) {
+  const CsvTable table = CsvTable::parse(
+      "evaluation,phase,engine,objective,feasible,violation,gain/a\n"
+      "0,start,simbody,1,1,0,5\n1,start,native,1,1,0,5\n2,search,native,0.4,1,0,7\n3,verify,simbody,0.41,1,0,"
+      "7\n",
+      "evaluations.csv");
+  const Evaluations e = evaluations_of(table, {{"gain/a", "1", 0, 10, "log", {5.0, 7.0}}});
+  EXPECT_EQ(e.start, 0);
+  EXPECT_EQ(e.chosen, 3) << "though the native engine's figure is smaller";
+  EXPECT_THAT(e.native, ElementsAre(false, true, true, false));
+  EXPECT_TRUE(evaluations_of(evaluations(), {}).native.empty());
+}
+
 TEST(FrontSection, OfASearchIsTheObjectiveAgainstTheWorstScenario) {
   const CsvTable table = evaluations();
-  const auto front = front_of_search(table, evaluations_of(table, {}));
+  const std::vector<StudyLimit> limits = {{Metric::kJointVelocityMaxRatio, true, 0.9, {}},
+                                          {Metric::kObstacleMinClearance, false, 0.1, {}}};
+  const auto front = front_of_search(table, evaluations_of(table, {}), limits);
   ASSERT_TRUE(front);
+  EXPECT_THAT(front->limits, ElementsAre(std::pair<std::size_t, double>(1, 0.9)));
   ASSERT_EQ(front->points.size(), 4U) << "one has no figures";
   EXPECT_THAT(front->points[0].values, ElementsAre(1.0, 1.1));
   EXPECT_THAT(front->points[1].values, ElementsAre(0.5, 0.85));
@@ -59,7 +75,7 @@ TEST(FrontSection, OfASearchIsTheObjectiveAgainstTheWorstScenario) {
   EXPECT_EQ(front->points[2].role, "chosen");
   const CsvTable none =
       CsvTable::parse("evaluation,phase,objective,feasible,violation\n0,start,1,1,0\n", "t");
-  EXPECT_FALSE(front_of_search(none, evaluations_of(none, {})));
+  EXPECT_FALSE(front_of_search(none, evaluations_of(none, {}), {}));
 }
 
 TEST(FrontSection, OfALongSearchKeepsWhatNoOtherPointDominates) {
@@ -73,7 +89,7 @@ TEST(FrontSection, OfALongSearchKeepsWhatNoOtherPointDominates) {
             ",1,0," + std::to_string(all.back().second) + "\n";
   }
   const CsvTable table = CsvTable::parse(text, "t");
-  const auto front = front_of_search(table, evaluations_of(table, {}));
+  const auto front = front_of_search(table, evaluations_of(table, {}), {});
   ASSERT_TRUE(front);
   EXPECT_LT(front->points.size(), 200U);
   for (const FrontPoint& point : front->points) {
@@ -98,7 +114,7 @@ TEST(FrontSection, OfParetoCsvHasItsPointsAndItsStart) {
   ASSERT_EQ(front.points.size(), 3U);
   EXPECT_EQ(front.criteria[1].second, "rad");
   EXPECT_EQ(front.points[0].role, "point");
-  EXPECT_EQ(front.points[1].role, "chosen");
+  EXPECT_EQ(front.points[1].role, "shown");
   EXPECT_EQ(front.points[2].role, "start");
   EXPECT_THAT(front.points[1].values, ElementsAre(0.4, 0.01));
   EXPECT_THAT(test::refusal([&] { front_of(table, {"no/such"}, "", std::nullopt); }), HasSubstr("no/such"));
@@ -154,6 +170,7 @@ TEST_F(RobustnessSection, CountsEveryCompletedSampleInTheBinItFallsInto) {
         values.push_back(sample.results[s].metrics[h.metric]);
     }
     ASSERT_EQ(h.edges.size(), h.counts.size() + 1);
+    EXPECT_EQ(h.failed, samples_.size() - values.size());
     EXPECT_TRUE(std::is_sorted(h.edges.begin(), h.edges.end()));
     EXPECT_EQ(std::accumulate(h.counts.begin(), h.counts.end(), std::size_t{0}), values.size());
     EXPECT_EQ(h.edges.front(), *std::min_element(values.begin(), values.end()));
@@ -192,14 +209,19 @@ TEST_F(RobustnessSection, PutsTheWorstArmsAndTheLimitMostOftenBrokenFirst) {
 TEST(MarginsSection, PutsTheSetsSideBySideAlsoWhereOneHasNoFile) {
   const CsvTable table = CsvTable::parse(
       "margin,unit,scenario,nominal,stands,fails,reason\ngain_factor,1,a,1,1.8,1.9,\"torque, saturated\"\n"
-      "gain_factor,1,all,1,,1.9,a: x\n",
+      "gain_factor,1,all,1,,1.9,a: x\n"
+      "gain_factor,1,b,1,100,,\ncontrol_rate,Hz,b,500,10,,\n",
       "margins.csv");
   const auto rows = margins_of({std::nullopt, table});
-  ASSERT_EQ(rows.size(), 2U);
+  ASSERT_EQ(rows.size(), 4U);
   EXPECT_TRUE(std::isnan(rows[0].values[0]));
   EXPECT_EQ(rows[0].values[1], 1.8);
   EXPECT_THAT(rows[0].reason, ElementsAre("", "torque, saturated"));
   EXPECT_TRUE(std::isnan(rows[1].values[1])) << "not even the nominal value stands";
+  EXPECT_THAT(rows[0].text, ElementsAre("", "1.8"));
+  EXPECT_THAT(rows[1].text, ElementsAre("", "none"));
+  EXPECT_THAT(rows[2].text, ElementsAre("", "≥ 100")) << "nothing failed";
+  EXPECT_THAT(rows[3].text, ElementsAre("", "≤ 10"));
 }
 
 }  // namespace

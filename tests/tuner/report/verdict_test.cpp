@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/csv/error_report.hpp"
+#include "tuner/report/findings.hpp"
 #include "tuner/report/tables.hpp"
 
 namespace armtune::report {
@@ -66,6 +67,7 @@ TEST(Tables, PutTheSetsOfAScenarioSideBySide) {
   EXPECT_EQ(value_of(tables[0], Metric::kOrientationMax, 1), 0.1);
   EXPECT_TRUE(std::isnan(value_of(tables[1], Metric::kPositionMax, 0))) << "no set has one in b: no row";
   for (const MetricRow& row : tables[1].rows) EXPECT_NE(row.metric, Metric::kPositionMax);
+  EXPECT_TRUE(std::isnan(value_of(tables[0], Metric::kGazeRms, 0)));
   EXPECT_THAT(tables[1].status, ElementsAre("completed", "completed"));
 }
 
@@ -77,6 +79,18 @@ TEST(Tables, KeepTheirColumnsWhereASetHasNoFile) {
   EXPECT_THAT(tables[0].status, ElementsAre("", "completed"));
 }
 
+TEST(Tables, HaveEveryMetricUntilAsked) {
+  auto tables =
+      tables_of({errors_of({result_of("a", {{Metric::kPositionXMax, 1.0}, {Metric::kPositionMax, 2.0}})})});
+  EXPECT_EQ(value_of(tables[0], Metric::kPositionXMax, 0), 1.0) << "no headline";
+  auto asked = tables;
+  keep_rows(asked, {Metric::kPositionXMax});
+  EXPECT_EQ(asked[0].rows.size(), 2U);
+  keep_rows(tables, {});
+  ASSERT_EQ(tables[0].rows.size(), 1U);
+  EXPECT_EQ(tables[0].rows[0].metric, Metric::kPositionMax);
+}
+
 TEST(Changes, AreMeanRatiosOverTheTermsScenarios) {
   const auto tables = two_sets();
   const auto one = changes(tables, {{Metric::kOrientationMax, {"a"}}}, 1);
@@ -86,6 +100,8 @@ TEST(Changes, AreMeanRatiosOverTheTermsScenarios) {
   // Rounding of a logarithm and an exponential.
   EXPECT_NEAR(both[0].ratio, std::sqrt(0.1 / 0.4 * 0.1 / 0.9), 1e-14);
   EXPECT_TRUE(changes(tables, {{Metric::kGazeRms, {}}}, 1).empty()) << "there is no such value";
+  EXPECT_THAT(both[0].scenarios, ElementsAre("a", "b"));
+  EXPECT_THAT(one[0].scenarios, ElementsAre("a"));
 }
 
 TEST(Changes, PutTheBestFirstWhicheverDirectionIsBetter) {
@@ -98,6 +114,18 @@ TEST(Changes, PutTheBestFirstWhicheverDirectionIsBetter) {
   EXPECT_EQ(found[2].metric, Metric::kObstacleMinClearance) << "half the clearance is twice as bad";
 }
 
+TEST(Changes, TheWorstStepIsOfOneScenarioNotOfTheirMean) {
+  const auto worst =
+      worst_step(two_sets(), {Metric::kJointVelocityMaxRatio, Metric::kObstacleMinClearance}, 1);
+  ASSERT_TRUE(worst);
+  EXPECT_EQ(worst->metric, Metric::kObstacleMinClearance) << "half of it is worse than 0.6 to 0.88";
+  EXPECT_EQ(worst->scenario, "a");
+  EXPECT_EQ(worst->before, 0.2);
+  EXPECT_EQ(worst->after, 0.1);
+  EXPECT_EQ(worst_step(two_sets(), {Metric::kJointVelocityMaxRatio}, 1)->scenario, "b") << "a got better";
+  EXPECT_FALSE(worst_step(two_sets(), {Metric::kOrientationMax}, 1)) << "better in both";
+}
+
 TEST(Verdict, NamesTheJointClosestToItsLimitWithPlaceAndTime) {
   EXPECT_EQ(closest_joint(two_sets(), 1), "wrist comes closest to its velocity limit, 88 % at 6.01 s in b");
   EXPECT_EQ(closest_joint(two_sets(), 0), "elbow comes closest to its velocity limit, 70 % at 2.00 s in a");
@@ -105,6 +133,13 @@ TEST(Verdict, NamesTheJointClosestToItsLimitWithPlaceAndTime) {
   const auto over = tables_of({errors_of({result_of(
       "a", {{Metric::kJointVelocityMaxRatio, 1.21}, {Metric::kJointVelocityMaxRatioTime, 3.0}})})});
   EXPECT_THAT(closest_joint(over, 0), HasSubstr("breaks its velocity limit, 121 % at 3.00 s"));
+  const auto barely = tables_of({errors_of(
+      {result_of("a", {{Metric::kJointVelocityMaxRatio, 1.000002}, {Metric::kJointVelocityMaxRatioTime, 3.0}},
+                 "motor at the elbow")})});
+  EXPECT_EQ(closest_joint(barely, 0),
+            "motor at the elbow breaks its velocity limit, 100.0002 % at 3.00 s in a");
+  EXPECT_THAT(violations(barely, {{Metric::kJointVelocityMaxRatio, true, 1.0, {}}}, 0),
+              ElementsAre(AllOf(HasSubstr("is 1.000002 in a"), HasSubstr("at most 1"))));
 }
 
 TEST(Verdict, ListsWhatIsViolatedAndNothingElse) {
@@ -118,9 +153,14 @@ TEST(Verdict, ListsWhatIsViolatedAndNothingElse) {
   EXPECT_THAT(violations(tables, {{Metric::kObstacleMinClearance, false, std::nullopt, {}}}, 1),
               ElementsAre(HasSubstr("at least 0.2")));
   EXPECT_TRUE(violations(tables, {{Metric::kObstacleMinClearance, false, std::nullopt, {}}}, 0).empty());
-  const auto failed = tables_of({errors_of({result_of("a", {}, "", RolloutStatus::kDiverged)})});
-  EXPECT_THAT(violations(failed, {{Metric::kJointVelocityMaxRatio, true, 1.0, {}}}, 0),
-              ElementsAre("a: diverged"));
+  ScenarioResult diverged =
+      result_of("a", {{Metric::kJointVelocityMaxRatio, 3.0}}, "", RolloutStatus::kDiverged);
+  EXPECT_THAT(failures(tables_of({errors_of({diverged})}), 0), ElementsAre("a: diverged"));
+  diverged.result.reason = "diverged at 4.2 s, in followTrajectory";
+  const auto failed = tables_of({errors_of({diverged})});
+  EXPECT_THAT(failures(failed, 0), ElementsAre("a: diverged at 4.2 s, in followTrajectory"));
+  EXPECT_TRUE(violations(failed, {{Metric::kJointVelocityMaxRatio, true, 1.0, {}}}, 0).empty())
+      << "told once";
 }
 
 ReportData tuned_data() {
@@ -147,9 +187,56 @@ TEST(Verdict, OfATunedRunSaysWhatGotBetterAndThatNothingIsViolated) {
       verdict.sentence,
       AllOf(HasSubstr("falls by 69 %"), HasSubstr("the largest orientation error falls by 83 %"),
             HasSubstr("wrist comes closest"), HasSubstr("88 %"), HasSubstr("every constraint holds")));
-  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("effort_rate/rms rises by 50 %")));
-  EXPECT_THAT(verdict.details, testing::Contains("The price: the smallest obstacle clearance falls by 50 %"))
+  EXPECT_THAT(verdict.details,
+              testing::Contains(AllOf(HasSubstr("effort_rate/rms rises by 50 %"), HasSubstr("in a"))));
+  EXPECT_THAT(verdict.details,
+              testing::Contains("The price: the smallest obstacle clearance falls by 50 %, from "
+                                "0.2 to 0.1 m, in a"))
       << "though the study does not ask for it";
+}
+
+TEST(Verdict, NamesALimitOfTheArmThatTheStudyDoesNotAskFor) {
+  ReportData data = tuned_data();
+  data.tables = tables_of({errors_of({result_of("a", {{Metric::kJointEffortMaxRatio, 0.6}})}),
+                           errors_of({result_of("a", {{Metric::kJointEffortMaxRatio, 1.07}})})});
+  EXPECT_THAT(
+      verdict_of(data, tuned_facts(0.9)).sentence,
+      AllOf(HasSubstr("every constraint holds, but"), HasSubstr("joint_effort/max_ratio is 1.07 in a")));
+}
+
+TEST(Verdict, OfAStudyOnManyArmsIsOfWhatItWasJudgedBy) {
+  ReportData data = tuned_data();
+  data.judged = {"worst of 4 arms each",
+                 tables_of({errors_of({result_of("a", {{Metric::kOrientationMax, 0.8}})}),
+                            errors_of({result_of("a",
+                                                 {{Metric::kOrientationMax, 0.4},
+                                                  {Metric::kJointVelocityMaxRatio, 0.97},
+                                                  {Metric::kJointVelocityMaxRatioTime, 1.0}},
+                                                 "wrist")})})};
+  VerdictFacts facts = tuned_facts(1.0);
+  facts.study->terms = {{Metric::kOrientationMax, {"a"}}};
+  const Verdict verdict = verdict_of(data, facts);
+  EXPECT_THAT(verdict.sentence,
+              AllOf(HasSubstr("orientation error falls by 50 %"), HasSubstr("97 % at 1.00 s")));
+  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("worst of 4 arms each")));
+}
+
+TEST(Verdict, OfARunWithoutItsLastFileSaysThatItIsNotFinished) {
+  ReportData data;
+  data.kind = RunKind::kTune;
+  data.sets = {"start", "tuned"};
+  data.evaluations.emplace();
+  data.evaluations->objective = {1.0, 0.4};
+  data.evaluations->feasible = {false, false};
+  data.evaluations->violation = {0.2, 0.1};
+  data.evaluations->chosen = 1;
+  const Verdict killed = verdict_of(data, {});
+  EXPECT_THAT(killed.sentence,
+              AllOf(HasSubstr("not finished"), HasSubstr("none of 2 evaluations is feasible"),
+                    Not(HasSubstr("every constraint holds"))));
+  EXPECT_THAT(killed.details, testing::Contains(HasSubstr("armtune tune --resume")));
+  data.evaluations->feasible = {true, true};
+  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("objective of 0.4"));
 }
 
 TEST(Verdict, WithoutAFeasiblePointSaysSoFirstAndNamesTheConstraint) {
@@ -183,8 +270,8 @@ TEST(Verdict, OfASimulationSaysWhatFailed) {
       {result_of("good", {{Metric::kPositionMax, 0.002}, {Metric::kOrientationMax, 0.0349065850398866}}),
        result_of("bad", {}, "", RolloutStatus::kDiverged)})});
   const Verdict verdict = verdict_of(data, {});
-  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("1 of 2 scenarios failed: bad is diverged"),
-                                      HasSubstr("2 mm"), HasSubstr("2 deg")));
+  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("1 of 2 scenarios failed: bad: diverged"), HasSubstr("2 mm"),
+                                      HasSubstr("2 deg")));
 }
 
 TEST(Verdict, OfAComparisonIsOfTheLastSetAgainstTheFirst) {
@@ -200,16 +287,17 @@ TEST(Verdict, OfManyArmsIsTheirYield) {
   ReportData data;
   data.kind = RunKind::kRobustness;
   data.sets = {"gains"};
+  const VerdictFacts finished = {{}, {{"command", "armtune robustness"}}};
   data.robustness.emplace();
   data.robustness->samples = 200;
   data.robustness->kept = 150;
   data.robustness->interval = {0.68, 0.81};
   data.robustness->broken = {{"limit x in a", 40}, {"limit y in a", 12}};
   EXPECT_THAT(
-      verdict_of(data, {}).sentence,
+      verdict_of(data, finished).sentence,
       AllOf(HasSubstr("75.0 % of 200 arms"), HasSubstr("68.0 to 81.0 %"), HasSubstr("limit x in a, by 40")));
   data.robustness->samples = 0;
-  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("Interrupted"));
+  EXPECT_THAT(verdict_of(data, finished).sentence, HasSubstr("Interrupted"));
 }
 
 TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
@@ -221,12 +309,13 @@ TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
   data.front->points = {{{0.5, 0.3}, "point 1", true, "chosen"},  // better in both: more clearance is better
                         {{0.4, 0.1}, "point 2", true, "point"},
                         {{1.0, 0.2}, "start", true, "start"}};
+  const VerdictFacts finished = {{}, {{"command", "armtune pareto"}}};
   data.front->hypervolume = 0.25;
-  EXPECT_THAT(verdict_of(data, {}).sentence,
+  EXPECT_THAT(verdict_of(data, finished).sentence,
               AllOf(HasSubstr("2 points, 1 of them"), HasSubstr("objective from 0.4 to 0.5 (start 1)"),
                     HasSubstr("hypervolume 0.25")));
   data.front->points.erase(data.front->points.begin(), data.front->points.begin() + 2);
-  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("No feasible point was found"));
+  EXPECT_THAT(verdict_of(data, finished).sentence, HasSubstr("No feasible point was found"));
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ try {
     target: ["node18"],
     outdir: folder,
     outExtension: { ".js": ".mjs" },
+    // All that modules ask a browser for while they load.
+    banner: { js: "globalThis.matchMedia ??= () => ({ matches: false, addEventListener() {} });" },
     logLevel: "warning",
   });
   const files = tests.map((name) => join(folder, name.replace(/\.ts$/, ".mjs")));

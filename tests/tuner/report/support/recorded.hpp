@@ -19,18 +19,23 @@ struct Recorded {
   const report::SceneScenario& shown() const { return scene.scenarios.front(); }
 };
 
-/// 8 s of obstacle_pass, a row each 10 ms.
+/// A rollout as its CSV has it, a row every `stride` periods of 2 ms.
+inline report::CsvTable recording_of(const Scenario& scenario, const Gains& gains, int stride) {
+  Recorder recorder(scenario, stride);
+  Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) { return recorder(o); });
+  const TemporaryFolder folder;
+  recorder.write_csv(folder / "rollout.csv");
+  return report::CsvTable::read(folder / "rollout.csv");
+}
+
+/// 8 s of obstacle_pass, a row each 10 ms and one at the end.
 inline const Recorded& recorded() {
   static const Recorded run = [] {
     Scenario scenario = scenario_of("obstacle_pass", 8.0);
     const Gains gains = quick_gains(scenario);
-    Recorder recorder(scenario, 5);
-    Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) { return recorder(o); });
-    const TemporaryFolder folder;
-    recorder.write_csv(folder / "rollout.csv");
     report::Scene scene =
         report::scene_of({scenario}, {{"gains", ".", "errors.csv"}}, gains.obstacleInfluenceRadius);
-    return Recorded{scenario, gains, std::move(scene), report::CsvTable::read(folder / "rollout.csv")};
+    return Recorded{scenario, gains, std::move(scene), recording_of(scenario, gains, 5)};
   }();
   return run;
 }

@@ -18,6 +18,8 @@ export type Quaternion = [number, number, number, number];
 export interface MetricRow {
   metric: string;
   unit: string;
+  /** As a sentence has it: "largest position error". */
+  words: string;
   meaning: string;
   /** One per set; null where there is none. */
   values: (number | null)[];
@@ -33,6 +35,15 @@ export interface Table {
   rows: MetricRow[];
   /** One per set: "completed", "diverged" ..., empty where there is none. */
   status: string[];
+  /** One per set: when, where and why it ended, of what did not complete. */
+  reason: string[];
+}
+
+/** What a study on many arms was judged by, where the other tables are of the nominal arm alone. */
+export interface Judged {
+  /** "worst of 5 arms each". */
+  measure: string;
+  tables: Table[];
 }
 
 export interface Joint {
@@ -68,6 +79,8 @@ export interface Robot {
   name: string;
   joints: Joint[];
   shapes: Shape[];
+  /** Shapes of the URDF that could not be drawn: meshes that were not found, are of another kind, or too large. */
+  undrawn: number;
   /** Tool frame in the last joint's frame; z is the direction of gaze. */
   tool: { p: Vec3; q: Quaternion };
 }
@@ -94,7 +107,7 @@ export interface Column {
   series: Series;
 }
 
-/** Sampled evenly in time: point i is at i * dt. All series have n points. */
+/** Sampled evenly in time: point i is at i * dt. All series have n points; n is 0 where the run has no replay. */
 export interface Replay {
   dt: number;
   n: number;
@@ -106,7 +119,7 @@ export interface Replay {
   obstacles: Series[][];
   /** x, y, z of the tool. */
   tool: Series[];
-  /** Norm of the position error, m; no value where the state tracks no position. */
+  /** Norm of the position error, m; no value where the state tracks no position. So it is with the columns. */
   error: Series;
   /** Per joint, |velocity| over its limit: the largest within dt / 2 of the sample, so that no peak is missed. */
   velocity_ratio: Series[];
@@ -116,7 +129,10 @@ export interface Run {
   /** Index into `sets`. */
   set: number;
   status: string;
+  /** When, where and why it ended, of what did not complete. */
   reason: string;
+  /** When it ended, s: before the scenario's duration, unless it completed. */
+  end: number;
   /** Changes, in order; state: index into the scenario's `states`. */
   states: { t: number; state: number }[];
   /** Begin and end of every slerp, s. */
@@ -139,6 +155,8 @@ export interface Scenario {
   obstacles: { body_radius: number | null }[];
   /** Names of the controller's states. */
   states: string[];
+  /** Index into the report's robots; -1 where the folder does not say: its runs have no replay. */
+  robot: number;
   /** At most one per set. */
   runs: Run[];
 }
@@ -151,6 +169,8 @@ export interface Evaluations {
   objective: (number | null)[];
   feasible: boolean[];
   violation: (number | null)[];
+  /** Per evaluation: of armtune's own engine, and so neither chosen nor reported; left out where all are Simbody's. */
+  native?: boolean[];
   /** Indices of evaluations; -1 if there is none. */
   start: number;
   chosen: number;
@@ -182,6 +202,9 @@ export interface Margin {
   scenario: string;
   /** Per set: how far it stands. */
   values: (number | null)[];
+  /** Per set, the value in words: "2 (4 ms)", "≥ 100" where nothing failed, "none" where not even the nominal value
+   * stands, empty where it was not looked for. */
+  text: string[];
   /** Per set: why it ends there. */
   reason: string[];
 }
@@ -192,8 +215,11 @@ export interface Front {
     values: number[];
     label: string;
     feasible: boolean;
-    role: "start" | "chosen" | "point";
+    /** chosen: of a search, what it ended with; shown: of a front, the one of which replay and tables are. */
+    role: "start" | "chosen" | "shown" | "point";
   }[];
+  /** What the study allows of a criterion. */
+  limits: { criterion: number; value: number }[];
   hypervolume: number | null;
 }
 
@@ -203,6 +229,8 @@ export interface Histogram {
   scenario: string;
   limit: number | null;
   counts: number[];
+  /** Arms that did not complete, of which there is no value. */
+  failed: number;
   /** One more than counts. */
   edges: number[];
   nominal: number | null;
@@ -226,7 +254,9 @@ export interface ReportData {
   /** Names of the gain sets; index 0 is the reference, the last is the result. */
   sets: string[];
   tables: Table[];
-  robot: Robot;
+  judged?: Judged;
+  /** Every arm of the scenarios; empty where the folder does not say. */
+  robots: Robot[];
   scenarios: Scenario[];
   evaluations?: Evaluations;
   gains?: Gain[];

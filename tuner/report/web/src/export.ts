@@ -1,5 +1,6 @@
 // Saving what is drawn. Everything is made in the page; nothing is sent.
 import { element, svg } from "./dom";
+import { drawMark, type Shape } from "./plots/marks";
 import { cssColor } from "./theme";
 
 function save(content: Blob, name: string): void {
@@ -18,6 +19,8 @@ export interface LegendEntry {
   label: string;
   colour: string;
   faint?: boolean;
+  /** Of what is drawn as marks; a line without it. */
+  mark?: Shape | undefined;
 }
 
 /** The plot's canvas with the title above and the legend below it, on the page's colour. */
@@ -57,7 +60,8 @@ export function framedCanvas(plot: HTMLCanvasElement, title: string, legend: Leg
     const y = top + plot.height + (place.row + 1) * line;
     probe.globalAlpha = place.entry.faint === true ? 0.5 : 1;
     probe.fillStyle = place.entry.colour;
-    probe.fillRect(place.x, y - 5 * scale, 16 * scale, 3 * scale);
+    if (place.entry.mark === undefined) probe.fillRect(place.x, y - 5 * scale, 16 * scale, 3 * scale);
+    else drawMark(probe, place.entry.mark, place.x + 8 * scale, y - 4 * scale, 10 * scale, place.entry.colour);
     probe.globalAlpha = 1;
     probe.fillStyle = cssColor("ink");
     probe.fillText(place.entry.label, place.x + 21 * scale, y);

@@ -32,7 +32,7 @@ function joint(p: Vec3, q: Quaternion, kind: Joint["kind"] = "revolute"): Joint 
 }
 
 function robot(joints: Joint[], tool: Vec3): Robot {
-  return { name: "r", joints, shapes: [], tool: { p: tool, q: [1, 0, 0, 0] } };
+  return { name: "r", joints, shapes: [], undrawn: 0, tool: { p: tool, q: [1, 0, 0, 0] } };
 }
 
 /** Rotation matrix of a quaternion, from the textbook's nine entries: not the way rotate() goes. */

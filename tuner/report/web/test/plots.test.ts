@@ -1,9 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bestSoFar, phaseRuns } from "../src/plots/evaluations";
+import { bestLine, bestSoFar, phaseRuns } from "../src/plots/evaluations";
 import { boundOf, placeOnScale } from "../src/plots/place_on_scale";
 import { scaleUnit } from "../src/plots/scale_unit";
 import { indexAt } from "../src/plots/index_at";
+import { stepFrom } from "../src/plots/read_marks";
+import { limitsOf } from "../src/sections/front";
 import { ticks } from "../src/plots/ticks";
 
 test("the best so far never rises and takes no infeasible point", () => {
@@ -70,4 +72,31 @@ test("ticks are round, evenly spaced and inside", () => {
     const mantissa = Number((step / 10 ** Math.floor(Math.log10(step * (1 + 1e-9)))).toFixed(6));
     assert.ok([1, 2, 5].includes(mantissa), `step ${step}`);
   }
+});
+
+test("the best so far is of what is not native, or of all where but the start all is", () => {
+  const base = { phase: ["start", "search"], of: [0, 1, 1, 1], objective: [4, 1, 3, 2], feasible: [true, true, true, true], violation: [0, 0, 0, 0], start: 0, chosen: 2 };
+  assert.deepEqual(bestLine(base).values, [4, 1, 1, 1]);
+  const mixed = bestLine({ ...base, native: [false, true, false, true] });
+  assert.deepEqual(mixed.values, [4, 4, 3, 3]);
+  assert.match(mixed.label, /Simbody/);
+  const native = bestLine({ ...base, native: [false, true, true, true] });
+  assert.deepEqual(native.values, [4, 1, 1, 1]);
+  assert.match(native.label, /native/);
+});
+
+test("arrow keys meet every shown mark once and stop at the ends", () => {
+  const shown = [false, true, false, true, true];
+  const met: number[] = [];
+  for (let at = stepFrom(shown, -1, 1), before = -1; at !== before; before = at, at = stepFrom(shown, at, 1)) met.push(at);
+  assert.deepEqual(met, [1, 3, 4]);
+  assert.equal(stepFrom(shown, -1, -1), 4);
+  assert.equal(stepFrom(shown, 1, -1), 1);
+  assert.equal(stepFrom([false, false], -1, 1), -1);
+});
+
+test("a limit that would leave the points no room is said and not drawn", () => {
+  const point = (value: number) => ({ values: [value], label: "", feasible: true, role: "point" as const });
+  const limits = [1.5, 2.9, 50].map((value) => ({ criterion: 0, value })).concat({ criterion: 1, value: 1 });
+  assert.deepEqual(limitsOf({ points: [point(1), point(2)], limits }, 0), { near: [1.5, 2.9], far: [50] });
 });

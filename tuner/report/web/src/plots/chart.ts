@@ -4,6 +4,8 @@ import { element, type Child } from "../dom";
 import { framedCanvas, savePng, saveButtons, type LegendEntry } from "../export";
 import { formatNumber } from "../format";
 import { cssColor, onTheme } from "../theme";
+import { drawBands, drawLines, type Band, type Line } from "./backdrop";
+import { drawMark, type Shape } from "./marks";
 
 export interface ChartSeries {
   label: string;
@@ -14,14 +16,10 @@ export interface ChartSeries {
   alpha?: number;
   /** Draw marks of this size and no line. */
   marks?: number;
+  /** Of the marks; dots if left out. */
+  shape?: Shape;
   stepped?: boolean;
   shown?: boolean;
-}
-
-export interface Band {
-  from: number;
-  to: number;
-  colour: string;
 }
 
 export interface ChartOptions {
@@ -33,13 +31,15 @@ export interface ChartOptions {
   height: number;
   x: number[];
   series: ChartSeries[];
-  /** Horizontal lines that stay in view, such as a limit. */
-  lines?: { value: number; label: string }[];
+  /** Dashed lines that stay in view, such as a limit: at a value of y, or of x. */
+  lines?: Line[];
   bands?: () => Band[];
   yLog?: boolean;
   /** Values the y axis always shows. */
   include?: number[];
   xPad?: number;
+  /** Of the whole x axis, where that is not the data's. */
+  xRange?: [number, number];
   legend: () => LegendEntry[];
 }
 
@@ -50,6 +50,8 @@ export class Chart {
   private playhead: number | null = null;
   /** Told of every new range of x, by whatever hand. */
   onZoom: ((from: number, to: number) => void) | null = null;
+  /** After every drawing: for what is laid over the canvas. */
+  onDraw: (() => void) | null = null;
 
   constructor(
     private readonly options: ChartOptions,
@@ -83,6 +85,10 @@ export class Chart {
     this.plot.setSeries(series + 1, { show: shown });
   }
 
+  isShown(series: number): boolean {
+    return this.plot.series[series + 1]?.show !== false;
+  }
+
   redraw(): void {
     this.plot.redraw(false);
   }
@@ -100,9 +106,11 @@ export class Chart {
   }
 
   fullRange(): [number, number] {
-    const x = this.options.x;
+    if (this.options.xRange !== undefined) return this.options.xRange;
+    const { x } = this.options;
     const pad = this.options.xPad ?? 0;
-    return [(x[0] ?? 0) - pad, (x[x.length - 1] ?? 1) + pad];
+    const lines = this.linesOf("x").map((line) => line.value);
+    return [Math.min(x[0] ?? 0, ...lines) - pad, Math.max(x[x.length - 1] ?? 1, ...lines) + pad];
   }
 
   /** Around the playhead where it is in view. */
@@ -168,13 +176,10 @@ export class Chart {
       const made: uPlot.Series = {
         label: one.label,
         stroke: one.colour,
-        width: (one.width ?? 1.25) * (marks === undefined ? 1 : 0.001),
+        width: one.width ?? 1.25,
         alpha: one.alpha ?? 1,
         show: one.shown ?? true,
-        points:
-          marks === undefined
-            ? { show: false }
-            : { show: true, size: marks, fill: one.colour, stroke: one.colour, width: 1, space: 0 },
+        points: { show: false },
       };
       if (one.dash !== undefined) made.dash = one.dash;
       if (marks !== undefined) made.paths = () => null;
@@ -200,8 +205,9 @@ export class Chart {
       ],
       series: [{}, ...series],
       hooks: {
-        drawClear: [(u) => this.drawBands(u)],
-        draw: [(u) => this.drawLines(u), () => this.placeLine()],
+        drawClear: [(u) => drawBands(u, options.bands?.() ?? [])],
+        drawSeries: [(u, index) => this.drawMarks(u, index)],
+        draw: [(u) => drawLines(u, this.linesOf("x"), this.linesOf("y")), () => this.placeLine(), () => this.onDraw?.()],
         setScale: [
           (_u, key) => {
             if (key === "x") this.zoomed();
@@ -223,7 +229,7 @@ export class Chart {
   private yRange(min: number | null, max: number | null): [number, number] {
     let low = min ?? 0;
     let high = max ?? 1;
-    for (const value of [...(this.options.include ?? []), ...(this.options.lines ?? []).map((l) => l.value)]) {
+    for (const value of [...(this.options.include ?? []), ...this.linesOf("y").map((line) => line.value)]) {
       low = Math.min(low, value);
       high = Math.max(high, value);
     }
@@ -232,40 +238,27 @@ export class Chart {
     return [low === 0 ? 0 : low - room, high === 0 && low < 0 ? 0 : high + room];
   }
 
-  private drawBands(u: uPlot): void {
-    const { ctx, bbox } = u;
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
-    for (const band of this.options.bands?.() ?? []) {
-      const left = u.valToPos(band.from, "x", true);
-      ctx.fillStyle = band.colour;
-      ctx.fillRect(left, bbox.top, Math.max(u.valToPos(band.to, "x", true) - left, 1), bbox.height);
-    }
-    ctx.restore();
+  private linesOf(axis: "x" | "y"): Line[] {
+    return (this.options.lines ?? []).filter((line) => (line.axis ?? "y") === axis);
   }
 
-  private drawLines(u: uPlot): void {
+  private drawMarks(u: uPlot, index: number): void {
+    const one = this.options.series[index - 1];
+    if (one?.marks === undefined) return;
     const { ctx, bbox } = u;
-    const scale = devicePixelRatio;
+    const size = one.marks * devicePixelRatio;
+    const colour = one.colour();
+    const [from, to] = this.range();
     ctx.save();
-    for (const { value, label } of this.options.lines ?? []) {
-      const y = u.valToPos(value, "y", true);
-      if (y < bbox.top || y > bbox.top + bbox.height) continue;
-      ctx.strokeStyle = cssColor("limit");
-      ctx.lineWidth = scale;
-      ctx.setLineDash([6 * scale, 4 * scale]);
-      ctx.beginPath();
-      ctx.moveTo(bbox.left, y);
-      ctx.lineTo(bbox.left + bbox.width, y);
-      ctx.stroke();
-      ctx.fillStyle = cssColor("limit");
-      ctx.font = `${11 * scale}px system-ui, sans-serif`;
-      ctx.textAlign = "right";
-      ctx.textBaseline = y - bbox.top > 18 * scale ? "bottom" : "top";
-      ctx.fillText(label, bbox.left + bbox.width - 4 * scale, y + (ctx.textBaseline === "top" ? 3 : -2) * scale);
-    }
+    ctx.beginPath();
+    // A mark on the edge is seen whole.
+    ctx.rect(bbox.left - size, bbox.top - size, bbox.width + 2 * size, bbox.height + 2 * size);
+    ctx.clip();
+    one.values.forEach((value, i) => {
+      const x = this.options.x[i] ?? NaN;
+      if (value === null || value === undefined || !(x >= from && x <= to)) return;
+      drawMark(ctx, one.shape ?? "dot", u.valToPos(x, "x", true), u.valToPos(value, "y", true), size, colour);
+    });
     ctx.restore();
   }
 }

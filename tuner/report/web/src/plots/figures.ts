@@ -31,5 +31,5 @@ export const FIGURES: Figure[] = [
     lines: (scenario) =>
       scenario.influence_radius > 0 ? [{ value: scenario.influence_radius, label: "influence radius" }] : [],
   },
-  { group: "manipulability", title: "Manipulability", axis: "m", fromZero: true, lines: none },
+  { group: "manipulability", title: "Manipulability", axis: "manipulability", fromZero: true, lines: none },
 ];

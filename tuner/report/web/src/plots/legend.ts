@@ -1,5 +1,6 @@
 // A legend whose entries show and hide what they name.
 import { element, toggle } from "../dom";
+import type { LegendEntry } from "../export";
 import type { ChartSeries } from "./chart";
 import { swatch } from "./swatch";
 
@@ -12,8 +13,15 @@ export function legendOf(series: ChartSeries[], show: (index: number, shown: boo
       show(i, on);
     });
     button.className = "entry";
-    button.append(swatch(one.colour, one.marks === undefined ? "" : "round"), one.label);
+    button.append(swatch(one.colour, one.marks === undefined ? "" : `mark-${one.shape ?? "dot"}`), one.label);
     legend.append(button);
   });
   return legend;
+}
+
+/** The same for a saved picture: of what is shown. */
+export function legendEntries(series: ChartSeries[]): LegendEntry[] {
+  return series
+    .filter((one) => one.shown !== false && one.values.some((value) => value !== null && value !== undefined))
+    .map((one) => ({ label: one.label, colour: one.colour(), mark: one.marks === undefined ? undefined : (one.shape ?? "dot") }));
 }

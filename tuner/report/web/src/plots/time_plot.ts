@@ -3,15 +3,16 @@ import type { Column, Run, Scenario } from "../data";
 import { decodeSeries } from "../decode";
 import { element, toggle } from "../dom";
 import type { LegendEntry } from "../export";
-import { fileName, formatNumber, formatUnit, shortName } from "../format";
+import { fileName, formatUnit, shortName } from "../format";
 import { watchVisible } from "../lazy";
 import { axisColour, seriesColour } from "../palette";
 import type { Playhead } from "../playhead";
-import { alignRuns, type Values } from "./align";
-import { Chart, type Band, type ChartSeries } from "./chart";
+import { alignRuns } from "./align";
+import type { Band } from "./backdrop";
+import { Chart, type ChartSeries } from "./chart";
 import type { Figure } from "./figures";
-import { indexAt } from "./index_at";
-import { largestSize, scaleUnit } from "./scale_unit";
+import { formatReading, valueAt } from "./reading";
+import { largestSize, scaleUnit, type Scaled } from "./scale_unit";
 import { swatch } from "./swatch";
 
 interface Trace {
@@ -19,7 +20,13 @@ interface Trace {
   column: Column;
   /** Index of the column's name among those of the plot. */
   name: number;
+  /** On the run's own time axis, as they are stored. */
+  time: Float64Array;
+  values: Float64Array;
 }
+
+/** Of a series as it is stored; decode.ts. */
+const STEPS = 65534;
 
 const DASHES: number[][] = [[5, 4], [2, 3], [8, 3, 2, 3], [1, 2]];
 
@@ -38,8 +45,7 @@ export class TimePlot {
   readonly chart: Chart;
   private readonly traces: Trace[] = [];
   private readonly names: string[] = [];
-  private readonly x: number[];
-  private readonly values: Values[];
+  private readonly scaled: Scaled;
   private readonly hidden = new Set<number>();
   private readonly readings: HTMLElement[] = [];
   private visible = true;
@@ -56,18 +62,16 @@ export class TimePlot {
     const runs: { time: Float64Array; columns: Float64Array[] }[] = [];
     for (const run of scenario.runs) {
       const columns = run.columns.filter((column) => column.group === figure.group);
+      if (columns.length === 0) continue;
+      const time = decodeSeries(run.time);
       for (const column of columns) {
         if (!this.names.includes(column.name)) this.names.push(column.name);
-        this.traces.push({ run, column, name: this.names.indexOf(column.name) });
+        this.traces.push({ run, column, name: this.names.indexOf(column.name), time, values: decodeSeries(column.series) });
       }
-      if (columns.length > 0) {
-        runs.push({ time: decodeSeries(run.time), columns: columns.map((column) => decodeSeries(column.series)) });
-      }
+      runs.push({ time, columns: this.traces.slice(-columns.length).map((trace) => trace.values) });
     }
-    const scaled = scaleUnit(this.traces[0]?.column.unit ?? "1", largestSize(runs.flatMap((run) => run.columns)));
+    const scaled = (this.scaled = scaleUnit(this.traces[0]?.column.unit ?? "1", largestSize(runs.flatMap((run) => run.columns))));
     const aligned = alignRuns(runs, scaled.factor);
-    this.x = aligned.x;
-    this.values = aligned.columns;
     const legend = element("div", { class: "legend", role: "group", "aria-label": `Lines of ${figure.title}` });
     this.names.forEach((name, i) => legend.append(this.entry(name, i)));
     const result = Math.max(...scenario.runs.map((run) => run.set));
@@ -78,11 +82,12 @@ export class TimePlot {
         xLabel: "time [s]",
         yLabel: `${figure.axis} [${formatUnit(scaled.unit) || "1"}]`,
         height: 190,
-        x: this.x,
+        x: aligned.x,
+        xRange: [0, playhead.duration],
         series: this.traces.map((trace, i) => ({
           label: `${trace.column.name} (${sets[trace.run.set] ?? ""})`,
           colour: () => colourOf(trace.column.name, trace.name),
-          values: this.values[i] ?? [],
+          values: aligned.columns[i] ?? [],
           shown: this.shows(trace),
           ...lineOf(trace.run, result),
           ...(trace.column.name.startsWith("desired/") ? { dash: [1, 3], width: 1 } : {}),
@@ -140,14 +145,15 @@ export class TimePlot {
     // Numbers that change sixty times a second are read by nobody.
     if (this.playhead.playing && now - this.readAt < 120) return;
     this.readAt = now;
-    const i = indexAt(this.x, time);
+    const { factor } = this.scaled;
     this.readings.forEach((reading, name) => {
       const parts: string[] = [];
-      this.traces.forEach((trace, t) => {
-        if (trace.name !== name || !this.isShown(trace.run.set)) return;
-        const value = this.values[t]?.[i];
-        parts.push(formatNumber(value ?? null, 3));
-      });
+      for (const trace of this.traces) {
+        if (trace.name !== name || !this.isShown(trace.run.set)) continue;
+        const { lo, hi } = trace.column.series;
+        const value = valueAt(trace.time, trace.values, time, trace.run.end);
+        parts.push(formatReading(value * factor, ((hi - lo) / STEPS) * factor));
+      }
       reading.textContent = parts.join(" → ");
     });
   }

@@ -4,20 +4,20 @@ import { element } from "../dom";
 import { whenVisible } from "../lazy";
 import { SLERP_COLOUR, stateColour, withAlpha } from "../palette";
 import type { Playhead } from "../playhead";
-import type { Band } from "./chart";
+import type { Band } from "./backdrop";
 import { FIGURES } from "./figures";
 import { TimePlot } from "./time_plot";
 
-/** Of the given run: states but the one it is meant to be in, then slerps. */
+/** Of the given run, up to its end: states but the one it is meant to be in, then slerps. */
 export function bandsOf(run: Run | undefined, scenario: Scenario): Band[] {
   if (run === undefined) return [];
   const bands: Band[] = [];
   run.states.forEach((change, i) => {
     const colour = stateColour(scenario.states[change.state] ?? "");
-    const to = run.states[i + 1]?.t ?? scenario.duration;
+    const to = run.states[i + 1]?.t ?? run.end;
     if (colour !== null) bands.push({ from: change.t, to, colour: withAlpha(colour, 0.2) });
   });
-  for (const [from, to] of run.slerps) bands.push({ from, to, colour: withAlpha(SLERP_COLOUR, 0.28) });
+  for (const [from, to] of run.slerps) bands.push({ from, to: Math.min(to, run.end), colour: withAlpha(SLERP_COLOUR, 0.28) });
   return bands;
 }
 

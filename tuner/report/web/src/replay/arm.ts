@@ -3,7 +3,7 @@ import { Color, Group, Mesh, MeshStandardMaterial, type Material } from "three";
 import type { Robot, Shape } from "../data";
 import { ORANGE, VERMILLION } from "../palette";
 import { forwardKinematics, reachOf, type Pose } from "./kinematics";
-import { geometryOf, stickShapes } from "./shapes";
+import { geometryOf } from "./shapes";
 
 /** Ratios of velocity to limit between which a joint's colour goes from its own to the warning's. */
 export const WARN_FROM = 0.8;
@@ -18,7 +18,10 @@ export class Arm {
   readonly group = new Group();
   private readonly links: Group[];
   private readonly materials: MeshStandardMaterial[] = [];
+  /** Those of all that is drawn, each with its opacity. */
+  private readonly opacities = new Map<MeshStandardMaterial, number>();
   private readonly tool = new Group();
+  private faded = false;
   private own = new Color("#b9c2cc");
 
   constructor(
@@ -29,10 +32,9 @@ export class Arm {
     this.links = robot.joints.map(() => new Group());
     this.group.add(base, ...this.links, this.tool);
     const reach = reachOf(robot);
-    const shapes: Shape[] = robot.shapes.length > 0 ? robot.shapes : stickShapes(robot, 0.03 * reach);
     const ghostly = ghost ? this.ghostMaterial() : null;
     const materials = [-1, ...robot.joints.keys()].map(() => ghostly ?? this.solidMaterial());
-    for (const shape of shapes) {
+    for (const shape of robot.shapes) {
       const mesh = new Mesh(geometryOf(shape), materials[shape.joint + 1] ?? this.solidMaterial());
       mesh.castShadow = !ghost;
       place(mesh, shape);
@@ -47,6 +49,18 @@ export class Arm {
     this.own = new Color(colour);
   }
 
+  /** As of a run that is over. */
+  setFaded(faded: boolean): void {
+    if (faded === this.faded) return;
+    this.faded = faded;
+    for (const [material, opacity] of this.opacities) {
+      material.opacity = faded ? 0.4 * opacity : opacity;
+      material.transparent = material.opacity < 1;
+      // Whether it is opaque is compiled into its shader.
+      material.needsUpdate = true;
+    }
+  }
+
   update(positions: number[], ratios: number[]): Pose {
     const { joints, tool } = forwardKinematics(this.robot, positions);
     joints.forEach((pose, i) => {
@@ -54,7 +68,7 @@ export class Arm {
       if (link !== undefined) place(link, pose);
     });
     place(this.tool, tool);
-    this.materials.forEach((material, i) => this.colour(material, ratios[i] ?? 0));
+    this.materials.forEach((material, i) => this.colour(material, ratios[i] || 0));
     return tool;
   }
 
@@ -86,19 +100,24 @@ export class Arm {
   }
 
   private solidMaterial(): MeshStandardMaterial {
-    return new MeshStandardMaterial({ color: this.own, roughness: 0.55, metalness: 0.15 });
+    const material = new MeshStandardMaterial({ color: this.own, roughness: 0.55, metalness: 0.15 });
+    this.opacities.set(material, 1);
+    return material;
   }
 
   private ghostMaterial(): MeshStandardMaterial {
-    return new MeshStandardMaterial({
+    const opacity = 0.4;
+    const material = new MeshStandardMaterial({
       color: ORANGE,
       roughness: 0.9,
       transparent: true,
-      opacity: 0.4,
+      opacity,
       // Where it is as good as inside the arm it stays behind it.
       polygonOffset: true,
       polygonOffsetFactor: 2,
       polygonOffsetUnits: 40,
     });
+    this.opacities.set(material, opacity);
+    return material;
   }
 }

@@ -5,6 +5,8 @@ import { decodeSeries, sampleAt } from "../decode";
 export class Recording {
   readonly dt: number;
   readonly n: number;
+  /** s; from then on the last sample is held. */
+  readonly end: number;
   readonly tool: Float64Array[];
   readonly error: Float64Array;
   private readonly positions: Float64Array[];
@@ -16,6 +18,7 @@ export class Recording {
     const { replay } = run;
     this.dt = replay.dt;
     this.n = replay.n;
+    this.end = run.end;
     this.positions = replay.q.map(decodeSeries);
     this.target = replay.target.map(decodeSeries);
     this.obstacles = replay.obstacles.map((centre) => centre.map(decodeSeries));
@@ -27,7 +30,9 @@ export class Recording {
   jointsAt(time: number): number[] {
     return this.positions.map((column) => sampleAt(column, this.dt, time));
   }
+  /** No values after the end: what is held has no velocity. */
   ratiosAt(time: number): number[] {
+    if (time > this.end) return this.ratios.map(() => NaN);
     return this.ratios.map((column) => sampleAt(column, this.dt, time));
   }
   targetAt(time: number): Vec3 | null {

@@ -1,16 +1,22 @@
 // The 3D replay of a scenario with what steers it.
-import type { ReportData, Run, Scenario } from "../data";
+import type { ReportData, Robot, Run, Scenario } from "../data";
 import { element, toggle } from "../dom";
 import { savePng, saveButtons } from "../export";
 import { fileName, formatTime, formatValue } from "../format";
 import { watchVisible } from "../lazy";
 import { rampGradient } from "../palette";
 import type { Playhead } from "../playhead";
+import { endOf, isOver } from "../runs";
 import { Meters } from "./meters";
 import { Recording } from "./recording";
 import { Stage } from "./stage";
 import { stateAt, stateStrip } from "./state_strip";
 import { hasWebGl } from "./viewer";
+
+function undrawnWords(undrawn: number): string {
+  const these = undrawn === 1 ? "1 shape of the arm is" : `${undrawn} shapes of the arm are`;
+  return `${these} not drawn: meshes that were not found, are of another kind, or too large.`;
+}
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
 
@@ -18,9 +24,11 @@ export class Replay {
   readonly root: HTMLElement;
   private stage: Stage | null = null;
   private readonly place = element("div", { class: "stage" });
-  private readonly scale = element("span", {});
+  /** m; one for all runs, 0 where none tracks a position. */
+  private readonly errorScale: number;
   private readonly strip = element("div", { class: "strip-place" });
   private readonly state = element("span", { class: "state", role: "status", "aria-live": "off" });
+  private readonly over = element("div", { class: "over-now", role: "status", "aria-live": "off" });
   private readonly meters: Meters;
   private ghostShown = true;
   private trailLength = 10;
@@ -30,16 +38,19 @@ export class Replay {
 
   constructor(
     private readonly data: ReportData,
+    private readonly robot: Robot,
     private readonly scenario: Scenario,
     private readonly playhead: Playhead,
     private run: Run,
   ) {
-    this.meters = new Meters(data.robot);
+    this.meters = new Meters(robot);
+    this.errorScale = Math.max(...scenario.runs.map((one) => new Recording(one).errorScale()), 0);
     this.root = element(
       "div",
       { class: "replay" },
-      element("div", { class: "stage-frame" }, this.place, this.state),
+      element("div", { class: "stage-frame" }, this.place, this.state, this.over),
       this.controls(),
+      robot.undrawn > 0 && element("p", { class: "note undrawn" }, undrawnWords(robot.undrawn)),
       element("div", { class: "below" }, this.meters.root, this.key()),
     );
     new ResizeObserver(() => this.resize()).observe(this.place);
@@ -53,6 +64,7 @@ export class Replay {
 
   /** Makes the scene, or gives its memory back. */
   setAlive(alive: boolean): void {
+    if (alive === this.alive) return;
     this.alive = alive;
     this.rebuild();
   }
@@ -61,7 +73,7 @@ export class Replay {
     if (run === this.run && this.recording !== null) return;
     this.run = run;
     this.recording = new Recording(run);
-    this.strip.replaceChildren(stateStrip(run, this.scenario));
+    this.strip.replaceChildren(stateStrip(run, this.scenario, this.playhead.duration));
     this.rebuild();
     this.follow(this.playhead.time);
   }
@@ -73,7 +85,7 @@ export class Replay {
   /** The reference, where another run is shown. */
   private reference(): Run | null {
     const first = this.scenario.runs.find((run) => run.set === 0);
-    return first === undefined || first === this.run ? null : first;
+    return first === undefined || first === this.run || first.replay.n === 0 ? null : first;
   }
 
   private rebuild(): void {
@@ -86,9 +98,7 @@ export class Replay {
       return;
     }
     try {
-      const scale = Math.max(...this.scenario.runs.map((run) => new Recording(run).errorScale()), 0);
-      this.stage = new Stage(this.data.robot, this.scenario, this.run, this.reference(), scale);
-      this.scale.textContent = formatValue(scale * 1000, "mm");
+      this.stage = new Stage(this.robot, this.scenario, this.run, this.reference(), this.errorScale);
     } catch (error) {
       this.say(`No 3D here: ${error instanceof Error ? error.message : String(error)}`);
       return;
@@ -118,6 +128,9 @@ export class Replay {
     if (this.visible) this.stage?.show(time);
     if (this.recording !== null) this.meters.show(this.recording.ratiosAt(time));
     this.state.textContent = stateAt(this.run, this.scenario, time);
+    const reference = this.ghostShown ? this.reference() : null;
+    const over = [this.run, reference].filter((run): run is Run => run !== null && isOver(run, time));
+    this.over.replaceChildren(...over.map((run) => element("p", {}, endOf(run, this.data.sets[run.set] ?? ""))));
   }
 
   private toPeak(): void {
@@ -162,10 +175,11 @@ export class Replay {
       this.stage?.show(playhead.time);
     });
     const ghost =
-      this.scenario.runs.length > 1 &&
+      this.hasGhost() &&
       toggle(`Ghost: ${this.data.sets[0] ?? ""}`, true, (shown) => {
         this.ghostShown = shown;
         this.stage?.showGhost(shown);
+        this.follow(playhead.time);
       });
     const peak = element(
       "button",
@@ -194,7 +208,16 @@ export class Replay {
     );
   }
 
+  /** Of some run that can be shown. */
+  private hasGhost(): boolean {
+    const replayed = this.scenario.runs.filter((run) => run.replay.n > 0);
+    return replayed.length > 1 && replayed.some((run) => run.set === 0);
+  }
+
+  /** Names nothing that is in no run's picture. */
   private key(): HTMLElement {
+    const { scenario } = this;
+    const replays = scenario.runs.map((run) => run.replay).filter((replay) => replay.n > 0);
     const ramp = element("span", { class: "ramp", "aria-hidden": true });
     ramp.style.background = rampGradient();
     const item = (kind: string, text: string) =>
@@ -202,12 +225,12 @@ export class Replay {
     return element(
       "ul",
       { class: "key", "aria-label": "Key to the 3D replay" },
-      element("li", { class: "wide" }, "position error 0 ", ramp, " ", this.scale),
-      item("path", "desired path"),
-      item("target", "target and line of sight"),
-      item("gaze", "tool’s z axis"),
-      this.scenario.runs.length > 1 && item("ghost", `${this.data.sets[0] ?? ""} (ghost)`),
-      this.scenario.obstacles.length > 0 && item("obstacle", "obstacle and its influence"),
+      this.errorScale > 0 && element("li", { class: "wide" }, "position error 0 ", ramp, ` ${formatValue(this.errorScale * 1000, "mm")}`),
+      scenario.path.length > 0 && item("path", "desired path"),
+      replays.some((replay) => replay.target.length > 0) && item("target", "target and line of sight"),
+      replays.some((replay) => replay.target.length > 0) && item("gaze", "tool’s z axis"),
+      this.hasGhost() && item("ghost", `${this.data.sets[0] ?? ""} (ghost)`),
+      replays.some((replay) => replay.obstacles.length > 0) && item("obstacle", "obstacle and its influence"),
       item("hot", "joint above 80 % of its velocity limit"),
     );
   }

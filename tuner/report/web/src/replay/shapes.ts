@@ -7,7 +7,7 @@ import {
   CylinderGeometry,
   SphereGeometry,
 } from "three";
-import type { Robot, Shape, Vec3 } from "../data";
+import type { Shape } from "../data";
 import { decodeFloats } from "../decode";
 
 /** three's cylinders stand along y, ours along z. */
@@ -35,30 +35,4 @@ export function geometryOf(shape: Shape): BufferGeometry {
       return geometry;
     }
   }
-}
-
-/** Turns z onto the direction: (1 + z.d, z x d), normalised. */
-function turnOntoZ([x, y, z]: Vec3): [number, number, number, number] {
-  if (z < -0.999999) return [0, 1, 0, 0];
-  const length = Math.hypot(1 + z, x, y);
-  return [(1 + z) / length, -y / length, x / length, 0];
-}
-
-/** Capsules from joint to joint, for an arm without shapes. */
-export function stickShapes(robot: Robot, radius: number): Shape[] {
-  const ends = [...robot.joints.map((joint) => joint.p), robot.tool.p];
-  return ends.flatMap((p, i): Shape[] => {
-    const length = Math.hypot(...p);
-    if (length < 1e-6) return [];
-    const direction: Vec3 = [p[0] / length, p[1] / length, p[2] / length];
-    return [
-      {
-        joint: i - 1,
-        p: [p[0] / 2, p[1] / 2, p[2] / 2],
-        q: turnOntoZ(direction),
-        kind: "capsule",
-        size: [radius, length],
-      },
-    ];
-  });
 }

@@ -2,6 +2,7 @@
 import { Color, Quaternion, SRGBColorSpace, Vector3, type Mesh } from "three";
 import type { Robot, Run, Scenario } from "../data";
 import { rampColour } from "../palette";
+import { isOver } from "../runs";
 import { cssColor } from "../theme";
 import { Arm } from "./arm";
 import { reachOf } from "./kinematics";
@@ -59,14 +60,21 @@ export class Stage {
 
   show(time: number): void {
     this.time = time;
-    const tool = this.arm.update(this.shown.jointsAt(time), this.shown.ratiosAt(time));
-    if (this.ghost !== null) this.ghostArm?.update(this.ghost.jointsAt(time), []);
+    const { shown, ghost } = this;
+    const tool = this.arm.update(shown.jointsAt(time), shown.ratiosAt(time));
+    this.arm.setFaded(isOver(shown.run, time));
+    if (ghost !== null) {
+      this.ghostArm?.update(ghost.jointsAt(time), []);
+      this.ghostArm?.setFaded(isOver(ghost.run, time));
+    }
     const point = new Vector3(...tool.p);
     const direction = new Vector3(0, 0, 1).applyQuaternion(new Quaternion(tool.q[1], tool.q[2], tool.q[3], tool.q[0]));
-    const obstacles = this.scenario.obstacles.map((_, i) => this.shown.obstacleAt(i, time));
-    this.around.update(point, direction, this.shown.targetAt(time), obstacles);
-    const last = Math.min(Math.floor(time / this.shown.dt), this.shown.n - 1);
-    showSegments(this.trail, Math.max(0, last - Math.round(this.trailLength / this.shown.dt)), last);
+    // Once the shown run is over, the world goes on as the other one has it.
+    const world = ghost !== null && time > shown.end && ghost.end > shown.end ? ghost : shown;
+    const obstacles = this.scenario.obstacles.map((_, i) => world.obstacleAt(i, time));
+    this.around.update(point, direction, world.targetAt(time), obstacles);
+    const last = Math.min(Math.floor(time / shown.dt), shown.n - 1);
+    showSegments(this.trail, Math.max(0, last - Math.round(this.trailLength / shown.dt)), last);
     this.viewer.draw();
   }
 

@@ -1,28 +1,33 @@
 // What the controller was doing over the whole run, as a strip above the slider.
 import type { Run, Scenario } from "../data";
 import { element } from "../dom";
+import { isOver } from "../runs";
 import { SLERP_COLOUR, stateColour } from "../palette";
 
+/** Empty once the run is over. */
 export function stateAt(run: Run, scenario: Scenario, time: number): string {
+  if (isOver(run, time)) return "";
   let state = -1;
   for (const change of run.states) if (change.t <= time) state = change.state;
   const slerping = run.slerps.some(([from, to]) => time >= from && time < to);
   return [scenario.states[state] ?? "", slerping ? "slerp" : ""].filter((part) => part !== "").join(" · ");
 }
 
-export function stateStrip(run: Run, scenario: Scenario): HTMLElement {
+/** `duration`: s, of the slider below it. */
+export function stateStrip(run: Run, scenario: Scenario, duration: number): HTMLElement {
   const strip = element("div", { class: "strip", "aria-hidden": true });
   const add = (from: number, to: number, colour: string, kind: string) => {
     const part = element("span", { class: kind });
-    part.style.left = `${(100 * from) / scenario.duration}%`;
-    part.style.width = `${(100 * (to - from)) / scenario.duration}%`;
-    part.style.background = colour;
+    part.style.left = `${(100 * from) / duration}%`;
+    part.style.width = `${(100 * Math.max(to - from, 0)) / duration}%`;
+    if (colour !== "") part.style.background = colour;
     strip.append(part);
   };
   run.states.forEach((change, i) => {
     const colour = stateColour(scenario.states[change.state] ?? "");
-    if (colour !== null) add(change.t, run.states[i + 1]?.t ?? scenario.duration, colour, "state");
+    if (colour !== null) add(change.t, run.states[i + 1]?.t ?? run.end, colour, "state");
   });
-  for (const [from, to] of run.slerps) add(from, to, SLERP_COLOUR, "slerp");
+  for (const [from, to] of run.slerps) add(from, Math.min(to, run.end), SLERP_COLOUR, "slerp");
+  if (run.end < duration) add(run.end, duration, "", "over");
   return strip;
 }

@@ -4,24 +4,56 @@ import { element } from "../dom";
 import { formatNumber } from "../format";
 import { whenVisible } from "../lazy";
 import { BLUE, GREEN, onPage, ORANGE, VERMILLION, withAlpha } from "../palette";
-import { Chart, type Band, type ChartSeries } from "../plots/chart";
-import { bestSoFar, phaseRuns } from "../plots/evaluations";
-import { legendOf } from "../plots/legend";
+import type { Band } from "../plots/backdrop";
+import { Chart, type ChartSeries } from "../plots/chart";
+import { bestLine, phaseRuns } from "../plots/evaluations";
+import { legendEntries, legendOf } from "../plots/legend";
+import { readMarks, type Mark } from "../plots/read_marks";
 import { section, type Section } from "./section";
 
 /** Objectives that span more than this are read better on a logarithmic axis. */
 const LOG_FROM = 30;
 
-function chartOf(evaluations: Evaluations): HTMLElement {
-  const { objective, feasible, start, chosen } = evaluations;
+function seriesOf(evaluations: Evaluations): ChartSeries[] {
+  const { objective, feasible, native, start, chosen } = evaluations;
   const only = (keep: (i: number) => boolean) => objective.map((value, i) => (value !== null && keep(i) ? value : null));
-  const series: ChartSeries[] = [
-    { label: "not feasible", colour: () => withAlpha("#888888", 0.85), values: only((i) => feasible[i] !== true), marks: 5 },
-    { label: "feasible", colour: () => onPage(BLUE), values: only((i) => feasible[i] === true), marks: 6 },
-    { label: "best feasible so far", colour: () => onPage(GREEN), values: bestSoFar(objective, feasible), width: 2, stepped: true },
-    { label: "start", colour: () => onPage(ORANGE), values: only((i) => i === start), marks: 12 },
-    { label: "chosen", colour: () => onPage(VERMILLION), values: only((i) => i === chosen), marks: 12 },
+  const of = (isNative: boolean, isFeasible: boolean) =>
+    only((i) => (native?.[i] === true) === isNative && (feasible[i] === true) === isFeasible);
+  const best = bestLine(evaluations);
+  const grey = (alpha: number) => () => withAlpha("#888888", alpha);
+  return [
+    { label: "not feasible, in the native engine", colour: grey(0.4), values: of(true, false), marks: 5, shape: "cross" },
+    { label: "in the native engine", colour: () => withAlpha(onPage(BLUE), 0.4), values: of(true, true), marks: 4 },
+    { label: "not feasible", colour: grey(0.85), values: of(false, false), marks: 6, shape: "cross" },
+    { label: "feasible", colour: () => onPage(BLUE), values: of(false, true), marks: 6 },
+    { label: best.label, colour: () => onPage(GREEN), values: best.values, width: 2, stepped: true },
+    { label: "start", colour: () => onPage(ORANGE), values: only((i) => i === start), marks: 14, shape: "ring" },
+    { label: "chosen", colour: () => onPage(VERMILLION), values: only((i) => i === chosen), marks: 13, shape: "diamond" },
   ];
+}
+
+function marksOf(evaluations: Evaluations, series: ChartSeries[]): Mark[] {
+  const { objective, feasible, native, violation, phase, of, start, chosen } = evaluations;
+  return objective.flatMap((value, i): Mark[] => {
+    if (value === null) return [];
+    const missed = violation[i] ?? null;
+    const parts = [
+      phase[of[i] ?? -1] ?? "",
+      i === start ? "the start" : "",
+      i === chosen ? "chosen" : "",
+      native?.[i] === true ? "in the native engine" : "",
+      feasible[i] === true ? "feasible" : `not feasible${missed === null ? "" : `, violation ${formatNumber(missed)}`}`,
+    ];
+    // Not the line of the best: of the plain marks, the one it is among.
+    const own = series.findIndex((one) => one.marks !== undefined && one.values[i] !== null);
+    const text = `Evaluation ${i}: objective ${formatNumber(value)} (${parts.filter((part) => part !== "").join(", ")})`;
+    return [{ x: i, y: value, series: own, text }];
+  });
+}
+
+function chartOf(evaluations: Evaluations, told: HTMLElement): HTMLElement {
+  const { objective } = evaluations;
+  const series = seriesOf(evaluations);
   const values = objective.filter((value): value is number => value !== null);
   const runs = phaseRuns(evaluations);
   const bands = (): Band[] =>
@@ -39,10 +71,11 @@ function chartOf(evaluations: Evaluations): HTMLElement {
       series,
       bands,
       yLog: values.length > 0 && Math.min(...values) > 0 && Math.max(...values) / Math.min(...values) > LOG_FROM,
-      legend: () => series.filter((one) => one.shown !== false).map((one) => ({ label: one.label, colour: one.colour() })),
+      legend: () => legendEntries(series),
     },
     legendOf(series, (i, shown) => chart.show(i, shown)),
   );
+  readMarks(chart, marksOf(evaluations, series), told);
   return chart.root;
 }
 
@@ -50,13 +83,20 @@ export function convergenceSection(data: ReportData): Section | null {
   const evaluations = data.evaluations;
   if (evaluations === undefined || evaluations.objective.length === 0) return null;
   const place = element("div", { class: "plot-place tall" });
-  whenVisible(place, () => place.replaceWith(chartOf(evaluations)));
+  const told = element("p", { class: "told", role: "status" }, "Point at a mark, or step through them with ← →, to read it.");
+  whenVisible(place, () => place.replaceWith(chartOf(evaluations, told)));
   const phases = phaseRuns(evaluations)
     .map((run) => `${run.phase} ${run.to - run.from + 1}`)
     .slice(0, 12)
     .join(", ");
   const feasible = evaluations.feasible.filter(Boolean).length;
+  const native = (evaluations.native ?? []).filter(Boolean).length;
   const value = (i: number) => formatNumber(evaluations.objective[i] ?? null);
+  const counts = [
+    `${evaluations.objective.length} evaluations`,
+    native > 0 ? `${native} of them in the native engine` : "",
+    `${feasible} feasible (${phases})`,
+  ];
   return section(
     "convergence",
     "Convergence",
@@ -64,8 +104,9 @@ export function convergenceSection(data: ReportData): Section | null {
     element(
       "p",
       { class: "note" },
-      `${evaluations.objective.length} evaluations, ${feasible} feasible (${phases}). Objective: ${value(evaluations.start)} at the start, ${value(evaluations.chosen)} chosen.`,
+      `${counts.filter((part) => part !== "").join(", ")}. Objective: ${value(evaluations.start)} at the start, ${value(evaluations.chosen)} chosen.`,
     ),
     place,
+    told,
   );
 }

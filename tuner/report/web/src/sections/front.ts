@@ -5,12 +5,36 @@ import { formatNumber, formatValue, formatUnit } from "../format";
 import { whenVisible } from "../lazy";
 import { BLUE, onPage, ORANGE, VERMILLION, withAlpha } from "../palette";
 import { Chart, type ChartSeries } from "../plots/chart";
-import { legendOf } from "../plots/legend";
+import { legendEntries, legendOf } from "../plots/legend";
+import { readMarks } from "../plots/read_marks";
 import { section, type Section } from "./section";
 
 interface Names {
   heading: string;
   points: string;
+}
+
+type Role = Front["points"][number]["role"];
+const ROLES: Record<Role, string> = { start: "start", chosen: "chosen", shown: "shown here", point: "" };
+
+/** A limit farther away than this many times what the points span would leave them no room: it is said, not drawn. */
+const FAR = 2;
+
+/** The limits of a criterion that are drawn, and those that are too far. */
+export function limitsOf(front: Pick<Front, "limits" | "points">, criterion: number): { near: number[]; far: number[] } {
+  const values = front.points.map((point) => point.values[criterion] ?? NaN).filter(Number.isFinite);
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const room = FAR * (high - low || Math.abs(high) || 1);
+  const all = front.limits.filter((limit) => limit.criterion === criterion).map((limit) => limit.value);
+  const isNear = (value: number) => value >= low - room && value <= high + room;
+  return { near: all.filter(isNear), far: all.filter((value) => !isNear(value)) };
+}
+
+function wordsOf(front: Front, point: Front["points"][number]): string {
+  const values = front.criteria.map((one, i) => `${one.name} ${formatValue(point.values[i], one.unit)}`);
+  const role = ROLES[point.role];
+  const notes = [point.label.includes(role) ? "" : role, point.feasible ? "" : "not feasible"].filter((note) => note !== "");
+  return `${point.label}${notes.length > 0 ? ` (${notes.join(", ")})` : ""}: ${values.join(", ")}`;
 }
 
 function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told: HTMLElement): Chart {
@@ -19,17 +43,23 @@ function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told:
   const only = (keep: (point: Front["points"][number]) => boolean) =>
     points.map((point) => (keep(point) ? (point.values[yAxis] ?? null) : null));
   const plain = (feasible: boolean) => only((point) => point.role === "point" && point.feasible === feasible);
+  const role = (name: Role) => only((point) => point.role === name);
   const series: ChartSeries[] = [
-    { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7 },
+    { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7, shape: "cross" },
     { label: names.points, colour: () => onPage(BLUE), values: plain(true), marks: 9 },
-    { label: "start", colour: () => onPage(ORANGE), values: only((point) => point.role === "start"), marks: 14 },
-    { label: "chosen", colour: () => onPage(VERMILLION), values: only((point) => point.role === "chosen"), marks: 14 },
+    { label: ROLES.start, colour: () => onPage(ORANGE), values: role("start"), marks: 15, shape: "ring" },
+    { label: ROLES.chosen, colour: () => onPage(VERMILLION), values: role("chosen"), marks: 14, shape: "diamond" },
+    { label: ROLES.shown, colour: () => onPage(VERMILLION), values: role("shown"), marks: 13, shape: "square" },
   ];
   const name = (i: number) => {
     const criterion = front.criteria[i];
     return criterion === undefined ? "" : `${criterion.name} [${formatUnit(criterion.unit) || "1"}]`;
   };
-  const span = (x[x.length - 1] ?? 1) - (x[0] ?? 0);
+  const lines = ([["x", xAxis], ["y", yAxis]] as const).flatMap(([axis, criterion]) =>
+    limitsOf(front, criterion).near.map((value) => ({ axis, value, label: `limit ${formatNumber(value)}` })),
+  );
+  const ends = [...x, ...lines.filter((line) => line.axis === "x").map((line) => line.value)];
+  const span = Math.max(...ends) - Math.min(...ends);
   const chart: Chart = new Chart(
     {
       title: names.heading,
@@ -40,25 +70,18 @@ function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told:
       x,
       xPad: 0.06 * span || 0.05 * Math.abs(x[0] ?? 1),
       series,
-      legend: () => series.filter((one) => one.shown !== false).map((one) => ({ label: one.label, colour: one.colour() })),
+      lines,
+      legend: () => legendEntries(series),
     },
     legendOf(series, (i, shown) => chart.show(i, shown)),
   );
-  const { plot } = chart;
-  plot.over.addEventListener("pointermove", (event) => {
-    const box = plot.over.getBoundingClientRect();
-    let nearest = -1;
-    let distance = 30;
-    points.forEach((point, i) => {
-      const dx = plot.valToPos(x[i] ?? 0, "x") - (event.clientX - box.left);
-      const dy = plot.valToPos(point.values[yAxis] ?? 0, "y") - (event.clientY - box.top);
-      if (Math.hypot(dx, dy) < distance) [nearest, distance] = [i, Math.hypot(dx, dy)];
-    });
-    const point = points[nearest];
-    if (point === undefined) return;
-    const values = front.criteria.map((one, i) => `${one.name} ${formatValue(point.values[i], one.unit)}`);
-    told.textContent = `${point.label}${point.feasible ? "" : " (not feasible)"}: ${values.join(", ")}`;
-  });
+  const marks = points.map((point, i) => ({
+    x: x[i] ?? NaN,
+    y: point.values[yAxis] ?? NaN,
+    series: series.findIndex((one) => one.values[i] !== null),
+    text: wordsOf(front, point),
+  }));
+  readMarks(chart, marks, told);
   return chart;
 }
 
@@ -67,7 +90,7 @@ function pointTable(front: Front): HTMLElement {
   for (const one of front.criteria) head.append(element("th", { scope: "col", class: "number" }, `${one.name} ${formatUnit(one.unit)}`));
   const body = element("tbody");
   for (const point of front.points) {
-    const role = point.role === "point" ? "" : ` (${point.role})`;
+    const role = ROLES[point.role] === "" || point.label.includes(ROLES[point.role]) ? "" : ` (${ROLES[point.role]})`;
     const line = element("tr", {}, element("th", { scope: "row" }, `${point.label}${role}${point.feasible ? "" : ", not feasible"}`));
     for (const value of point.values) line.append(element("td", { class: "number" }, formatNumber(value)));
     body.append(line);
@@ -84,14 +107,23 @@ export function frontSection(data: ReportData): Section | null {
   const front = data.front;
   if (front === undefined || front.criteria.length < 2 || front.points.length === 0) return null;
   const place = element("div", { class: "plot-place tall" });
-  const told = element("p", { class: "told", role: "status" }, "Point at a mark to read it.");
+  const told = element("p", { class: "told", role: "status" }, "Point at a mark, or step through them with ← →, to read it.");
   // A tuning run has no front but all that its search came by.
   const names: Names =
     data.kind === "pareto"
       ? { heading: "Trade-off front", points: "front" }
       : { heading: "Trade-off among the evaluations", points: "feasible" };
   const axes = [0, 1];
-  const make = () => place.replaceChildren(chartOf(front, names, axes[0] ?? 0, axes[1] ?? 1, told).root);
+  const beyond = element("p", { class: "note" });
+  const make = () => {
+    place.replaceChildren(chartOf(front, names, axes[0] ?? 0, axes[1] ?? 1, told).root);
+    const far = axes.flatMap((axis) => {
+      const criterion = front.criteria[axis];
+      return limitsOf(front, axis).far.map((value) => `${criterion?.name ?? ""} ${formatValue(value, criterion?.unit ?? "1")}`);
+    });
+    beyond.textContent = far.length > 0 ? `Limits beyond the plot: ${far.join(", ")}.` : "";
+    beyond.hidden = far.length === 0;
+  };
   const choose = (which: number, text: string) => {
     const select = element("select");
     front.criteria.forEach((one, i) => select.append(element("option", { value: i, selected: i === which }, one.name)));
@@ -109,6 +141,7 @@ export function frontSection(data: ReportData): Section | null {
     front.hypervolume !== null && element("p", { class: "note" }, `Hypervolume ${formatNumber(front.hypervolume)}`),
     front.criteria.length > 2 && element("p", { class: "choose" }, choose(0, "across"), choose(1, "up")),
     place,
+    beyond,
     told,
     pointTable(front),
   );

@@ -1,7 +1,7 @@
 // How much delay, gain, noise and the like each set stands.
 import type { Margin, ReportData } from "../data";
 import { breakable, element } from "../dom";
-import { formatNumber, formatUnit } from "../format";
+import { formatUnit } from "../format";
 import { section, type Section } from "./section";
 
 function table(margins: Margin[], sets: string[], withScenario: boolean): HTMLElement {
@@ -19,7 +19,7 @@ function table(margins: Margin[], sets: string[], withScenario: boolean): HTMLEl
     sets.forEach((_, set) => {
       const reason = margin.reason[set] ?? "";
       line.append(
-        element("td", {}, element("b", {}, formatNumber(margin.values[set])), reason !== "" && element("span", { class: "aside" }, breakable(reason))),
+        element("td", {}, element("b", {}, (margin.text[set] ?? "") || "–"), reason !== "" && element("span", { class: "aside" }, breakable(reason))),
       );
     });
     body.append(line);

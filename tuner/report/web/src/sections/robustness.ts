@@ -8,7 +8,8 @@ import { section, type Section } from "./section";
 
 function histogram(one: Histogram): HTMLElement {
   const scenario = one.scenario === "" ? "" : `${one.scenario}: `;
-  const title = `${scenario}${one.metric}`;
+  const without = one.failed > 0 ? ` (without ${one.failed} that did not complete)` : "";
+  const title = `${scenario}${one.metric}${without}`;
   const values = [...one.edges, ...(one.limit === null ? [] : [one.limit]), ...(one.nominal === null ? [] : [one.nominal])];
   const low = Math.min(...values);
   const high = Math.max(...values);
@@ -79,7 +80,7 @@ export function robustnessSection(data: ReportData): Section | null {
       ` of ${robustness.samples} arms drawn at random keep every limit (95 % interval ${formatPercent(low)} to ${formatPercent(high)})`,
     ),
     grid,
-    robustness.worst.length > 0 && element("h3", {}, "The worst arms"),
+    robustness.worst.length > 0 && element("h3", {}, "Arms that break a limit, the fastest joint first"),
     robustness.worst.length > 0 && worst,
   );
 }

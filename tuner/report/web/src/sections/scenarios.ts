@@ -6,11 +6,9 @@ import { SLERP_COLOUR, stateColour } from "../palette";
 import { Playhead } from "../playhead";
 import { TimePlots } from "../plots/time_plots";
 import { Replay } from "../replay/replay";
+import { lastEnd, noReplay, openingTime } from "../runs";
 import { onTheme } from "../theme";
 import { section, type Section } from "./section";
-
-/** Portion of a run. */
-const FIRST_LOOK = 0.4;
 
 class Panel {
   readonly root: HTMLElement;
@@ -18,6 +16,7 @@ class Panel {
   private readonly shown: Set<number>;
   private replay: Replay | null = null;
   private plots: TimePlots | null = null;
+  private readonly left = element("div", { class: "left" });
   private open = false;
 
   constructor(
@@ -27,9 +26,8 @@ class Panel {
     tab: string,
   ) {
     this.root = element("div", { role: "tabpanel", id, "aria-labelledby": tab, class: "panel", hidden: true });
-    this.playhead = new Playhead(scenario.duration);
-    // The arm at work: where a run begins, it only unfolds.
-    this.playhead.seek(FIRST_LOOK * scenario.duration);
+    this.playhead = new Playhead(lastEnd(scenario));
+    this.playhead.seek(openingTime(scenario.runs[scenario.runs.length - 1], this.playhead.duration));
     const sets = scenario.runs.map((run) => run.set);
     this.shown = new Set([sets[0] ?? 0, sets[sets.length - 1] ?? 0]);
     onTheme(() => this.replay?.setTheme());
@@ -40,7 +38,7 @@ class Panel {
     this.open = open;
     this.root.hidden = !open;
     if (!open) this.playhead.pause();
-    if (this.replay !== null) this.replay.setAlive(open);
+    if (this.plots !== null) this.showReplay();
     else if (open) whenVisible(this.root, () => this.build());
   }
 
@@ -50,9 +48,7 @@ class Panel {
   }
 
   private build(): void {
-    const run = this.lastShown();
-    if (run === undefined || this.replay !== null) return;
-    this.replay = new Replay(this.data, this.scenario, this.playhead, run);
+    if (this.plots !== null) return;
     this.plots = new TimePlots(
       this.scenario,
       this.data.sets,
@@ -61,15 +57,44 @@ class Panel {
       this.playhead,
     );
     this.root.append(
+      this.armName() ?? "",
       ...this.troubles(),
       element(
         "div",
-        { class: "beside" },
-        element("div", { class: "left" }, this.replay.root),
+        { class: this.canReplay() ? "beside" : "alone" },
+        this.left,
         element("div", { class: "right" }, this.key(), this.plots.root),
       ),
     );
+    this.showReplay();
+  }
+
+  private canReplay(): boolean {
+    const hasRobot = this.data.robots[this.scenario.robot] !== undefined;
+    return this.scenario.runs.some((run) => noReplay(run, hasRobot, "") === "");
+  }
+
+  /** Of the last shown run, or words in its place. */
+  private showReplay(): void {
+    const run = this.lastShown();
+    if (run === undefined) return;
+    const robot = this.data.robots[this.scenario.robot];
+    const words = noReplay(run, robot !== undefined, this.scenario.runs.length > 1 ? (this.data.sets[run.set] ?? "") : "");
+    if (words !== "" || robot === undefined) {
+      this.replay?.setAlive(false);
+      this.left.replaceChildren(element("p", { class: "no-replay" }, words));
+      return;
+    }
+    if (this.replay === null) this.replay = new Replay(this.data, robot, this.scenario, this.playhead, run);
+    if (this.replay.root.parentNode !== this.left) this.left.replaceChildren(this.replay.root);
+    this.replay.setRun(run);
     this.replay.setAlive(this.open);
+  }
+
+  /** Where there are several, each scenario says whose it is. */
+  private armName(): HTMLElement | null {
+    const robot = this.data.robots[this.scenario.robot];
+    return this.data.robots.length < 2 || robot === undefined ? null : element("p", { class: "note arm-name" }, `Arm: ${robot.name}`);
   }
 
   private troubles(): HTMLElement[] {
@@ -90,8 +115,7 @@ class Panel {
           if (on) this.shown.add(run.set);
           else this.shown.delete(run.set);
           this.plots?.refresh();
-          const last = this.lastShown();
-          if (last !== undefined) this.replay?.setRun(last);
+          this.showReplay();
         });
         button.className = "entry";
         const dash = result ? "line" : run.set === 0 ? "line dashed" : "line dotted";

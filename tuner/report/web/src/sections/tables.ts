@@ -1,76 +1,76 @@
 // Before and after, scenario by scenario.
 import type { MetricRow, ReportData, Table } from "../data";
-import { breakable, element } from "../dom";
+import { breakable, element, type Child } from "../dom";
 import { changeOf, formatNumber, formatRatio, ratioOf, formatUnit, type Change } from "../format";
 import { section, type Section } from "./section";
 
-const MARKS: Record<Change, { mark: string; words: string }> = {
-  better: { mark: "▼", words: "better" },
-  worse: { mark: "▲", words: "worse" },
-  same: { mark: "=", words: "unchanged" },
-  none: { mark: "", words: "" },
-};
+/** Beside the ratio, so that no colour is needed to tell them apart. */
+const WORDS: Record<Change, string> = { better: "better", worse: "worse", same: "same", none: "" };
 
-/** The arrow points the way the number went. */
-function markOf(change: Change, before: number, after: number): string {
-  if (change !== "better" && change !== "worse") return MARKS[change].mark;
-  return after < before ? "▼" : "▲";
+/** Of a set to the first. */
+function ratioParts(row: MetricRow, set: number): { kind: Change; parts: Child[] } {
+  const [before, after] = [row.values[0], row.values[set]];
+  const kind = changeOf(before, after, row.better);
+  const ratio = ratioOf(before, after);
+  const text = kind === "none" || ratio !== null ? formatRatio(ratio) : "";
+  return { kind, parts: [text, element("span", { class: "way" }, WORDS[kind])] };
 }
 
-function valueCell(row: MetricRow, set: number): HTMLElement {
+/** With more than two sets each value has its ratio below it; with two the ratio has a column. */
+function valueCell(row: MetricRow, set: number, withRatio: boolean): HTMLElement {
   const text = row.text?.[set] ?? "";
+  const ratio = withRatio && row.values[set] !== null ? ratioParts(row, set) : null;
   return element(
     "td",
     { class: "number" },
     formatNumber(row.values[set]),
+    ratio !== null && element("span", { class: `under ratio ${ratio.kind}` }, ...ratio.parts),
     text !== "" && element("span", { class: "aside" }, text),
   );
 }
 
 function ratioCell(row: MetricRow): HTMLElement {
-  const before = row.values[0];
-  const after = row.values[row.values.length - 1];
-  const change = changeOf(before, after, row.better);
-  const ratio = ratioOf(before, after);
-  const mark = markOf(change, before ?? 0, after ?? 0);
-  const { words } = MARKS[change];
+  const { kind, parts } = ratioParts(row, row.values.length - 1);
+  return element("td", { class: `number ratio ${kind}` }, ...parts);
+}
+
+function rowName(row: MetricRow): HTMLElement {
   return element(
-    "td",
-    { class: `number ratio ${change}` },
-    mark === "" || ratio !== null ? formatRatio(ratio) : "",
-    element("span", { class: "way", title: words, role: "img", "aria-label": words || "not compared" }, mark),
+    "th",
+    { scope: "row", title: row.meaning },
+    row.words === "" ? breakable(row.metric) : row.words,
+    element("span", { class: "unit" }, formatUnit(row.unit)),
+    row.words !== "" && element("span", { class: "aside metric" }, breakable(row.metric)),
   );
 }
 
-function tableOf(table: Table, sets: string[]): HTMLElement {
-  const several = sets.length > 1;
+/** What did not complete, with when, where and why. */
+function troublesOf(table: Table, sets: string[]): HTMLElement[] {
+  return table.status.flatMap((status, set) => {
+    if (status === "completed" || status === "") return [];
+    const reason = table.reason[set] ?? "";
+    const who = sets.length > 1 ? `${sets[set] ?? ""}: ` : "";
+    return [element("p", { class: "status" }, `${who}${status}${reason === "" ? "" : `, ${reason}`}`)];
+  });
+}
+
+function tableOf(table: Table, sets: string[], heading: "h3" | "h4"): HTMLElement {
   const head = element("tr", {}, element("th", { scope: "col" }, "metric"));
   for (const set of sets) head.append(element("th", { scope: "col", class: "number" }, set));
-  if (several) head.append(element("th", { scope: "col", class: "number" }, "ratio"));
+  if (sets.length === 2) head.append(element("th", { scope: "col", class: "number" }, "ratio"));
   const body = element("tbody");
   for (const row of table.rows) {
     if (row.values.every((value) => value === null)) continue;
-    const line = element(
-      "tr",
-      {},
-      element(
-        "th",
-        { scope: "row", title: row.meaning },
-        breakable(row.metric),
-        element("span", { class: "unit" }, formatUnit(row.unit)),
-      ),
-    );
-    sets.forEach((_, set) => line.append(valueCell(row, set)));
-    if (several) line.append(ratioCell(row));
+    const line = element("tr", {}, rowName(row));
+    sets.forEach((_, set) => line.append(valueCell(row, set, sets.length > 2 && set > 0)));
+    if (sets.length === 2) line.append(ratioCell(row));
     body.append(line);
   }
-  const bad = table.status
-    .map((status, set) => (status === "completed" || status === "" ? "" : `${sets[set] ?? ""}: ${status}`))
-    .filter((text) => text !== "");
   return element(
     "article",
     { class: "card" },
-    element("h3", {}, table.scenario, bad.length > 0 && element("span", { class: "status" }, bad.join(", "))),
+    element(heading, {}, table.scenario),
+    ...troublesOf(table, sets),
     element(
       "div",
       { class: "scroll", tabindex: 0, role: "region", "aria-label": `Numbers of ${table.scenario}` },
@@ -79,20 +79,29 @@ function tableOf(table: Table, sets: string[]): HTMLElement {
   );
 }
 
+function cardsOf(tables: Table[], sets: string[], heading: "h3" | "h4"): HTMLElement {
+  const wide = sets.length > 2 ? "cards wide" : "cards";
+  return element("div", { class: wide }, ...tables.map((table) => tableOf(table, sets, heading)));
+}
+
 export function tablesSection(data: ReportData): Section | null {
-  if (data.tables.length === 0) return null;
-  const several = data.sets.length > 1;
-  const cards = element("div", { class: "cards" });
-  for (const table of data.tables) cards.append(tableOf(table, data.sets));
-  const first = data.sets[0] ?? "";
-  const last = data.sets[data.sets.length - 1] ?? "";
+  const { judged, sets, tables } = data;
+  if (tables.length === 0 && judged === undefined) return null;
+  const first = sets[0] ?? "";
+  const last = sets[sets.length - 1] ?? "";
+  const headings = ["Numbers, scenario by scenario", "Numbers, scenario by scenario", `${first} and ${last}, scenario by scenario`];
+  const note =
+    sets.length > 2
+      ? `Below each value: its ratio to that of ${first}; better or worse as the metric counts.`
+      : `Ratio: ${last} over ${first}; better or worse as the metric counts.`;
   return section(
     "numbers",
     "Numbers",
-    several ? `${first} and ${last}, scenario by scenario` : "Numbers, scenario by scenario",
-    several && element("p", { class: "note" }, `Ratio: ${last} over ${first}. `, 
-      element("span", { class: "better" }, "▼ ▲ better"), ", ", element("span", { class: "worse" }, "▲ ▼ worse"),
-      "; the arrow says which way the number went."),
-    cards,
+    headings[sets.length] ?? `${sets.length} gain sets, scenario by scenario`,
+    sets.length > 1 && element("p", { class: "note" }, note),
+    judged !== undefined && element("h3", { class: "group" }, `${judged.measure}: what the study is judged by`),
+    judged !== undefined && cardsOf(judged.tables, sets, "h4"),
+    judged !== undefined && tables.length > 0 && element("h3", { class: "group" }, "The nominal arm alone"),
+    cardsOf(tables, sets, judged === undefined ? "h3" : "h4"),
   );
 }

@@ -13,8 +13,8 @@ export function verdictSection(data: ReportData): Section {
   const root = element(
     "section",
     { id: "verdict", class: "verdict", "aria-labelledby": "verdict-heading" },
-    element("p", { class: "kind" }, [data.title, data.robot.name].filter((part) => part !== "").join(" · ")),
-    element("h1", { id: "verdict-heading", class: data.verdict.sentence.length > LONG && "long" }, unbroken(data.verdict.sentence)),
+    element("p", { class: "kind" }, [data.title, data.robots[0]?.name ?? ""].filter((part) => part !== "").join(" · ")),
+    element("h1", { id: "verdict-heading", elementtiming: "verdict", class: data.verdict.sentence.length > LONG && "long" }, unbroken(data.verdict.sentence)),
     data.verdict.details.length > 0 && details,
   );
   return { id: "verdict", short: "Verdict", root };

@@ -1,0 +1,64 @@
+#include "tuner/report/run_kind.hpp"
+
+#include <filesystem>
+
+#include "core/common/error.hpp"
+#include "tuner/journal/journal.hpp"
+
+namespace armtune::report {
+namespace {
+
+constexpr RunKind kKinds[] = {RunKind::kSimulate, RunKind::kTune, RunKind::kPareto, RunKind::kRobustness,
+                              RunKind::kCompare};
+
+/// By the command that a journal was begun by; nothing where it is damaged.
+std::optional<RunKind> journal_kind(const std::string& path) {
+  try {
+    const RunHeader header = read_run_header(path);
+    for (const RunKind kind : kKinds) {
+      if (!header.arguments.empty() && header.arguments.front() == name(kind)) return kind;
+    }
+  } catch (const InputError&) {  // then by the other files
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* name(RunKind kind) {
+  switch (kind) {
+    case RunKind::kSimulate:
+      return "simulate";
+    case RunKind::kTune:
+      return "tune";
+    case RunKind::kPareto:
+      return "pareto";
+    case RunKind::kRobustness:
+      return "robustness";
+    case RunKind::kCompare:
+      return "compare";
+  }
+  return "";
+}
+
+RunKind kind_of(const std::string& folder) {
+  const auto has = [&folder](const char* file) {
+    std::error_code ignored;
+    return std::filesystem::exists(folder + "/" + file, ignored);
+  };
+  if (!has(".")) throw InputError(folder + ": there is no such folder; give one that a run has left");
+  if (has("journal.txt")) {
+    if (const auto kind = journal_kind(folder + "/journal.txt")) return *kind;
+  }
+  if (has("pareto.csv")) return RunKind::kPareto;
+  if (has("samples.csv")) return RunKind::kRobustness;
+  if (has("comparison.csv")) return RunKind::kCompare;
+  if (has("evaluations.csv")) return RunKind::kTune;
+  if (has("errors.csv")) return RunKind::kSimulate;
+  throw InputError(
+      folder +
+      ": holds none of errors.csv, evaluations.csv, pareto.csv, samples.csv and comparison.csv; give the "
+      "folder of a run of simulate, tune, pareto, robustness or compare");
+}
+
+}  // namespace armtune::report

@@ -1,0 +1,16 @@
+#pragma once
+// What kind of run left a folder.
+
+#include <string>
+
+namespace armtune::report {
+
+enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare };
+
+/// "simulate", "tune" ...: the command.
+const char* name(RunKind kind);
+
+/// By its journal, else by the files in it. Throws InputError if it is no folder that a report is made of.
+RunKind kind_of(const std::string& folder);
+
+}  // namespace armtune::report
