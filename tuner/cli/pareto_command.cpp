@@ -207,6 +207,7 @@ int run(Arguments args, Team& team) {
   p.workers = workers.count();
   p.wall_seconds = seconds();
   p.extra = {{"study", shown_path(study.source)},
+             {"start", stem(study.gains)},
              {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
              {"evaluations", fmt::format("{}", result.evaluations)},
              {"stepper", name(study.stepper)},

@@ -123,6 +123,7 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   p.workers = workers;
   p.wall_seconds = seconds;
   p.extra = {{"study", shown_path(study.source)},
+             {"start", stem(study.gains)},
              {"evaluations", fmt::format("{}", result.evaluations)},
              {"algorithm", search_text(study)},
              {"stepper", name(study.stepper)},

@@ -93,8 +93,9 @@ class Assembly {
     const std::string study = entry("study");
     const std::string what = study.empty() ? std::string() : stem(study);
     const std::string name = (fs::path(folder_) / ".").lexically_normal().parent_path().filename().string();
+    const bool told = name.empty() || name == "." || name == what || name == report::name(data_.kind);
     return fmt::format("{}{}{}", report::name(data_.kind), what.empty() ? "" : " " + what,
-                       name.empty() || name == "." ? "" : fmt::format(" ({})", name));
+                       told ? "" : fmt::format(" ({})", name));
   }
 
   std::vector<SceneSet> usual_sets() const {
@@ -277,9 +278,19 @@ class Assembly {
 
   void read_many() {
     if (data_.kind == RunKind::kPareto && exists(file("pareto.csv"))) read_front();
+    name_start();
     if (data_.kind != RunKind::kRobustness) return;
     if (const auto samples = table_if_any(file("samples.csv"))) {
       data_.robustness = robustness_of(*samples, entry("limits"), data_.tables);
+    }
+  }
+
+  /// "start (published)"
+  void name_start() {
+    const std::string start = entry("start");
+    if (!data_.front || start.empty()) return;
+    for (FrontPoint& point : data_.front->points) {
+      if (point.role == "start") point.label = fmt::format("start ({})", start);
     }
   }
 

@@ -124,7 +124,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
     verdict.details.push_back("The price: " + worse);
   }
   for (const Change& change : all) {
-    if (noticeable(change.ratio)) verdict.details.push_back(exact_words(change));
+    if (noticeable(change.ratio)) verdict.details.push_back(capital(exact_words(change, tables.size())));
   }
   return verdict;
 }

@@ -39,12 +39,14 @@ std::string words(const Change& change, std::size_t all_scenarios) {
   return fmt::format("the {} {}{}", field(change.metric).words, how_much(change.ratio), where);
 }
 
-std::string exact_words(const Change& change) {
-  const std::string where = change.scenarios.size() == 1
-                                ? "in " + change.scenarios.front()
-                                : fmt::format("mean of {}", fmt::join(change.scenarios, ", "));
-  return fmt::format("{} {} ({}), {}", name(change.metric), how_much(change.ratio),
-                     field(change.metric).meaning, where);
+std::string exact_words(const Change& change, std::size_t all_scenarios) {
+  const std::size_t of = change.scenarios.size();
+  const std::string where = of == 1 ? "in " + change.scenarios.front()
+                            : of == all_scenarios
+                                ? fmt::format("mean of all {} scenarios", of)
+                                : fmt::format("mean of {}", fmt::join(change.scenarios, " and "));
+  return fmt::format("the {} ({}) {}, {}", field(change.metric).words, name(change.metric),
+                     how_much(change.ratio), where);
 }
 
 std::string improvements(const std::vector<Change>& all, std::size_t scenarios) {
@@ -61,8 +63,17 @@ std::string price(const std::vector<Table>& tables, std::size_t set) {
   const double ratio = step->after / step->before;
   if (!noticeable(ratio)) return {};
   const std::string unit = field(step->metric).unit;
-  return fmt::format("the {} {}, from {:.3g} to {:.3g}{}, in {}", field(step->metric).words, how_much(ratio),
+  return fmt::format("the {} {}, from {:.4g} to {:.4g}{}, in {}", field(step->metric).words, how_much(ratio),
                      step->before, step->after, unit == "1" ? "" : " " + unit, step->scenario);
+}
+
+std::string capital(std::string text) {
+  const std::string first = text.substr(0, text.find(' '));
+  const bool is_name = first.find_first_of("_/:") != std::string::npos;
+  if (!is_name && !text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  }
+  return text;
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -70,13 +81,7 @@ std::string joined(const std::vector<std::string>& parts) {
   for (const std::string& part : parts) {
     if (!part.empty()) told.push_back(part);
   }
-  if (told.empty()) return {};
-  std::string text = fmt::format("{}.", fmt::join(told, "; "));
-  const std::string first = text.substr(0, text.find(' '));
-  if (first.find_first_of("_/:") == std::string::npos && first.front() >= 'a' && first.front() <= 'z') {
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  }
-  return text;
+  return told.empty() ? std::string() : capital(fmt::format("{}.", fmt::join(told, "; ")));
 }
 
 std::string first_of(const std::vector<std::string>& lines) {

@@ -16,8 +16,8 @@ bool improvement(const Change& change);
 /// "the largest orientation error falls by 62 %", with the number of scenarios where it is not of all.
 std::string words(const Change& change, std::size_t all_scenarios);
 
-/// "error/orientation/max falls by 62 % (largest angle to the gaze orientation while tracking), mean of a, b"
-std::string exact_words(const Change& change);
+/// "the largest orientation error (error/orientation/max) falls by 62 %, mean of a and b"
+std::string exact_words(const Change& change, std::size_t all_scenarios);
 
 /// The best one or two improvements; empty if there is none.
 std::string improvements(const std::vector<Change>& all, std::size_t scenarios);
@@ -25,7 +25,10 @@ std::string improvements(const std::vector<Change>& all, std::size_t scenarios);
 /// Which headline got worse the most, and where; empty if none did.
 std::string price(const std::vector<Table>& tables, std::size_t set);
 
-/// The parts that are not empty as one sentence. Names of joints, metrics and scenarios keep their letters.
+/// With a capital letter, unless it begins with the name of a joint, a metric or a scenario.
+std::string capital(std::string text);
+
+/// The parts that are not empty as one sentence.
 std::string joined(const std::vector<std::string>& parts);
 
 /// The first of the lines, and how many others there are; empty without one.

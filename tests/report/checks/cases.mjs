@@ -158,7 +158,7 @@ async function checkArms({ page, cases, expect }) {
 
 async function checkMarks({ page, expect, touch }) {
   for (const [id, entries] of [
-    ["convergence", ["in the native engine", "best feasible so far in Simbody", "chosen"]],
+    ["convergence", ["in the native engine", "best feasible so far, of either engine", "chosen"]],
     ["front", ["start", "chosen", "shown here"]],
   ]) {
     await bringIntoView(page, `#${id}`);

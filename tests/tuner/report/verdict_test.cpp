@@ -188,7 +188,8 @@ TEST(Verdict, OfATunedRunSaysWhatGotBetterAndThatNothingIsViolated) {
       AllOf(HasSubstr("falls by 69 %"), HasSubstr("the largest orientation error falls by 83 %"),
             HasSubstr("wrist comes closest"), HasSubstr("88 %"), HasSubstr("every constraint holds")));
   EXPECT_THAT(verdict.details,
-              testing::Contains(AllOf(HasSubstr("effort_rate/rms rises by 50 %"), HasSubstr("in a"))));
+              testing::Contains(
+                  AllOf(HasSubstr("RMS torque rate (effort_rate/rms) rises by 50 %"), HasSubstr("in a"))));
   EXPECT_THAT(verdict.details,
               testing::Contains("The price: the smallest obstacle clearance falls by 50 %, from "
                                 "0.2 to 0.1 m, in a"))

@@ -47,7 +47,7 @@ function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told:
   const series: ChartSeries[] = [
     { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7, shape: "cross" },
     { label: names.points, colour: () => onPage(BLUE), values: plain(true), marks: 9 },
-    { label: ROLES.start, colour: () => onPage(ORANGE), values: role("start"), marks: 15, shape: "ring" },
+    { label: points.find((point) => point.role === "start")?.label ?? ROLES.start, colour: () => onPage(ORANGE), values: role("start"), marks: 15, shape: "ring" },
     { label: ROLES.chosen, colour: () => onPage(VERMILLION), values: role("chosen"), marks: 14, shape: "diamond" },
     { label: ROLES.shown, colour: () => onPage(VERMILLION), values: role("shown"), marks: 13, shape: "square" },
   ];
