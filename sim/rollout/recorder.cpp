@@ -3,11 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
+#include <cmath>
 
 #include "sim/csv/text_file.hpp"
 
 namespace armtune {
+namespace {
+
+/// Of two periods of a row, the earlier one first. What is no number stays: it is the worst there is.
+double folded(Over over, double before, double value) {
+  if (over == Over::kThisPeriod || std::isnan(value)) return value;
+  if (std::isnan(before)) return before;
+  return over == Over::kLargest ? std::max(before, value) : std::min(before, value);
+}
+
+}  // namespace
 
 Recorder::Recorder(const Scenario& scenario, int stride)
     : columns_(rollout_columns(scenario)), stride_(stride), row_(columns_.size()) {
@@ -18,28 +28,33 @@ bool Recorder::operator()(const Observation& o) {
   const bool first_of_row = seen_ == 0 || (seen_ - 1) % stride_ == 0;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     const double value = columns_[c].value(o);
-    const Over over = columns_[c].over;
-    row_[c] = first_of_row || over == Over::kThisPeriod ? value
-              : over == Over::kLargest                  ? std::max(row_[c], value)
-                                                        : std::min(row_[c], value);
+    row_[c] = first_of_row ? value : folded(columns_[c].over, row_[c], value);
   }
   if (seen_++ % stride_ == 0) values_.insert(values_.end(), row_.begin(), row_.end());
   return true;
 }
 
-void Recorder::write_csv(const std::string& path) const {
+void Recorder::write_csv(const std::string& path, bool completed) const {
+  std::vector<double> values = values_;
+  const std::size_t width = columns_.size();
+  const bool behind_last_row = seen_ > 0 && (seen_ - 1) % stride_ != 0;
+  if (behind_last_row && completed) {
+    double* last = values.data() + values.size() - width;
+    for (std::size_t c = 0; c < width; ++c) {
+      if (columns_[c].over != Over::kThisPeriod) last[c] = folded(columns_[c].over, last[c], row_[c]);
+    }
+  } else if (behind_last_row) {
+    values.insert(values.end(), row_.begin(), row_.end());
+  }
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
-  for (std::size_t c = 0; c < columns_.size(); ++c)
-    fmt::format_to(out, "{}{}", c ? "," : "", columns_[c].name);
+  for (std::size_t c = 0; c < width; ++c) fmt::format_to(out, "{}{}", c ? "," : "", columns_[c].name);
   text.push_back('\n');
-  const auto write = [&text, &out](std::span<const double> row) {
-    for (std::size_t c = 0; c < row.size(); ++c) fmt::format_to(out, "{}{:.9g}", c ? "," : "", row[c]);
-    text.push_back('\n');
-  };
-  const std::size_t width = columns_.size();
-  for (std::size_t i = 0; i < values_.size(); i += width) write(std::span(values_).subspan(i, width));
-  if (seen_ > 0 && (seen_ - 1) % stride_ != 0) write(row_);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % width != 0) text.push_back(',');
+    fmt::format_to(out, "{:.9g}", values[i]);
+    if ((i + 1) % width == 0) text.push_back('\n');
+  }
   write_text_file(path, {text.data(), text.size()});
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps every k-th period of a rollout, and the last, and writes it as CSV.
+// Keeps every k-th period of a rollout and writes it as CSV.
 
 #include <string>
 
@@ -15,9 +15,10 @@ class Recorder {
 
   bool operator()(const Observation& o);
 
-  /// rollout_<scenario>.csv: a header row, then one row per kept period and one for the last period, which is
-  /// where a rollout that failed says why. Throws InputError if it cannot be written.
-  void write_csv(const std::string& path) const;
+  /// rollout_<scenario>.csv: a header row, then one row per kept period. What columns say of the periods
+  /// behind the last of them goes into its row. completed: otherwise the last period has a row of its own,
+  /// since it is where a rollout that failed shows why. Throws InputError if it cannot be written.
+  void write_csv(const std::string& path, bool completed = true) const;
 
   const std::vector<Column>& columns() const { return columns_; }
 

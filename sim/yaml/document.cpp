@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 
-[[noreturn]] void fail_too_large(const std::string& file) {
+[[noreturn]] void fail_too_large(const std::string& file, std::size_t max_bytes) {
   throw InputError(
-      one_line(fmt::format("{}: larger than {} MB; expected a smaller file", file, kMaxBytes >> 20)));
+      one_line(fmt::format("{}: larger than {} MB; expected a smaller file", file, max_bytes >> 20)));
 }
 
 }  // namespace
@@ -251,8 +251,8 @@ class TreeBuilder final : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-Node parse_text(const std::string& text, const std::string& file_name) {
-  if (text.size() > kMaxBytes) fail_too_large(file_name);
+Node parse_text(const std::string& text, const std::string& file_name, std::size_t max_bytes) {
+  if (text.size() > max_bytes) fail_too_large(file_name, max_bytes);
   check_characters(text, file_name);
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string body = text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
@@ -274,8 +274,8 @@ Node parse_text(const std::string& text, const std::string& file_name) {
   return std::move(*root);
 }
 
-Node parse_file(const std::string& path) {
-  return parse_text(read_text(path), path);
+Node parse_file(const std::string& path, std::size_t max_bytes) {
+  return parse_text(read_text(path, max_bytes), path, max_bytes);
 }
 
 }  // namespace armtune::yaml

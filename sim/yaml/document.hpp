@@ -86,10 +86,11 @@ class Node {
 /// control characters, UTF-16, a quote that is never closed, duplicate keys, keys that are not scalars,
 /// anchors and aliases, tags other than YAML's core ones, and a second document. A block-style file that was
 /// cut off between two entries is still valid YAML and cannot be told from a complete one.
-Node parse_file(const std::string& path);
+/// max_bytes: for files that armtune itself wrote.
+Node parse_file(const std::string& path, std::size_t max_bytes = kMaxBytes);
 
 /// The same for a text in memory; `file_name` is only used in messages.
-Node parse_text(const std::string& text, const std::string& file_name);
+Node parse_text(const std::string& text, const std::string& file_name, std::size_t max_bytes = kMaxBytes);
 
 /// One map with the top-level keys of all `layers` (at least one, each a map); where several have a key, the
 /// last one's value stands whole. Values keep the file and line they came from. Throws InputError if a layer

@@ -73,7 +73,7 @@ bool closes_quote(std::string_view text) {
   return false;
 }
 
-std::string read_text(const std::string& path) {
+std::string read_text(const std::string& path, std::size_t max_bytes) {
   const auto fail = [&](const std::string& what) { throw InputError(one_line(path + ": " + what)); };
   std::error_code status_error;
   const std::filesystem::file_status status = std::filesystem::status(path, status_error);
@@ -83,7 +83,7 @@ std::string read_text(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) fail("cannot be opened: " + std::generic_category().message(errno));
   // One byte more than allowed is enough to know, also for a pipe or a device that has no size.
-  std::string text(kMaxBytes + 1, '\0');
+  std::string text(max_bytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) fail("cannot be read");
   text.resize(static_cast<std::size_t>(stream.gcount()));

@@ -23,7 +23,7 @@ void check_characters(std::string_view text, const std::string& file);
 /// Whether the quote that `text` begins with is closed in it. True for a text that begins with none.
 bool closes_quote(std::string_view text);
 
-/// The whole file, up to one byte more than kMaxBytes. Throws InputError for what cannot be read.
-std::string read_text(const std::string& path);
+/// The whole file, up to one byte more than max_bytes. Throws InputError for what cannot be read.
+std::string read_text(const std::string& path, std::size_t max_bytes);
 
 }  // namespace armtune::yaml

@@ -102,7 +102,8 @@ std::string closest_joint(const std::vector<Table>& tables, std::size_t set) {
       const std::size_t at = where.rfind(" at ");
       const std::string percent =
           largest > 1.0 ? told_apart(100.0 * largest, 100.0).first : fmt::format("{:.0f}", 100.0 * largest);
-      text = fmt::format("{} {}, {} %{} in {}", at == std::string::npos ? where : where.substr(0, at),
+      const std::string joint = where.empty() ? "a joint" : where.substr(0, at);
+      text = fmt::format("{} {}, {} %{} in {}", joint,
                          largest > 1.0 ? "breaks its velocity limit" : "comes closest to its velocity limit",
                          percent, at == std::string::npos ? std::string() : where.substr(at), table.scenario);
     }

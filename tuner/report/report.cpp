@@ -1,5 +1,7 @@
 #include "tuner/report/report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -32,6 +34,11 @@ Written write_report(const std::string& folder, const std::string& path) {
     const std::string html = filled_page(page_text(), report_json(data));
     if (html.size() <= kMostBytes || recording_bytes < 100'000) {
       write_text_file(path, html);
+      if (html.size() > kMostBytes) {
+        data.left_out.push_back(
+            fmt::format("nothing, but it is {:.1f} MB: meshes and evaluations alone take more than {:.0f} MB",
+                        1e-6 * static_cast<double>(html.size()), 1e-6 * static_cast<double>(kMostBytes)));
+      }
       return {html.size(), std::move(data.left_out)};
     }
     const std::size_t excess = html.size() - kMostBytes;

@@ -83,7 +83,9 @@ class Assembly {
   }
 
   void read_provenance() {
-    if (!exists(file("run.yaml"))) return;  // a run that was killed
+    facts_.ended = exists(file("run.yaml"));
+    facts_.resumable = exists(file("journal.txt"));
+    if (!facts_.ended) return;
     data_.provenance = report::read_provenance(file("run.yaml"));
     for (const auto& [key, value] : data_.provenance) facts_.run[key] = value;
     data_.command = entry("command");
@@ -135,6 +137,10 @@ class Assembly {
     std::vector<std::optional<CsvTable>> robust;
     for (const SceneSet& set : scene_.sets) robust.push_back(table_if_any(file(set, "robust_errors.csv")));
     auto judged = tables_of(robust);
+    // Each metric is measured over the arms by itself: joint and time of a ratio are of no one arm.
+    for (Table& table : judged) {
+      for (MetricRow& row : table.rows) row.text.clear();
+    }
     if (!judged.empty()) data_.judged = {facts_.study ? facts_.study->measure : "", std::move(judged)};
   }
 

@@ -5,6 +5,9 @@
 namespace armtune::report {
 namespace {
 
+/// Meshes of many arms.
+constexpr std::size_t kMaxSceneBytes = 64 << 20;
+
 Vec3 read_vec3(const yaml::Node& node) {
   const auto v = node.as_numbers(3);
   return {v[0], v[1], v[2]};
@@ -48,7 +51,7 @@ SceneScenario read_scenario(const yaml::Node& node, std::size_t arms) {
 }  // namespace
 
 Scene read_scene(const std::string& path) {
-  const yaml::Node root = yaml::parse_file(path);
+  const yaml::Node root = yaml::parse_file(path, kMaxSceneBytes);
   yaml::MapReader map(root);
   Scene scene;
   for (const yaml::Node& item : map.required("sets").items()) {

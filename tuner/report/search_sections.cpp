@@ -103,9 +103,12 @@ std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& e
   if (columns.empty()) return std::nullopt;
   Front front;
   front.criteria = {{"objective", "1"}, {metric, field(Metric::kJointVelocityMaxRatio).unit}};
+  // A point's ratio is the worst of these scenarios: a line says something only if it holds for all of them.
   for (const StudyLimit& limit : limits) {
-    if (limit.metric == Metric::kJointVelocityMaxRatio && limit.value)
+    const bool all = limit.scenarios.empty() || limit.scenarios.size() >= columns.size();
+    if (limit.metric == Metric::kJointVelocityMaxRatio && limit.upper && limit.value && all) {
       front.limits.emplace_back(1, *limit.value);
+    }
   }
   for (std::size_t r = 0; r < table.rows(); ++r) {
     double worst = 0.0;

@@ -51,21 +51,23 @@ std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std:
   return lines;
 }
 
-/// Limits of the arm that are broken though nobody asked for them.
-std::vector<std::string> not_asked(const std::vector<Table>& tables, const std::vector<std::string>& known,
-                                   std::size_t set) {
-  std::vector<std::string> lines = violations(tables, limits_of_arm(), set);
-  std::erase_if(lines, [&known](const std::string& line) {
-    // "METRIC is VALUE in SCENARIO (at most LIMIT)": the study's own limit on it is told already.
-    const std::string what = line.substr(0, line.find('('));
-    return std::any_of(known.begin(), known.end(),
-                       [&what](const std::string& other) { return other.starts_with(what); });
-  });
+/// Limits of the arm that are broken where no limit of the study on the same metric is.
+std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std::vector<StudyLimit>& asked,
+                                    std::size_t set) {
+  std::vector<std::string> lines;
+  for (const Table& table : tables) {
+    for (const StudyLimit& limit : limits_of_arm()) {
+      std::vector<StudyLimit> same = asked;
+      std::erase_if(same, [&limit](const StudyLimit& other) { return other.metric != limit.metric; });
+      if (!violations({table}, same, set).empty()) continue;  // told already
+      for (std::string& line : violations({table}, {limit}, set)) lines.push_back(std::move(line));
+    }
+  }
   return lines;
 }
 
 /// Of a run that has no run.yaml yet.
-Verdict of_unfinished(const ReportData& data) {
+Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
   Verdict verdict;
   std::string so_far = "nothing was evaluated";
   if (data.evaluations && data.evaluations->chosen >= 0) {
@@ -82,7 +84,9 @@ Verdict of_unfinished(const ReportData& data) {
   }
   verdict.sentence =
       joined({"This run is not finished: it goes on still, or was killed", "so far " + so_far});
-  verdict.details.push_back(fmt::format("To go on with it: armtune {} --resume FOLDER", name(data.kind)));
+  if (facts.resumable) {
+    verdict.details.push_back(fmt::format("To go on with it: armtune {} --resume FOLDER", name(data.kind)));
+  }
   return verdict;
 }
 
@@ -93,8 +97,9 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const std::string ended = entry(facts, "ended");
   const double objective = number_entry(facts, "objective");
   const auto all = changes(tables, facts.study ? facts.study->terms : headline_terms(), tuned);
-  const auto broken = wrong_with(tables, facts.study ? facts.study->limits : limits_of_arm(), tuned);
-  const auto beside = not_asked(tables, broken, tuned);
+  const auto asked = facts.study ? facts.study->limits : limits_of_arm();
+  const auto broken = wrong_with(tables, asked, tuned);
+  const auto beside = beyond_arm(tables, asked, tuned);
   const bool feasible =
       entry(facts, "feasible") == "true" || (entry(facts, "feasible").empty() && broken.empty());
   const bool interrupted = ended.find("interrupted") != std::string::npos;
@@ -104,7 +109,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
                            : fmt::format("the objective is {:.3g} times the start's, no better", objective);
   }
   std::string kept = feasible ? "every constraint holds" : "";
-  if (feasible && !beside.empty()) kept += ", but what none asks for does not: " + first_of(beside);
+  if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);
   Verdict verdict;
   verdict.sentence = joined({interrupted ? "Interrupted before the search was finished" : "",
                              feasible ? "" : "no feasible point was found: the best one breaks a constraint",
@@ -137,6 +142,7 @@ double largest(const std::vector<Table>& tables, Metric metric) {
 }
 
 Verdict of_simulate(const ReportData& data) {
+  if (data.tables.empty()) return {"The figures of this run could not be read.", {}};
   const auto failed = failures(data.tables, 0);
   const auto broken = violations(data.tables, limits_of_arm(), 0);
   const double position = largest(data.tables, Metric::kPositionMax);
@@ -162,7 +168,7 @@ Verdict of_simulate(const ReportData& data) {
 }
 
 Verdict of_compare(const ReportData& data) {
-  if (data.sets.size() < 2) return of_simulate(data);
+  if (data.sets.size() < 2 || data.tables.empty()) return of_simulate(data);
   const std::size_t last = data.sets.size() - 1;
   const auto all = changes(data.tables, headline_terms(), last);
   const auto broken = wrong_with(data.tables, limits_of_arm(), last);
@@ -205,7 +211,7 @@ bool beats(const FrontPoint& point, const FrontPoint& start, const Front& front)
 
 Verdict of_pareto(const ReportData& data) {
   Verdict verdict;
-  if (!data.front) return verdict;
+  if (!data.front) return {"The front of this run could not be read.", {}};
   const auto is_point = [](const FrontPoint& p) { return p.role != "start"; };
   const auto points = std::count_if(data.front->points.begin(), data.front->points.end(), is_point);
   const auto start = std::find_if_not(data.front->points.begin(), data.front->points.end(), is_point);
@@ -252,7 +258,8 @@ Verdict of_pareto(const ReportData& data) {
 
 Verdict of_robustness(const ReportData& data) {
   Verdict verdict;
-  if (!data.robustness || data.robustness->samples == 0) {
+  if (!data.robustness) return {"The samples of this run could not be read.", {}};
+  if (data.robustness->samples == 0) {
     verdict.sentence = "Interrupted before the first arm was simulated.";
     return verdict;
   }
@@ -276,7 +283,7 @@ Verdict of_robustness(const ReportData& data) {
 Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
   const bool searches =
       data.kind == RunKind::kTune || data.kind == RunKind::kPareto || data.kind == RunKind::kRobustness;
-  if (searches && facts.run.empty()) return of_unfinished(data);
+  if (searches && !facts.ended) return of_unfinished(data, facts);
   switch (data.kind) {
     case RunKind::kSimulate:
       return of_simulate(data);

@@ -13,7 +13,9 @@ namespace armtune::report {
 /// What a verdict needs beside the page's data.
 struct VerdictFacts {
   std::optional<StudyFacts> study;
-  std::map<std::string, std::string> run;  ///< run.yaml, keys as paths; empty of a run that is not finished
+  std::map<std::string, std::string> run;  ///< run.yaml, keys as paths
+  bool ended = true;                       ///< whether there is a run.yaml, the last file of a run
+  bool resumable = false;                  ///< whether there is a journal
 };
 
 /// data: everything but its verdict.

@@ -20,7 +20,7 @@ std::string default_run_folder(const std::string& name);
 
 /// What run.yaml says.
 struct Provenance {
-  std::string command;              ///< as typed
+  std::string command;              ///< that makes the run again, quoted for a shell
   std::vector<std::string> inputs;  ///< files, in any order, twice or not
   unsigned long long seed = 0;
   int workers = 1;

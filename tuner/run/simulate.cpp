@@ -39,7 +39,9 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
       if (recorder) (*recorder)(o);
       return !stop;
     });
-    if (recorder) recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv");
+    const RolloutStatus status = results[i].result.status;
+    const bool whole = status == RolloutStatus::kCompleted || status == RolloutStatus::kNoSamples;
+    if (recorder) recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv", whole);
     const std::lock_guard lock(progress_mutex);
     ++done;
     if (options.progress) options.progress(done);

@@ -66,19 +66,15 @@ TEST(RolloutCsv, HasARowForEveryStrideWithRisingTimeAndTheTrueState) {
     const Scenario scenario = scenario_of("obstacle_pass", 0.5);
     const Recorded recorded = record(scenario, stride);
     const auto& csv = recorded.csv;
-    // The first period of every stride, and the last period.
-    const std::size_t kept = static_cast<std::size_t>((250 + stride - 1) / stride);
-    ASSERT_EQ(csv.rows.size(), kept + (249 % stride != 0 ? 1 : 0));
-    EXPECT_NEAR(std::stod(csv.at(csv.rows.size() - 1, "time")), 0.002 * 249, 1e-9);
+    ASSERT_EQ(csv.rows.size(), static_cast<std::size_t>((250 + stride - 1) / stride));
     double before = -1.0;
     for (std::size_t r = 0; r < csv.rows.size(); ++r) {
       ASSERT_EQ(csv.rows[r].size(), csv.header.size());
       const double time = std::stod(csv.at(r, "time"));
       EXPECT_GT(time, before);
-      const std::size_t period = std::min<std::size_t>(249, r * static_cast<std::size_t>(stride));
-      EXPECT_NEAR(time, 0.002 * static_cast<double>(period), 1e-9);
+      EXPECT_NEAR(time, 0.002 * stride * static_cast<double>(r), 1e-9);
       before = time;
-      const JointVector& q = recorded.q[period];
+      const JointVector& q = recorded.q[r * static_cast<std::size_t>(stride)];
       EXPECT_NEAR(std::stod(csv.at(r, "joint/elbow_joint/position")), q[2], 1e-8 * std::abs(q[2]) + 1e-300);
       EXPECT_EQ(csv.at(r, "state"), "0");
     }
@@ -117,6 +113,22 @@ TEST(RolloutCsv, MissesNoPeakBetweenItsRows) {
       ASSERT_EQ(std::stod(recorded.csv.at(r, column)), peak) << column << ", row " << r;
     }
   }
+}
+
+TEST(RolloutCsv, OfARunThatFailedEndsWithItsLastPeriod) {
+  const test::TemporaryFolder folder;
+  const Scenario scenario = scenario_of("moving_target", 0.1);
+  Recorder recorder(scenario, 8);
+  Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), [&](const Observation& o) {
+    return recorder(o);
+  });
+  recorder.write_csv(folder / "whole.csv");
+  recorder.write_csv(folder / "failed.csv", false);
+  const auto whole = test::read_csv(folder / "whole.csv");
+  const auto failed = test::read_csv(folder / "failed.csv");
+  ASSERT_EQ(whole.rows.size(), 7U) << "50 periods";
+  ASSERT_EQ(failed.rows.size(), 8U);
+  EXPECT_NEAR(std::stod(failed.at(7, "time")), 0.002 * 49, 1e-9);
 }
 
 TEST(RolloutCsv, IsRefusedWhereItCannotBeWritten) {

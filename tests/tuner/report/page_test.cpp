@@ -15,6 +15,7 @@
 #include "tuner/journal/journal.hpp"
 #include "tuner/report/report.hpp"
 #include "tuner/report/run_report.hpp"
+#include "tuner/report/tables.hpp"
 
 namespace armtune::report {
 namespace {
@@ -48,7 +49,7 @@ void write_run(const TemporaryFolder& folder, const std::vector<std::string>& na
   std::string rollout;
   for (std::size_t c = 0; c < table.header().size(); ++c) rollout += (c > 0 ? "," : "") + table.header()[c];
   rollout += '\n';
-  const double length = table.number(table.rows() - 1, 0) + 0.002;
+  const double length = table.number(table.rows() - 1, 0) + 0.01;
   for (int k = 0; k < repeats; ++k) {
     for (std::size_t r = 0; r < table.rows(); ++r) {
       std::ostringstream row;
@@ -193,6 +194,21 @@ TEST(RunReport, LeavesOutTheFileThatCannotBeUnderstoodAndNamesIt) {
   EXPECT_THAT(data.left_out[1], HasSubstr("rollout_only.csv"));
   EXPECT_THAT(data.verdict.details, testing::Contains("Left out: " + data.left_out[1]));
   EXPECT_EQ(data.tables.size(), 1U) << "the rest is there";
+}
+
+TEST(RunReport, OfManyArmsNamesNoMomentThatIsNoArms) {
+  const TemporaryFolder folder;
+  write_run(folder, {"only"}, kTwoSets, 1);
+  ScenarioResult worst{"only", {}};
+  worst.result.metrics[Metric::kJointVelocityMaxRatio] = 0.9;
+  worst.result.metrics[Metric::kJointVelocityMaxRatioTime] = 3.0;
+  worst.result.metrics.max_ratio_joint = "elbow_joint";
+  folder.write("robust_errors.csv", errors_csv({worst}));
+  folder.write("evaluations.csv", "phase,objective,feasible,violation\nstart,1,1,0\n");
+  const ReportData data = report_of(folder.path());
+  ASSERT_TRUE(data.judged);
+  EXPECT_EQ(value_of(data.judged->tables[0], Metric::kJointVelocityMaxRatio, 1), 0.9);
+  for (const MetricRow& row : data.judged->tables[0].rows) EXPECT_TRUE(row.text.empty());
 }
 
 TEST(RunReport, TellsARunThatEndedEarlyWithItsReason) {

@@ -62,7 +62,9 @@ TEST(EvaluationsSection, ChoosesWhatSimbodyJudgedAmongTheSameGains) {
 
 TEST(FrontSection, OfASearchIsTheObjectiveAgainstTheWorstScenario) {
   const CsvTable table = evaluations();
-  const std::vector<StudyLimit> limits = {{Metric::kJointVelocityMaxRatio, true, 0.9, {}},
+  const std::vector<StudyLimit> limits = {{Metric::kJointVelocityMaxRatio, true, 0.9, {"s", "t"}},
+                                          {Metric::kJointVelocityMaxRatio, true, 0.8, {"t"}},
+                                          {Metric::kJointVelocityMaxRatio, false, 0.1, {}},
                                           {Metric::kObstacleMinClearance, false, 0.1, {}}};
   const auto front = front_of_search(table, evaluations_of(table, {}), limits);
   ASSERT_TRUE(front);

@@ -200,25 +200,41 @@ TEST(Verdict, NamesALimitOfTheArmThatTheStudyDoesNotAskFor) {
   ReportData data = tuned_data();
   data.tables = tables_of({errors_of({result_of("a", {{Metric::kJointEffortMaxRatio, 0.6}})}),
                            errors_of({result_of("a", {{Metric::kJointEffortMaxRatio, 1.07}})})});
-  EXPECT_THAT(
-      verdict_of(data, tuned_facts(0.9)).sentence,
-      AllOf(HasSubstr("every constraint holds, but"), HasSubstr("joint_effort/max_ratio is 1.07 in a")));
+  EXPECT_THAT(verdict_of(data, tuned_facts(0.9)).sentence,
+              AllOf(HasSubstr("every constraint holds, but the arm's own limits do not"),
+                    HasSubstr("joint_effort/max_ratio is 1.07 in a")));
+}
+
+TEST(Verdict, TellsABrokenLimitOnce) {
+  ReportData data = tuned_data();
+  data.tables = tables_of({errors_of({result_of("a", {{Metric::kJointVelocityMaxRatio, 0.6}})}),
+                           errors_of({result_of("a", {{Metric::kJointVelocityMaxRatio, 1.2}})})});
+  const Verdict verdict = verdict_of(data, tuned_facts(0.8));
+  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("is 1.2 in a (at most 0.8)")));
+  EXPECT_THAT(verdict.details, Not(testing::Contains(HasSubstr("at most 1)"))));
+}
+
+TEST(Verdict, OfFilesThatCannotBeReadIsNotThatAllIsWell) {
+  for (const RunKind kind : {RunKind::kSimulate, RunKind::kCompare, RunKind::kPareto, RunKind::kRobustness}) {
+    ReportData data;
+    data.kind = kind;
+    data.sets = {"one", "two"};
+    EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("could not be read")) << name(kind);
+  }
 }
 
 TEST(Verdict, OfAStudyOnManyArmsIsOfWhatItWasJudgedBy) {
   ReportData data = tuned_data();
-  data.judged = {"worst of 4 arms each",
-                 tables_of({errors_of({result_of("a", {{Metric::kOrientationMax, 0.8}})}),
-                            errors_of({result_of("a",
-                                                 {{Metric::kOrientationMax, 0.4},
-                                                  {Metric::kJointVelocityMaxRatio, 0.97},
-                                                  {Metric::kJointVelocityMaxRatioTime, 1.0}},
-                                                 "wrist")})})};
+  data.judged = {
+      "worst of 4 arms each",
+      tables_of({errors_of({result_of("a", {{Metric::kOrientationMax, 0.8}})}),
+                 errors_of({result_of(
+                     "a", {{Metric::kOrientationMax, 0.4}, {Metric::kJointVelocityMaxRatio, 0.97}}, "")})})};
   VerdictFacts facts = tuned_facts(1.0);
   facts.study->terms = {{Metric::kOrientationMax, {"a"}}};
   const Verdict verdict = verdict_of(data, facts);
-  EXPECT_THAT(verdict.sentence,
-              AllOf(HasSubstr("orientation error falls by 50 %"), HasSubstr("97 % at 1.00 s")));
+  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("orientation error falls by 50 %"),
+                                      HasSubstr("a joint comes closest to its velocity limit, 97 %")));
   EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("worst of 4 arms each")));
 }
 
@@ -231,13 +247,16 @@ TEST(Verdict, OfARunWithoutItsLastFileSaysThatItIsNotFinished) {
   data.evaluations->feasible = {false, false};
   data.evaluations->violation = {0.2, 0.1};
   data.evaluations->chosen = 1;
-  const Verdict killed = verdict_of(data, {});
+  VerdictFacts facts;
+  facts.ended = false;
+  facts.resumable = true;
+  const Verdict killed = verdict_of(data, facts);
   EXPECT_THAT(killed.sentence,
               AllOf(HasSubstr("not finished"), HasSubstr("none of 2 evaluations is feasible"),
                     Not(HasSubstr("every constraint holds"))));
   EXPECT_THAT(killed.details, testing::Contains(HasSubstr("armtune tune --resume")));
   data.evaluations->feasible = {true, true};
-  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("objective of 0.4"));
+  EXPECT_THAT(verdict_of(data, facts).sentence, HasSubstr("objective of 0.4"));
 }
 
 TEST(Verdict, WithoutAFeasiblePointSaysSoFirstAndNamesTheConstraint) {
@@ -288,17 +307,16 @@ TEST(Verdict, OfManyArmsIsTheirYield) {
   ReportData data;
   data.kind = RunKind::kRobustness;
   data.sets = {"gains"};
-  const VerdictFacts finished = {{}, {{"command", "armtune robustness"}}};
   data.robustness.emplace();
   data.robustness->samples = 200;
   data.robustness->kept = 150;
   data.robustness->interval = {0.68, 0.81};
   data.robustness->broken = {{"limit x in a", 40}, {"limit y in a", 12}};
   EXPECT_THAT(
-      verdict_of(data, finished).sentence,
+      verdict_of(data, {}).sentence,
       AllOf(HasSubstr("75.0 % of 200 arms"), HasSubstr("68.0 to 81.0 %"), HasSubstr("limit x in a, by 40")));
   data.robustness->samples = 0;
-  EXPECT_THAT(verdict_of(data, finished).sentence, HasSubstr("Interrupted"));
+  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("Interrupted"));
 }
 
 TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
@@ -310,13 +328,12 @@ TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
   data.front->points = {{{0.5, 0.3}, "point 1", true, "chosen"},  // better in both: more clearance is better
                         {{0.4, 0.1}, "point 2", true, "point"},
                         {{1.0, 0.2}, "start", true, "start"}};
-  const VerdictFacts finished = {{}, {{"command", "armtune pareto"}}};
   data.front->hypervolume = 0.25;
-  EXPECT_THAT(verdict_of(data, finished).sentence,
+  EXPECT_THAT(verdict_of(data, {}).sentence,
               AllOf(HasSubstr("2 points, 1 of them"), HasSubstr("objective from 0.4 to 0.5 (start 1)"),
                     HasSubstr("hypervolume 0.25")));
   data.front->points.erase(data.front->points.begin(), data.front->points.begin() + 2);
-  EXPECT_THAT(verdict_of(data, finished).sentence, HasSubstr("No feasible point was found"));
+  EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("No feasible point was found"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ inline report::CsvTable recording_of(const Scenario& scenario, const Gains& gain
   return report::CsvTable::read(folder / "rollout.csv");
 }
 
-/// 8 s of obstacle_pass, a row each 10 ms and one at the end.
+/// 8 s of obstacle_pass, a row each 10 ms.
 inline const Recorded& recorded() {
   static const Recorded run = [] {
     Scenario scenario = scenario_of("obstacle_pass", 8.0);

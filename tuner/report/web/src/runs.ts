@@ -12,10 +12,10 @@ export function isOver(run: Pick<Run, "status" | "end">, time: number): boolean 
   return run.status !== "completed" && time >= run.end;
 }
 
-/** "start ended at 4.206 s: elbow_joint is not a number". */
+/** "start: diverged at 4.206 s in followTrajectory: ..."; a reason says when. */
 export function endOf(run: Pick<Run, "status" | "end" | "reason">, set: string): string {
-  const why = run.reason === "" ? run.status : run.reason;
-  return `${set === "" ? "" : `${set} `}ended at ${run.end.toFixed(3)} s${why === "" ? "" : `: ${why}`}`;
+  const why = run.reason === "" ? `${run.status === "" ? "ended" : run.status} at ${run.end.toFixed(3)} s` : run.reason;
+  return set === "" ? why : `${set}: ${why}`;
 }
 
 /** Where a reader starts: the arm at work, since where a run begins it only unfolds; within the run that is shown. */

@@ -34,8 +34,8 @@ test("a reader starts within the run that is shown", () => {
 });
 
 test("an end is said with its time and its reason, or else its status", () => {
-  assert.equal(endOf(run(4.2061, "diverged", "not a number"), "tuned"), "tuned ended at 4.206 s: not a number");
-  assert.equal(endOf(run(4.2, "diverged"), ""), "ended at 4.200 s: diverged");
+  assert.equal(endOf(run(4.2061, "diverged", "diverged at 4.208 s: why"), "tuned"), "tuned: diverged at 4.208 s: why");
+  assert.equal(endOf(run(4.2, "diverged"), ""), "diverged at 4.200 s");
 });
 
 test("words stand only where there is no replay", () => {

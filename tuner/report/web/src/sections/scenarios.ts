@@ -6,7 +6,7 @@ import { SLERP_COLOUR, stateColour } from "../palette";
 import { Playhead } from "../playhead";
 import { TimePlots } from "../plots/time_plots";
 import { Replay } from "../replay/replay";
-import { lastEnd, noReplay, openingTime } from "../runs";
+import { endOf, lastEnd, noReplay, openingTime } from "../runs";
 import { onTheme } from "../theme";
 import { section, type Section } from "./section";
 
@@ -101,7 +101,7 @@ class Panel {
     return this.scenario.runs
       .filter((run) => run.status !== "completed")
       .map((run) =>
-        element("p", { class: "trouble" }, `${this.data.sets[run.set] ?? ""}: ${run.status}${run.reason ? `, ${run.reason}` : ""}`),
+        element("p", { class: "trouble" }, endOf(run, this.data.sets[run.set] ?? "")),
       );
   }
 

@@ -50,7 +50,7 @@ function troublesOf(table: Table, sets: string[]): HTMLElement[] {
     if (status === "completed" || status === "") return [];
     const reason = table.reason[set] ?? "";
     const who = sets.length > 1 ? `${sets[set] ?? ""}: ` : "";
-    return [element("p", { class: "status" }, `${who}${status}${reason === "" ? "" : `, ${reason}`}`)];
+    return [element("p", { class: "status" }, `${who}${reason === "" ? status : reason}`)];
   });
 }
 
