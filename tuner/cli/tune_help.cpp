@@ -15,10 +15,12 @@ std::string tune_help() {
   std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
                                  fmt::join(bundled_names("studies"), " "));
   for (const AlgorithmInfo& a : algorithms()) {
-    text += fmt::format("  {:<12} {}, {}{}{}{}\n", a.name, a.local ? "local" : "global", a.meaning,
-                        a.takes_constraints ? "; takes constraints" : "",
-                        a.uses_differences ? "; uses differences, evaluated in parallel" : "",
-                        a.draws_random_numbers ? "; draws random numbers" : "");
+    text +=
+        fmt::format("  {:<12} {}, {}{}{}{}{}\n", a.name, a.local ? "local" : "global", a.meaning,
+                    a.takes_constraints ? "; takes constraints" : "",
+                    a.uses_differences ? "; uses differences, evaluated in parallel" : "",
+                    a.draws_random_numbers ? "; draws random numbers" : "",
+                    a.most_parameters > 0 ? fmt::format("; at most {} parameters", a.most_parameters) : "");
   }
   text +=
       R"(Around those that do not take constraints an augmented Lagrangian or a penalty is put (search/constraints).

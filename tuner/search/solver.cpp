@@ -3,6 +3,7 @@
 
 #include "tuner/search/solver.hpp"
 
+#include <fmt/format.h>
 #include <nlopt.h>
 
 #include <algorithm>
@@ -33,7 +34,8 @@ const std::vector<Offered>& offered() {
       {{"ESCH", false, false, false, true, "evolutionary"}, NLOPT_GN_ESCH},
       {{"ISRES", false, true, false, true, "evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
       {{"DIRECT_L", false, false, false, false, "dividing rectangles"}, NLOPT_GN_DIRECT_L},
-      {{"ORIG_DIRECT", false, true, false, false, "dividing rectangles"}, NLOPT_GN_ORIG_DIRECT},
+      // Beyond 32 parameters NLopt 2.7 writes behind its arrays.
+      {{"ORIG_DIRECT", false, true, false, false, "dividing rectangles", 32}, NLOPT_GN_ORIG_DIRECT},
       {{"MLSL", false, false, false, false, "many BOBYQA searches from low-discrepancy starts"},
        NLOPT_GN_MLSL_LDS},
   };
@@ -169,8 +171,19 @@ const AlgorithmInfo& algorithm_from_name(const std::string& name) {
   return find(name).info;
 }
 
+const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t parameters) {
+  const AlgorithmInfo& info = algorithm_from_name(name);
+  if (info.most_parameters > 0 && parameters > info.most_parameters) {
+    throw InputError(fmt::format(
+        "algorithm '{}' takes at most {} parameters, and there are {}; take another one, or tune fewer", name,
+        info.most_parameters, parameters));
+  }
+  return info;
+}
+
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options,
                             const Oracle& oracle) {
+  algorithm_for(options.algorithm, problem.start.size());
   const Offered& chosen = find(options.algorithm);
   const std::size_t n = problem.start.size();
   nlopt_srand(options.seed);  // of this thread only

@@ -77,14 +77,18 @@ struct AlgorithmInfo {
   bool uses_differences;
   bool draws_random_numbers;
   const char* meaning;
+  std::size_t most_parameters = 0;  ///< 0: any number
 };
 const std::vector<AlgorithmInfo>& algorithms();
 
 /// Throws InputError that lists the names if the algorithm is not offered.
 const AlgorithmInfo& algorithm_from_name(const std::string& name);
 
+/// The same, and InputError if it does not take so many parameters.
+const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t parameters);
+
 /// Searches the box. The caller keeps the best point itself. What is asked for, and in which order, is a
-/// function of problem and options alone.
+/// function of problem and options alone. Throws InputError as algorithm_for does.
 SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& options);
 
 /// What an algorithm wants to know at one point.

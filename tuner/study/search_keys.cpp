@@ -15,11 +15,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Each search has a thread of its own.
 constexpr long kMostStarts = 256;
 
-std::string read_algorithm(yaml::MapReader& map, const char* key, const std::string& otherwise) {
+std::string read_algorithm(yaml::MapReader& map, const char* key, const std::string& otherwise,
+                           std::size_t parameters) {
   std::string algorithm = map.string(key, otherwise);
   if (!map.has(key)) return algorithm;
   try {
-    algorithm_from_name(algorithm);
+    algorithm_for(algorithm, parameters);
   } catch (const InputError& e) {
     map.required(key).fail(e.what());
   }
@@ -52,7 +53,7 @@ void read_differences(yaml::MapReader& map, SolverOptions& solver) {
 
 void read_search(const yaml::Node& node, Study& study) {
   yaml::MapReader map(node);
-  study.solver.algorithm = read_algorithm(map, "algorithm", study.solver.algorithm);
+  study.solver.algorithm = read_algorithm(map, "algorithm", study.solver.algorithm, study.space.free.size());
   const std::string constraints = map.string("constraints", "auto");
   if (constraints != "auto" && constraints != "lagrangian" && constraints != "penalty") {
     map.required("constraints").fail("'" + constraints + "' is not one of: auto, lagrangian, penalty");
@@ -78,7 +79,7 @@ void read_search(const yaml::Node& node, Study& study) {
     map.required("starts").fail(fmt::format("{} searches at once; give 1 .. {}", starts, kMostStarts));
   }
   study.starts = static_cast<std::size_t>(starts);
-  study.global_algorithm = read_algorithm(map, "global", "");
+  study.global_algorithm = read_algorithm(map, "global", "", study.space.free.size());
   study.global_share = map.number_in("global_share", study.global_share, 0.0, 1.0);
   if (map.has("global_share") && study.global_algorithm.empty()) {
     map.required("global_share").fail("there is no global search to have a share; name one with 'global'");

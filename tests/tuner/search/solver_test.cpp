@@ -1,5 +1,6 @@
 #include "tuner/search/solver.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -143,6 +144,36 @@ std::vector<std::string> algorithm_names() {
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, EverySolver, testing::ValuesIn(algorithm_names()),
                          [](const auto& algorithm) { return algorithm.param; });
+
+TEST_P(EverySolver, SearchesManyParametersOrSaysThatItDoesNot) {
+  SolverOptions options;
+  options.algorithm = GetParam();
+  options.look_ahead = 1;
+  SolverProblem problem;
+  problem.start.assign(60, 0.5);
+  std::size_t left = 400;
+  problem.evaluate = [&left](const std::vector<SolverPoint>& points, std::vector<SolverValue>& values) {
+    for (const SolverPoint& point : points) {
+      if (left == 0) return false;
+      --left;
+      double sum = 0.0;
+      for (const double x : point.x) sum += (x - 0.3) * (x - 0.3);
+      values.push_back({sum, {}});
+    }
+    return true;
+  };
+  const std::size_t most = algorithm_from_name(GetParam()).most_parameters;
+  if (most == 0) {
+    minimize(problem, options);
+    EXPECT_LT(left, 400U);
+  } else {
+    EXPECT_THAT(test::refusal([&] { minimize(problem, options); }),
+                testing::HasSubstr(fmt::format("at most {} parameters, and there are 60", most)));
+    problem.start.resize(most);
+    minimize(problem, options);
+    EXPECT_LT(left, 400U) << "as many as it takes";
+  }
+}
 
 TEST(Solver, OffersTheAlgorithmsOfTheDocumentation) {
   EXPECT_THAT(algorithm_names(),
