@@ -37,6 +37,12 @@ function wordsOf(front: Front, point: Front["points"][number]): string {
   return `${point.label}${notes.length > 0 ? ` (${notes.join(", ")})` : ""}: ${values.join(", ")}`;
 }
 
+/** "start (published)" where the run says whose gains it began with. */
+function startOf(points: Front["points"]): string {
+  const label = points.find((point) => point.role === "start")?.label ?? "";
+  return label.startsWith(ROLES.start) ? label : ROLES.start;
+}
+
 function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told: HTMLElement): Chart {
   const points = [...front.points].sort((a, b) => (a.values[xAxis] ?? 0) - (b.values[xAxis] ?? 0));
   const x = points.map((point) => point.values[xAxis] ?? 0);
@@ -47,7 +53,7 @@ function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told:
   const series: ChartSeries[] = [
     { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7, shape: "cross" },
     { label: names.points, colour: () => onPage(BLUE), values: plain(true), marks: 9 },
-    { label: points.find((point) => point.role === "start")?.label ?? ROLES.start, colour: () => onPage(ORANGE), values: role("start"), marks: 15, shape: "ring" },
+    { label: startOf(points), colour: () => onPage(ORANGE), values: role("start"), marks: 15, shape: "ring" },
     { label: ROLES.chosen, colour: () => onPage(VERMILLION), values: role("chosen"), marks: 14, shape: "diamond" },
     { label: ROLES.shown, colour: () => onPage(VERMILLION), values: role("shown"), marks: 13, shape: "square" },
   ];
