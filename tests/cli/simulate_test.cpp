@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
+#include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
@@ -12,6 +14,7 @@
 namespace armtune {
 namespace {
 
+namespace fs = std::filesystem;
 using test::Finished;
 using test::run_program;
 using test::ShortStudy;
@@ -71,6 +74,22 @@ TEST(Simulate, OverwritesNoFinishedRun) {
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   EXPECT_THAT(files_in(files / "run"), testing::ElementsAre("kept.txt"));
   EXPECT_EQ(test::read_text(files / "run/kept.txt"), "precious");
+}
+
+TEST(Simulate, ItsCommandInRunYamlMakesTheRunAgainFromAShell) {
+  const ShortStudy files;
+  const std::string odd = "it's $HOME; <b>.yaml";  // a shell would do something with every part of this
+  fs::copy_file(files / "short.yaml", files / odd);
+  ASSERT_EQ(run_program({"simulate", files / odd, "--gains", files / "gains.yaml", "--out", files / "run"})
+                .exit_code,
+            0);
+  const std::string errors = test::read_text(files / "run/errors.csv");
+  const std::string command = yaml::parse_file(files / "run/run.yaml").find("command")->as_string();
+  fs::remove_all(files / "run");
+  fs::create_symlink(ARMTUNE_PROGRAM, files / "armtune");
+  const std::string found = "PATH=\"" + (files / "") + ":$PATH\"; ";
+  ASSERT_EQ(std::system((found + command + " > " + (files / "output.txt")).c_str()), 0) << command;
+  EXPECT_EQ(test::read_text(files / "run/errors.csv"), errors);
 }
 
 TEST(Simulate, ARunThatDivergesOrDoesNotTrackFailsAndSaysWhy) {

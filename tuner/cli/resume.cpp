@@ -56,7 +56,6 @@ std::string shell_word(const std::string& word) {
 
 std::string repeating_command(std::vector<std::string> words) {
   cut(words, kResume);
-  cut(words, "--out");
   std::string text = "armtune";
   for (std::size_t i = 1; i < words.size(); ++i) text += ' ' + shell_word(words[i]);
   return text;

@@ -17,8 +17,8 @@ namespace armtune::cli {
 /// if the folder holds no journal or one of another command, or if further words were given.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
-/// The command that makes a run again, quoted for a shell: the words of its command line without the folder
-/// that they wrote to or went on with.
+/// The command that makes a run again where its --out folder is not there yet, quoted for a shell: the words
+/// of its command line, of a resumed run those it was begun with.
 std::string repeating_command(std::vector<std::string> words);
 
 /// All that a study's results depend on but the files its scenarios are made from, and those files.
