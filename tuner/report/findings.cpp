@@ -137,4 +137,31 @@ std::vector<std::string> violations(const std::vector<Table>& tables, const std:
   return found;
 }
 
+std::vector<StudyLimit> limits_of_arm() {
+  return {{Metric::kJointVelocityMaxRatio, true, 1.0, {}},
+          {Metric::kJointPositionMinMargin, false, 0.0, {}},
+          {Metric::kJointEffortMaxRatio, true, 1.0, {}}};
+}
+
+std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
+                                    std::size_t set) {
+  std::vector<std::string> lines = failures(tables, set);
+  for (std::string& line : violations(tables, limits, set)) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std::vector<StudyLimit>& asked,
+                                    std::size_t set) {
+  std::vector<std::string> lines;
+  for (const Table& table : tables) {
+    for (const StudyLimit& limit : limits_of_arm()) {
+      std::vector<StudyLimit> same = asked;
+      std::erase_if(same, [&limit](const StudyLimit& other) { return other.metric != limit.metric; });
+      if (!violations({table}, same, set).empty()) continue;  // told already
+      for (std::string& line : violations({table}, {limit}, set)) lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
 }  // namespace armtune::report

@@ -49,4 +49,15 @@ std::vector<std::string> failures(const std::vector<Table>& tables, std::size_t 
 std::vector<std::string> violations(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
                                     std::size_t set);
 
+/// What every arm asks for, whether a study does or not.
+std::vector<StudyLimit> limits_of_arm();
+
+/// Failures, then violations.
+std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
+                                    std::size_t set);
+
+/// Limits of the arm that are broken where no limit of those asked for on the same metric is.
+std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std::vector<StudyLimit>& asked,
+                                    std::size_t set);
+
 }  // namespace armtune::report

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "sim/scenario/gains_file.hpp"
 #include "tuner/report/provenance.hpp"
 #include "tuner/report/recording.hpp"
 #include "tuner/report/sections.hpp"
@@ -100,28 +98,12 @@ class Assembly {
                        told ? "" : fmt::format(" ({})", name));
   }
 
-  std::vector<SceneSet> usual_sets() const {
-    if (data_.kind == RunKind::kTune)
-      return {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}};
-    if (data_.kind == RunKind::kPareto) return {{"start", "start", "start/errors.csv"}};
-    if (data_.kind == RunKind::kSimulate) return {{"gains", ".", "errors.csv"}};
-    if (data_.kind == RunKind::kRobustness) return {{"gains", "nominal", "nominal/errors.csv"}};
-    std::vector<SceneSet> sets;
-    const CsvTable comparison = CsvTable::read(file("comparison.csv"));
-    for (std::size_t c = 3; c < comparison.header().size(); ++c) {
-      const std::string& name = comparison.header()[c];
-      if (name.ends_with("/ratio")) break;
-      sets.push_back({name, "rollouts_" + name, "errors_" + name + ".csv"});
-    }
-    return sets;
-  }
-
   void read_scene_or_guess() {
     part([this] {
       if (exists(file("scene.json"))) scene_ = read_scene(file("scene.json"));
     });
     if (!scene_.sets.empty()) return;
-    part([this] { scene_.sets = usual_sets(); });
+    part([this] { scene_.sets = usual_sets(data_.kind, folder_); });
     if (!facts_.study) return;
     try {
       const Study study = load_study(file("study.yaml"));
@@ -176,20 +158,9 @@ class Assembly {
     if (!facts_.study) return;
     const std::vector<std::string> joints = joint_names();
     if (joints.empty()) return;
-    const auto entries = gain_entries(joints);
-    std::vector<std::optional<Gains>> gains;
-    for (const SceneSet& set : scene_.sets) {
-      const std::string path = file(set, "gains.yaml");
-      gains.push_back(exists(path) ? std::optional(load_gains(path, joints)) : std::nullopt);
-    }
-    for (const StudyGain& g : facts_.study->gains) {
-      const auto found =
-          std::find_if(entries.begin(), entries.end(), [&g](const GainEntry& e) { return e.name == g.name; });
-      if (found == entries.end()) continue;
-      Gain gain{g.name, found->field->unit, g.lower, g.upper, g.scale, {}};
-      for (const auto& set : gains) gain.values.push_back(set ? value(*set, *found) : NAN);
-      data_.gains.push_back(std::move(gain));
-    }
+    std::vector<std::string> paths;
+    for (const SceneSet& set : scene_.sets) paths.push_back(file(set, "gains.yaml"));
+    data_.gains = gains_of(facts_.study->gains, joints, paths);
   }
 
   const SceneScenario* scenario(const std::string& name) const {

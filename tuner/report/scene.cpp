@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "tuner/report/arm_json.hpp"
+#include "tuner/report/csv_table.hpp"
 #include "tuner/report/json.hpp"
 
 namespace armtune::report {
@@ -28,6 +29,29 @@ void write_path(Json& json, const HarmonicPath& path) {
 }
 
 }  // namespace
+
+std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
+  switch (kind) {
+    case RunKind::kTune:
+      return {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}};
+    case RunKind::kPareto:
+      return {{"start", "start", "start/errors.csv"}};
+    case RunKind::kSimulate:
+      return {{"gains", ".", "errors.csv"}};
+    case RunKind::kRobustness:
+      return {{"gains", "nominal", "nominal/errors.csv"}};
+    case RunKind::kCompare:
+      break;
+  }
+  std::vector<SceneSet> sets;
+  const CsvTable comparison = CsvTable::read(folder + "/comparison.csv");
+  for (std::size_t c = 3; c < comparison.header().size(); ++c) {
+    const std::string& name = comparison.header()[c];
+    if (name.ends_with("/ratio")) break;
+    sets.push_back({name, "rollouts_" + name, "errors_" + name + ".csv"});
+  }
+  return sets;
+}
 
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius) {
   Scene scene;

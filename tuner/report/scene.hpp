@@ -7,6 +7,7 @@
 #include "core/trajectory/harmonic_path.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tuner/report/arm.hpp"
+#include "tuner/report/run_kind.hpp"
 
 namespace armtune::report {
 
@@ -31,6 +32,10 @@ struct Scene {
   std::vector<Arm> arms;
   std::vector<SceneScenario> scenarios;
 };
+
+/// The sets of a run that left no scene.json, by its kind; of a comparison by its file. Throws InputError if
+/// that cannot be read.
+std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 
 /// influence_radius: of the reference gains [m].
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);

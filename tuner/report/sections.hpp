@@ -27,6 +27,11 @@ Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, 
 Robustness robustness_of(const CsvTable& samples, const std::string& limits,
                          const std::vector<Table>& tables);
 
+/// The gains that a study tunes, between their bounds, as each set's gains.yaml has them; NaN where there is
+/// no such file.
+std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vector<std::string>& joints,
+                           const std::vector<std::string>& paths);
+
 /// From sensitivity.csv.
 std::vector<Sensitivity> sensitivity_of(const CsvTable& table);
 

@@ -18,13 +18,6 @@ namespace {
 
 constexpr std::size_t kMostLines = 12;
 
-/// What every arm asks for, where there is no study.
-std::vector<StudyLimit> limits_of_arm() {
-  return {{Metric::kJointVelocityMaxRatio, true, 1.0, {}},
-          {Metric::kJointPositionMinMargin, false, 0.0, {}},
-          {Metric::kJointEffortMaxRatio, true, 1.0, {}}};
-}
-
 std::vector<StudyTerm> headline_terms() {
   std::vector<StudyTerm> terms;
   for (const Metric metric : headline_metrics()) terms.push_back({metric, {}});
@@ -41,29 +34,6 @@ double number_entry(const VerdictFacts& facts, const std::string& key) {
   double value = NAN;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
-}
-
-/// What does not complete, then what breaks a limit.
-std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
-                                    std::size_t set) {
-  std::vector<std::string> lines = failures(tables, set);
-  for (std::string& line : violations(tables, limits, set)) lines.push_back(std::move(line));
-  return lines;
-}
-
-/// Limits of the arm that are broken where no limit of the study on the same metric is.
-std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std::vector<StudyLimit>& asked,
-                                    std::size_t set) {
-  std::vector<std::string> lines;
-  for (const Table& table : tables) {
-    for (const StudyLimit& limit : limits_of_arm()) {
-      std::vector<StudyLimit> same = asked;
-      std::erase_if(same, [&limit](const StudyLimit& other) { return other.metric != limit.metric; });
-      if (!violations({table}, same, set).empty()) continue;  // told already
-      for (std::string& line : violations({table}, {limit}, set)) lines.push_back(std::move(line));
-    }
-  }
-  return lines;
 }
 
 /// Of a run that has no run.yaml yet.

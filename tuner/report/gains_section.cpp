@@ -1,0 +1,35 @@
+// Gains before and after, from each set's gains.yaml.
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/report/sections.hpp"
+#include "tuner/study/parameter.hpp"
+
+namespace armtune::report {
+
+std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vector<std::string>& joints,
+                           const std::vector<std::string>& paths) {
+  const auto entries = gain_entries(joints);
+  std::vector<std::optional<Gains>> sets;
+  sets.reserve(paths.size());
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(path, ignored);
+    sets.push_back(there ? std::optional(load_gains(path, joints)) : std::nullopt);
+  }
+  std::vector<Gain> gains;
+  for (const StudyGain& g : tuned) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&g](const GainEntry& e) { return e.name == g.name; });
+    if (found == entries.end()) continue;
+    Gain gain{g.name, found->field->unit, g.lower, g.upper, g.scale, {}};
+    for (const auto& set : sets) gain.values.push_back(set ? value(*set, *found) : NAN);
+    gains.push_back(std::move(gain));
+  }
+  return gains;
+}
+
+}  // namespace armtune::report
