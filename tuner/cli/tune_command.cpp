@@ -218,12 +218,14 @@ int run(Arguments args, Team& team) {
                             {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}},
                             study.space.start.obstacleInfluenceRadius);
   });
+  const bool seen = report.find("report.html") != std::string::npos;
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
       "study.yaml, run.yaml{}{}; the start's in start/\n"
-      "next: {} compare {}/start {}\n",
+      "next: {}{} compare {}/start {}\n",
       args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
-      report, program_name(), args.folder, args.folder);
+      report, seen ? fmt::format("open {}/report.html in a browser; or ", args.folder) : "", program_name(),
+      args.folder, args.folder);
   if (result.interrupted || stop_requested()) {
     fmt::print("interrupted: {}; to go on: {} tune --resume {}\n",
                result.interrupted ? "the search was not finished"
