@@ -9,9 +9,9 @@ find_package(CLI11 REQUIRED)
 find_package(NLopt REQUIRED)
 find_package(Threads REQUIRED)
 
-# SuiteSparse 5 ships no CMake package that names SPQR.
+# SuiteSparse 5 ships no CMake package that names SPQR and CHOLMOD.
 set(SUITESPARSE_VERSION "not built in")
-if(ARMTUNE_IDENTIFICATION)
+if(ARMTUNE_SUITESPARSE)
   find_path(SPQR_INCLUDE_DIR SuiteSparseQR.hpp PATH_SUFFIXES suitesparse REQUIRED)
   find_library(SPQR_LIBRARY spqr REQUIRED)
   find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
@@ -21,6 +21,9 @@ if(ARMTUNE_IDENTIFICATION)
   add_library(SuiteSparse::spqr INTERFACE IMPORTED GLOBAL)
   target_include_directories(SuiteSparse::spqr SYSTEM INTERFACE ${SPQR_INCLUDE_DIR})
   target_link_libraries(SuiteSparse::spqr INTERFACE ${SPQR_LIBRARY} ${CHOLMOD_LIBRARY})
+  add_library(SuiteSparse::cholmod INTERFACE IMPORTED GLOBAL)
+  target_include_directories(SuiteSparse::cholmod SYSTEM INTERFACE ${SPQR_INCLUDE_DIR})
+  target_link_libraries(SuiteSparse::cholmod INTERFACE ${CHOLMOD_LIBRARY})
 endif()
 
 # Only the C interface: MPI::MPI_C.

@@ -9,10 +9,11 @@ foreach(room core sim tuner)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/armtune
     FILES_MATCHING PATTERN "*.hpp" PATTERN "web" EXCLUDE)
 endforeach()
-if(ARMTUNE_IDENTIFICATION)
-  install(TARGETS armtune_identification EXPORT armtune_identification ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT armtune_identification NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
-    FILE armtuneIdentificationTargets.cmake)
+if(ARMTUNE_SUITESPARSE)
+  install(TARGETS armtune_identification armtune_planning EXPORT armtune_suitesparse
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT armtune_suitesparse NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
+    FILE armtuneSuiteSparseTargets.cmake)
 endif()
 install(EXPORT armtune NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
   FILE armtuneTargets.cmake)

@@ -58,7 +58,7 @@ int run(int argc, char** argv) {
   cli::add_robustness_command(app, exit_code);
   cli::add_margins_command(app, exit_code);
   cli::add_report_command(app, exit_code);
-#ifdef ARMTUNE_IDENTIFICATION
+#ifdef ARMTUNE_SUITESPARSE
   cli::add_excite_command(app, exit_code);
   cli::add_identify_command(app, exit_code);
 #endif

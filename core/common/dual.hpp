@@ -1,0 +1,72 @@
+#pragma once
+// A number that carries its derivatives along N directions, so that every kernel over a scalar type gives
+// exact Jacobians: forward-mode differentiation (Griewank and Walther, Evaluating Derivatives, chapter 3).
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace armtune {
+
+template <int N>
+struct Dual {
+  double value = 0.0;
+  Eigen::Array<double, N, 1> slope = Eigen::Array<double, N, 1>::Zero();
+
+  Dual() = default;
+  Dual(double constant)
+      : value(constant) {}  // NOLINT(google-explicit-constructor): a constant is a number, too
+  Dual(double v, const Eigen::Array<double, N, 1>& d) : value(v), slope(d) {}
+  /// The variable of direction k.
+  static Dual variable(double v, int k) {
+    Dual x(v);
+    x.slope[k] = 1.0;
+    return x;
+  }
+
+  Dual operator-() const { return {-value, -slope}; }
+  Dual& operator+=(const Dual& b) { return *this = *this + b; }
+  Dual& operator-=(const Dual& b) { return *this = *this - b; }
+  Dual& operator*=(const Dual& b) { return *this = *this * b; }
+  Dual& operator/=(const Dual& b) { return *this = *this / b; }
+
+  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.slope + b.slope}; }
+  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.slope - b.slope}; }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    return {a.value * b.value, a.slope * b.value + b.slope * a.value};
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const double quotient = a.value / b.value;
+    return {quotient, (a.slope - b.slope * quotient) / b.value};
+  }
+  friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
+  friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
+  friend bool operator>(const Dual& a, const Dual& b) { return a.value > b.value; }
+  friend Dual sin(const Dual& a) { return {std::sin(a.value), a.slope * std::cos(a.value)}; }
+  friend Dual cos(const Dual& a) { return {std::cos(a.value), a.slope * -std::sin(a.value)}; }
+  friend Dual exp(const Dual& a) {
+    const double e = std::exp(a.value);
+    return {e, a.slope * e};
+  }
+  friend Dual sqrt(const Dual& a) {
+    const double root = std::sqrt(a.value);
+    return {root, a.slope / (2.0 * root)};
+  }
+};
+
+}  // namespace armtune
+
+template <int N>
+struct Eigen::NumTraits<armtune::Dual<N>> : Eigen::NumTraits<double> {
+  using Real = armtune::Dual<N>;
+  using NonInteger = armtune::Dual<N>;
+  using Nested = armtune::Dual<N>;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 1,
+    AddCost = N,
+    MulCost = 3 * N
+  };
+};

@@ -1,0 +1,157 @@
+#pragma once
+// Exact derivatives of the inverse dynamics along q, q' and q''. Singh, Russell, Wensing, Efficient
+// analytical derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022; spatial vectors
+// about the base frame's origin, in its axes, as (angular, linear). Featherstone, Rigid Body Dynamics
+// Algorithms, chapter 2.
+
+#include "core/robot/friction.hpp"
+#include "core/robot/kinematics.hpp"
+
+namespace armtune {
+
+/// tau of `inverse_dynamics` (n) and what it changes by along q, q', q'' (n x n each).
+template <typename T>
+struct InverseDynamicsDerivativesT {
+  JointVectorT<T> tau;     ///< [N m, N]
+  JointMatrixT<T> by_q;    ///< [per rad, m]
+  JointMatrixT<T> by_qd;   ///< [per rad/s, m/s]
+  JointMatrixT<T> by_qdd;  ///< M + D
+};
+using InverseDynamicsDerivatives = InverseDynamicsDerivativesT<double>;
+
+namespace spatial {
+
+template <typename T>
+using Matrix = Eigen::Matrix<T, 6, 6>;
+
+template <typename T>
+Mat3T<T> skew(const Vec3T<T>& a) {
+  Mat3T<T> S;
+  S << T(0), -a.z(), a.y(), a.z(), T(0), -a.x(), -a.y(), a.x(), T(0);
+  return S;
+}
+
+/// v x m of motion vectors.
+template <typename T>
+Vec6T<T> cross(const Vec6T<T>& v, const Vec6T<T>& m) {
+  const Vec3T<T> w = v.template head<3>();
+  Vec6T<T> result;
+  result.template head<3>() = w.cross(m.template head<3>());
+  result.template tail<3>() =
+      w.cross(m.template tail<3>()) + v.template tail<3>().cross(m.template head<3>());
+  return result;
+}
+
+/// v x* f of a motion and a force vector (moment, force).
+template <typename T>
+Vec6T<T> cross_force(const Vec6T<T>& v, const Vec6T<T>& f) {
+  const Vec3T<T> w = v.template head<3>();
+  Vec6T<T> result;
+  result.template head<3>() =
+      w.cross(f.template head<3>()) + v.template tail<3>().cross(f.template tail<3>());
+  result.template tail<3>() = w.cross(f.template tail<3>());
+  return result;
+}
+
+/// Inertia of a body about the base frame's origin. R_0B, p_0B: its pose.
+template <typename T>
+Matrix<T> inertia(const LinkInertiaT<T>& link, const Mat3T<T>& R_0B, const Vec3T<T>& p_0B) {
+  const Vec3T<T> h = R_0B * link.first_moment;
+  const Mat3T<T> P = skew<T>(p_0B);
+  const Mat3T<T> H = skew<T>(h);
+  Matrix<T> I;
+  I.template topLeftCorner<3, 3>() =
+      R_0B * link.inertia * R_0B.transpose() - P * H - H * P - link.mass * P * P;
+  I.template topRightCorner<3, 3>() = H + link.mass * P;
+  I.template bottomLeftCorner<3, 3>() = -I.template topRightCorner<3, 3>();
+  I.template bottomRightCorner<3, 3>() = link.mass * Mat3T<T>::Identity();
+  return I;
+}
+
+/// 2 B(I, v) = (v x*) I - I (v x) + (I v) x*-bar, which takes a joint's motion to what the velocity products
+/// of the bodies beyond it change by.
+template <typename T>
+Matrix<T> twice_B(const Matrix<T>& I, const Vec6T<T>& v) {
+  const Mat3T<T> W = skew<T>(v.template head<3>());
+  const Mat3T<T> V = skew<T>(v.template tail<3>());
+  Matrix<T> motion;
+  motion << W, Mat3T<T>::Zero(), V, W;
+  const Vec6T<T> momentum = I * v;
+  const Mat3T<T> N = skew<T>(momentum.template head<3>());
+  const Mat3T<T> F = skew<T>(momentum.template tail<3>());
+  Matrix<T> result = -motion.transpose() * I - I * motion;  // v x* = -(v x)^T
+  result.template topLeftCorner<3, 3>() -= N;
+  result.template topRightCorner<3, 3>() -= F;
+  result.template bottomLeftCorner<3, 3>() -= F;
+  return result;
+}
+
+}  // namespace spatial
+
+/// q', q'' (n) [rad, m and per s, s^2]; poses from `forward_kinematics` at q.
+template <typename T>
+void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                                  const JointVectorT<T>& qdd, InverseDynamicsDerivativesT<T>& out) {
+  const int n = chain.n;
+  std::array<Vec6T<T>, kMaxJoints> S;         // motion of joint i
+  std::array<Vec6T<T>, kMaxJoints> S_rate;    // v_parent x S: along q, the velocity's change
+  std::array<Vec6T<T>, kMaxJoints> S_rate_2;  // a_parent x S + v_parent x (v_parent x S)
+  std::array<Vec6T<T>, kMaxJoints> f;         // force on the body, then on all bodies beyond as well
+  std::array<spatial::Matrix<T>, kMaxJoints> I;
+  std::array<spatial::Matrix<T>, kMaxJoints> B2;
+  Vec6T<T> v = Vec6T<T>::Zero();
+  Vec6T<T> a;
+  a << Vec3T<T>::Zero(), -chain.gravity;
+  for (int i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Vec3T<T> z = poses.R_0B[k].col(2);
+    if (chain.motion[k] == JointMotion::kRevolute) {
+      S[k] << z, poses.p_0B[k].cross(z);
+    } else {
+      S[k] << Vec3T<T>::Zero(), z;
+    }
+    S_rate[k] = spatial::cross<T>(v, S[k]);
+    S_rate_2[k] = spatial::cross<T>(a, S[k]) + spatial::cross<T>(v, S_rate[k]);
+    v += S[k] * qd[i];
+    a += S[k] * qdd[i] + S_rate[k] * qd[i];
+    I[k] = spatial::inertia<T>(chain.link[k], poses.R_0B[k], poses.p_0B[k]);
+    B2[k] = spatial::twice_B<T>(I[k], v);
+    f[k] = I[k] * a + spatial::cross_force<T>(v, Vec6T<T>(I[k] * v));
+  }
+  out.tau.resize(n);
+  out.by_q.resize(n, n);
+  out.by_qd.resize(n, n);
+  out.by_qdd.resize(n, n);
+  for (int i = n - 1; i >= 0; --i) {
+    const auto k = static_cast<std::size_t>(i);
+    // The motion of joint i as the forces beyond it feel it ...
+    const Vec6T<T> own_rate = Vec6T<T>(T(2) * S_rate[k]);  // v_i x S_i = v_parent x S_i
+    const Vec6T<T> along_q = B2[k] * S_rate[k] + I[k] * S_rate_2[k] + spatial::cross_force<T>(S[k], f[k]);
+    const Vec6T<T> along_qd = B2[k] * S[k] + I[k] * own_rate;
+    const Vec6T<T> along_qdd = I[k] * S[k];
+    // ... and the same matrices from the left, for the torque of joint i along the joints before it.
+    const Vec6T<T> left_B = B2[k].transpose() * S[k];
+    out.tau[i] = S[k].dot(f[k]) + chain.rotor_inertia[i] * qdd[i] + chain.viscous_friction[i] * qd[i] +
+                 chain.coulomb_friction[i] * coulomb_direction(qd[i]);
+    for (int j = 0; j <= i; ++j) {
+      const auto l = static_cast<std::size_t>(j);
+      out.by_q(j, i) = S[l].dot(along_q);
+      out.by_qd(j, i) = S[l].dot(along_qd);
+      out.by_qdd(j, i) = out.by_qdd(i, j) = S[l].dot(along_qdd);
+      if (j == i) continue;
+      out.by_q(i, j) = left_B.dot(S_rate[l]) + along_qdd.dot(S_rate_2[l]);
+      out.by_qd(i, j) = left_B.dot(S[l]) + T(2) * along_qdd.dot(S_rate[l]);
+    }
+    const T direction = coulomb_direction(qd[i]);
+    out.by_qd(i, i) += chain.viscous_friction[i] +
+                       chain.coulomb_friction[i] * (T(1) - direction * direction) / T(kCoulombVelocity);
+    out.by_qdd(i, i) += chain.rotor_inertia[i];
+    if (i > 0) {
+      f[k - 1] += f[k];
+      I[k - 1] += I[k];
+      B2[k - 1] += B2[k];
+    }
+  }
+}
+
+}  // namespace armtune

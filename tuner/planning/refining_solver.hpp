@@ -1,0 +1,26 @@
+#pragma once
+// A trajectory on a fine grid by way of coarse ones: where everything is far from its place the work is
+// cheap, and the fine grid begins beside its solution.
+
+#include <memory>
+
+#include "tuner/planning/solver/sequential_quadratic.hpp"
+#include "tuner/planning/transcription/trajectory_program.hpp"
+
+namespace armtune {
+
+/// The task on a grid; grids differ in their numbers of intervals only.
+using TaskOnGrid = std::function<TrajectoryTask(const TimeGrid&)>;
+
+struct PlannedTrajectory {
+  Trajectory trajectory;
+  SequentialQuadraticResult result;
+  std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid
+  int interior_iterations = 0;                 ///< on all grids
+};
+
+/// Solves on `grid` from the guess on.
+PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
+                                 const SequentialQuadraticOptions& options, const PlanObserver& observer);
+
+}  // namespace armtune

@@ -1,0 +1,67 @@
+#include "tuner/planning/solver/block_rows.hpp"
+
+namespace armtune {
+
+int BlockRows::add(int rows, const std::vector<int>& columns) {
+  RowBlock block;
+  block.first_row = rows_;
+  block.rows = rows;
+  block.first_column = static_cast<int>(columns_.size());
+  block.columns = static_cast<int>(columns.size());
+  block.first_value = static_cast<int>(values_.size());
+  columns_.insert(columns_.end(), columns.begin(), columns.end());
+  values_.resize(values_.size() + static_cast<std::size_t>(rows) * columns.size(), 0.0);
+  rows_ += rows;
+  blocks_.push_back(block);
+  return static_cast<int>(blocks_.size()) - 1;
+}
+
+int BlockRows::add_diagonal(const std::vector<int>& columns) {
+  RowBlock block;
+  block.first_row = rows_;
+  block.rows = static_cast<int>(columns.size());
+  block.first_column = static_cast<int>(columns_.size());
+  block.columns = block.rows;
+  block.first_value = static_cast<int>(values_.size());
+  block.diagonal = true;
+  columns_.insert(columns_.end(), columns.begin(), columns.end());
+  values_.resize(values_.size() + columns.size(), 0.0);
+  rows_ += block.rows;
+  blocks_.push_back(block);
+  return static_cast<int>(blocks_.size()) - 1;
+}
+
+void BlockRows::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) const {
+  result.resize(rows_);
+  for (const RowBlock& block : blocks_) {
+    const int* column = columns(block);
+    const double* value = values(block);
+    double* out = result.data() + block.first_row;
+    if (block.diagonal) {
+      for (int i = 0; i < block.rows; ++i) out[i] = value[i] * x[column[i]];
+      continue;
+    }
+    for (int i = 0; i < block.rows; ++i, value += block.columns) {
+      double sum = 0.0;
+      for (int j = 0; j < block.columns; ++j) sum += value[j] * x[column[j]];
+      out[i] = sum;
+    }
+  }
+}
+
+void BlockRows::add_transposed(const Eigen::VectorXd& y, Eigen::VectorXd& result) const {
+  for (const RowBlock& block : blocks_) {
+    const int* column = columns(block);
+    const double* value = values(block);
+    const double* weight = y.data() + block.first_row;
+    if (block.diagonal) {
+      for (int i = 0; i < block.rows; ++i) result[column[i]] += value[i] * weight[i];
+      continue;
+    }
+    for (int i = 0; i < block.rows; ++i, value += block.columns) {
+      for (int j = 0; j < block.columns; ++j) result[column[j]] += value[j] * weight[i];
+    }
+  }
+}
+
+}  // namespace armtune

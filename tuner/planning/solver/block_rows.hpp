@@ -1,0 +1,46 @@
+#pragma once
+// Many rows of a sparse Jacobian, stored as small dense blocks: the rows that one knot of a trajectory, or
+// one interval between two, gives to a program. The pattern is laid out once; only the values change.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace armtune {
+
+/// A group of neighbouring rows that depend on the same columns.
+struct RowBlock {
+  int first_row = 0;
+  int rows = 0;
+  int first_column = 0;  ///< in BlockRows::columns
+  int columns = 0;
+  int first_value = 0;    ///< in BlockRows::values: rows x columns, row by row; a diagonal block: one a row
+  bool diagonal = false;  ///< row i depends on column i only
+};
+
+class BlockRows {
+ public:
+  /// Adds rows that depend on `columns` (strictly ascending). Returns the block's index.
+  int add(int rows, const std::vector<int>& columns);
+  /// Adds one row for each of `columns`, which depends on that column only.
+  int add_diagonal(const std::vector<int>& columns);
+
+  int rows() const { return rows_; }
+  const std::vector<RowBlock>& blocks() const { return blocks_; }
+  const RowBlock& block(int index) const { return blocks_[static_cast<std::size_t>(index)]; }
+  const int* columns(const RowBlock& block) const { return columns_.data() + block.first_column; }
+  double* values(const RowBlock& block) { return values_.data() + block.first_value; }
+  const double* values(const RowBlock& block) const { return values_.data() + block.first_value; }
+
+  /// result = J x.
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) const;
+  /// result += J^T y.
+  void add_transposed(const Eigen::VectorXd& y, Eigen::VectorXd& result) const;
+
+ private:
+  int rows_ = 0;
+  std::vector<RowBlock> blocks_;
+  std::vector<int> columns_;
+  std::vector<double> values_;
+};
+
+}  // namespace armtune

@@ -1,0 +1,32 @@
+#include "tuner/planning/solver/curvature_blocks.hpp"
+
+namespace armtune {
+
+int CurvatureBlocks::add(const std::vector<int>& columns) {
+  Block block;
+  block.columns = static_cast<int>(columns.size());
+  block.first_column = static_cast<int>(columns_.size());
+  block.first_value = static_cast<int>(values_.size());
+  columns_.insert(columns_.end(), columns.begin(), columns.end());
+  values_.resize(values_.size() + columns.size() * columns.size(), 0.0);
+  blocks_.push_back(block);
+  return static_cast<int>(blocks_.size()) - 1;
+}
+
+CurvatureBlocks::Values CurvatureBlocks::values(int index) {
+  const Block& block = blocks_[static_cast<std::size_t>(index)];
+  return {values_.data() + block.first_value, block.columns, block.columns};
+}
+
+void CurvatureBlocks::add_product(const Eigen::VectorXd& x, Eigen::VectorXd& result) const {
+  for (const Block& block : blocks_) {
+    const int* column = columns(block);
+    const double* value = values_.data() + block.first_value;
+    for (int j = 0; j < block.columns; ++j) {
+      const double xj = x[column[j]];
+      for (int i = 0; i < block.columns; ++i) result[column[i]] += *value++ * xj;
+    }
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,106 @@
+#include "tuner/planning/solver/normal_matrix.hpp"
+
+#include <algorithm>
+
+namespace armtune {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The place of (row, column), row >= column, in a laid out matrix.
+int place_of(const SymmetricMatrix& matrix, int row, int column) {
+  const auto c = static_cast<std::size_t>(column);
+  const auto begin = matrix.rows.begin() + matrix.column_starts[c];
+  const auto end = matrix.rows.begin() + matrix.column_starts[c + 1];
+  return static_cast<int>(std::lower_bound(begin, end, row) - matrix.rows.begin());
+}
+
+}  // namespace
+
+template <typename Visit>
+void NormalMatrix::for_dense_blocks(const Visit& visit) const {
+  for (const CurvatureBlocks::Block& block : curvature_.blocks())
+    visit(curvature_.columns(block), block.columns);
+  for (const BlockRows* part : parts_) {
+    for (const RowBlock& block : part->blocks()) {
+      if (!block.diagonal) visit(part->columns(block), block.columns);
+    }
+  }
+}
+
+NormalMatrix::NormalMatrix(int size, const CurvatureBlocks& curvature,
+                           const std::vector<const BlockRows*>& parts)
+    : curvature_(curvature), parts_(parts) {
+  std::vector<std::vector<int>> rows_of(static_cast<std::size_t>(size));
+  for (int c = 0; c < size; ++c) rows_of[static_cast<std::size_t>(c)].push_back(c);
+  for_dense_blocks([&](const int* column, int columns) {
+    for (int j = 0; j < columns; ++j) {
+      auto& rows = rows_of[static_cast<std::size_t>(column[j])];
+      rows.insert(rows.end(), column + j + 1, column + columns);
+      // Duplicates must not pile up where thousands of blocks share a column.
+      if (rows.size() > 256 && rows.size() == rows.capacity()) {
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      }
+    }
+  });
+  matrix_.size = size;
+  matrix_.column_starts.reserve(static_cast<std::size_t>(size) + 1);
+  matrix_.column_starts.push_back(0);
+  for (auto& rows : rows_of) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    matrix_.rows.insert(matrix_.rows.end(), rows.begin(), rows.end());
+    matrix_.column_starts.push_back(static_cast<int>(matrix_.rows.size()));
+    rows = {};
+  }
+  matrix_.values.assign(matrix_.rows.size(), 0.0);
+  diagonal_places_.assign(matrix_.column_starts.begin(), matrix_.column_starts.end() - 1);
+  for_dense_blocks([&](const int* column, int columns) {
+    for (int j = 0; j < columns; ++j) {
+      for (int i = j; i < columns; ++i) places_.push_back(place_of(matrix_, column[i], column[j]));
+    }
+  });
+}
+
+void NormalMatrix::assemble(const Eigen::VectorXd& diagonal,
+                            const std::vector<const Eigen::VectorXd*>& weights) {
+  std::fill(matrix_.values.begin(), matrix_.values.end(), 0.0);
+  double* K = matrix_.values.data();
+  for (Eigen::Index c = 0; c < diagonal.size(); ++c)
+    K[diagonal_places_[static_cast<std::size_t>(c)]] = diagonal[c];
+  const int* place = places_.data();
+  for (const CurvatureBlocks::Block& block : curvature_.blocks()) {
+    const auto values = curvature_.values(block);
+    for (int j = 0; j < block.columns; ++j) {
+      for (int i = j; i < block.columns; ++i) K[*place++] += values(i, j);
+    }
+  }
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const BlockRows& part = *parts_[p];
+    const double* weight = weights[p]->size() == 0 ? nullptr : weights[p]->data();
+    for (const RowBlock& block : part.blocks()) {
+      const double* value = part.values(block);
+      const double* w = weight == nullptr ? nullptr : weight + block.first_row;
+      if (block.diagonal) {
+        const int* column = part.columns(block);
+        for (int i = 0; i < block.rows; ++i)
+          K[diagonal_places_[static_cast<std::size_t>(column[i])]] +=
+              value[i] * value[i] * (w == nullptr ? 1.0 : w[i]);
+        continue;
+      }
+      const Eigen::Map<const RowMajor> J(value, block.rows, block.columns);
+      if (w == nullptr) {
+        product_.noalias() = J.transpose().lazyProduct(J);
+      } else {
+        weighted_ = Eigen::Map<const Eigen::VectorXd>(w, block.rows).asDiagonal() * J;
+        product_.noalias() = weighted_.transpose().lazyProduct(J);
+      }
+      for (int j = 0; j < block.columns; ++j) {
+        for (int i = j; i < block.columns; ++i) K[*place++] += product_(i, j);
+      }
+    }
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,25 @@
+#pragma once
+// min  |R x|^2 / 2 + x^T C x / 2 + sum_i damping_i x_i^2 / 2 + gradient^T x + sum_i penalty_i * violation_i
+// s.t. lower_i <= G_i x <= upper_i, or violated by violation_i >= 0 where the row's penalty is finite.
+
+#include "tuner/planning/solver/block_rows.hpp"
+#include "tuner/planning/solver/curvature_blocks.hpp"
+
+namespace armtune {
+
+struct RowBounds {
+  Eigen::VectorXd lower;    ///< -inf: none; equal to upper: an equation
+  Eigen::VectorXd upper;    ///< +inf: none
+  Eigen::VectorXd penalty;  ///< l1 weight of a violation; inf: the row is hard
+};
+
+struct QuadraticProgram {
+  const BlockRows* residuals = nullptr;        ///< R
+  const CurvatureBlocks* curvature = nullptr;  ///< C
+  const BlockRows* rows = nullptr;             ///< G
+  RowBounds bounds;
+  Eigen::VectorXd gradient;
+  Eigen::VectorXd damping;  ///< >= 0
+};
+
+}  // namespace armtune

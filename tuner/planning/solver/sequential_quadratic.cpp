@@ -1,0 +1,216 @@
+#include "tuner/planning/solver/sequential_quadratic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kAccept = 1e-4;  // least part of the predicted decrease
+constexpr double kMargin = 1e-5;  // of the filter
+constexpr int kHalvings = 4;      // of a step before its damping grows instead
+constexpr double kPriceFactor = 100.0;
+constexpr double kHighestPrice = 100.0;
+constexpr double kLargestDamping = 1e10;
+constexpr double kSmallestDamping = 1e-12;
+
+double violation(const RowBounds& bounds, Index i, double value) {
+  return std::max({0.0, bounds.lower[i] - value, value - bounds.upper[i]});
+}
+
+struct Judged {
+  double objective = 0.0;
+  double violation = 0.0;  ///< mean over the knots
+  double largest = 0.0;
+};
+
+class Solver {
+ public:
+  Solver(NonlinearProgram& program, const SequentialQuadraticOptions& options)
+      : program_(program),
+        options_(options),
+        interior_(program.variables(), program.residuals, program.curvature, program.rows) {
+    quadratic_.residuals = &program.residuals;
+    quadratic_.rows = &program.rows;
+    quadratic_.curvature = &program.curvature;
+    quadratic_.bounds = program.bounds;
+  }
+
+  SequentialQuadraticResult run(VectorXd z, VectorXd y, const PlanObserver& observer) {
+    SequentialQuadraticResult result;
+    auto& now = result.last;
+    const bool warm = y.size() == program_.rows.rows();
+    if (!warm) y.setZero(program_.rows.rows());
+    now.damping = options_.damping;
+    double mu = warm ? 1e-4 : 1.0;
+    program_.linearize(z, residual_, row_);
+    for (;; ++now.iteration) {
+      measure(z, y, now);
+      if (now.stationarity <= options_.stationarity && now.violation <= options_.violation &&
+          now.complementarity <= options_.complementarity) {
+        result.status = PlanStatus::kSolved;
+        break;
+      }
+      if (now.stationarity <= options_.stationarity && now.complementarity <= options_.complementarity &&
+          at_penalty(y)) {
+        // What is violated stays violated at this price. A higher one, then it is settled.
+        if (price_ >= kHighestPrice) {
+          result.status = PlanStatus::kInfeasible;
+          break;
+        }
+        price_ *= kPriceFactor;
+        quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
+        filter_.clear();
+        mu = 1.0;
+      }
+      if (observer && !observer(now)) {
+        result.status = PlanStatus::kInterrupted;
+        break;
+      }
+      if (now.iteration == options_.max_iterations) break;
+      if (!advance(z, y, mu, now)) break;
+    }
+    result.z = std::move(z);
+    result.multipliers = std::move(y);
+    return result;
+  }
+
+ private:
+  void measure(const VectorXd& z, const VectorXd& y, SequentialQuadraticProgress& now) {
+    gradient_ = program_.cost;
+    program_.residuals.add_transposed(residual_, gradient_);
+    VectorXd lagrangian = gradient_;
+    program_.rows.add_transposed(y, lagrangian);
+    now.stationarity = lagrangian.lpNorm<Eigen::Infinity>();
+    now.objective = program_.cost.dot(z) + 0.5 * residual_.squaredNorm();
+    now.violation = 0.0;
+    now.complementarity = 0.0;
+    for (Index i = 0; i < row_.size(); ++i) {
+      const double v = violation(program_.bounds, i, row_[i]);
+      now.violation = std::max(now.violation, v);
+      if (v > options_.violation) continue;
+      const double bound = y[i] > 0.0 ? program_.bounds.upper[i] : program_.bounds.lower[i];
+      const double slack = std::isfinite(bound) ? std::abs(row_[i] - bound) : 1.0;
+      now.complementarity = std::max(now.complementarity, std::abs(y[i]) * slack);
+    }
+  }
+
+  /// Whether a violated row pulls with all it may.
+  bool at_penalty(const VectorXd& y) const {
+    for (Index i = 0; i < row_.size(); ++i) {
+      if (violation(program_.bounds, i, row_[i]) > options_.violation &&
+          std::abs(y[i]) > 0.99 * quadratic_.bounds.penalty[i])
+        return true;
+    }
+    return false;
+  }
+
+  /// Objective and mean violation: what a step is judged by.
+  Judged judge(const VectorXd& z, const VectorXd& residual, const VectorXd& row) const {
+    Judged at;
+    at.objective = program_.cost.dot(z) + 0.5 * residual.squaredNorm();
+    for (Index i = 0; i < row.size(); ++i) {
+      const double v = violation(program_.bounds, i, row[i]);
+      at.violation += v;
+      at.largest = std::max(at.largest, v);
+    }
+    at.violation *= program_.metric[0];
+    return at;
+  }
+
+  /// One step; false if none can be found.
+  bool advance(VectorXd& z, VectorXd& y, double& mu, SequentialQuadraticProgress& now) {
+    program_.curve(z, y);
+    for (;;) {
+      quadratic_.gradient = gradient_;
+      quadratic_.damping = now.damping * program_.metric;
+      quadratic_.bounds.lower = program_.bounds.lower - row_;
+      quadratic_.bounds.upper = program_.bounds.upper - row_;
+      for (Index i = 0; i < row_.size(); ++i) {  // equations stay equations, to the last bit
+        if (program_.bounds.lower[i] == program_.bounds.upper[i])
+          quadratic_.bounds.lower[i] = quadratic_.bounds.upper[i];
+      }
+      InteriorPointOptions interior;
+      interior.start_mu = mu;
+      VectorXd p = VectorXd::Zero(z.size());
+      VectorXd multipliers = y;
+      const InteriorPointResult solved = interior_.solve(quadratic_, interior, p, multipliers);
+      now.interior_iterations += solved.iterations;
+      if (solved.infeasibility < 1e-5 && p.allFinite()) {
+        const Judged before = judge(z, residual_, row_);
+        program_.residuals.multiply(p, change_r_);
+        program_.rows.multiply(p, change_c_);
+        Judged model = judge(z + p, residual_ + change_r_, row_ + change_c_);
+        VectorXd Cp = VectorXd::Zero(p.size());
+        program_.curvature.add_product(p, Cp);
+        model.objective += 0.5 * p.dot(Cp);
+        if (now.iteration == 0) largest_allowed_ = std::max(0.3, 2.0 * before.largest);
+        double alpha = 1.0;
+        for (int halving = 0; halving <= kHalvings; ++halving, alpha *= 0.5) {
+          const VectorXd next = z + alpha * p;
+          program_.evaluate(next, trial_r_, trial_c_);
+          const Judged after = judge(next, trial_r_, trial_c_);
+          if (!acceptable(before, model, after, alpha)) continue;
+          if (alpha == 1.0)
+            now.damping = std::max(kSmallestDamping, now.damping * 0.1);
+          else if (alpha < 0.5)
+            now.damping = std::min(kLargestDamping, std::max(now.damping, 1e-6) * 4.0);
+          now.step = alpha * p.lpNorm<Eigen::Infinity>();
+          z = next;
+          y += alpha * (multipliers - y);
+          mu = std::clamp(1e-2 * now.step * now.step, 1e-8, 1.0);
+          program_.linearize(z, residual_, row_);
+          return true;
+        }
+      } else {
+        mu = 1.0;
+      }
+      if (now.damping >= kLargestDamping) return false;
+      now.damping = std::max(now.damping, 1e-6) * 10.0;
+    }
+  }
+
+  /// The filter: better in objective or in violation than every point it remembers, and, where the model
+  /// promises a better objective and violation is small, better in objective by part of what is promised.
+  bool acceptable(const Judged& before, const Judged& model, const Judged& after, double alpha) {
+    if (!std::isfinite(after.objective) || !std::isfinite(after.violation) ||
+        after.largest > largest_allowed_)
+      return false;
+    const double noise = 1e-12 * std::max(1.0, std::abs(before.objective));
+    const auto better = [&](const Judged& than) {
+      return after.violation <= (1.0 - kMargin) * than.violation || after.violation <= 1e-11 ||
+             after.objective <= than.objective - kMargin * than.violation;
+    };
+    for (const Judged& remembered : filter_) {
+      if (!better(remembered)) return false;
+    }
+    const double promised = alpha * (before.objective - model.objective);
+    if (promised > noise && promised > before.violation) {
+      return after.objective <= before.objective - kAccept * promised + noise;
+    }
+    if (!better(before) && after.violation > before.violation + 1e-11) return false;
+    filter_.push_back(before);
+    return true;
+  }
+
+  NonlinearProgram& program_;
+  const SequentialQuadraticOptions& options_;
+  InteriorPoint interior_;
+  QuadraticProgram quadratic_;
+  std::vector<Judged> filter_;
+  double largest_allowed_ = 0.0;
+  double price_ = 1.0;  ///< of violations, times their penalty
+  VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
+};
+
+}  // namespace
+
+SequentialQuadraticResult solve(NonlinearProgram& program, VectorXd z, VectorXd multipliers,
+                                const SequentialQuadraticOptions& options, const PlanObserver& observer) {
+  return Solver(program, options).run(std::move(z), std::move(multipliers), observer);
+}
+
+}  // namespace armtune

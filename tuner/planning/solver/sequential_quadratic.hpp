@@ -1,0 +1,47 @@
+#pragma once
+// Gauss-Newton sequential quadratic programming with an l1 merit function (Nocedal and Wright, Numerical
+// Optimization, chapter 18.5: S l1 QP) and Levenberg-Marquardt damping in place of a trust region.
+
+#include <functional>
+
+#include "tuner/planning/solver/interior_point.hpp"
+#include "tuner/planning/solver/nonlinear_program.hpp"
+
+namespace armtune {
+
+struct SequentialQuadraticOptions {
+  int max_iterations = 200;
+  double stationarity = 1e-6;     ///< largest entry of the Lagrangian's gradient
+  double violation = 1e-8;        ///< largest violation of a row
+  double complementarity = 1e-6;  ///< largest |multiplier| x distance from its bound
+  double damping = 1e-3;          ///< to begin with
+};
+
+enum class PlanStatus { kSolved, kInfeasible, kStalled, kInterrupted };
+
+struct SequentialQuadraticProgress {
+  int iteration = 0;
+  int interior_iterations = 0;  ///< so far, of all subproblems
+  double objective = 0.0;
+  double violation = 0.0;
+  double stationarity = 0.0;
+  double complementarity = 0.0;
+  double damping = 0.0;
+  double step = 0.0;  ///< largest entry of the last step
+};
+
+struct SequentialQuadraticResult {
+  PlanStatus status = PlanStatus::kStalled;
+  SequentialQuadraticProgress last;
+  Eigen::VectorXd z;
+  Eigen::VectorXd multipliers;  ///< of the rows; > 0 pulls at the upper bound
+};
+
+/// Called after every iteration; false interrupts.
+using PlanObserver = std::function<bool(const SequentialQuadraticProgress&)>;
+
+/// Solves from z on. multipliers: empty, or where to start from.
+SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Eigen::VectorXd multipliers,
+                                const SequentialQuadraticOptions& options, const PlanObserver& observer);
+
+}  // namespace armtune

@@ -1,0 +1,85 @@
+#include "tuner/planning/solver/sparse_cholesky.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace armtune {
+
+struct SparseCholesky::Work {
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  // Of the solves, kept from one to the next.
+  cholmod_dense* solution = nullptr;
+  cholmod_dense* y = nullptr;
+  cholmod_dense* e = nullptr;
+
+  Work() { cholmod_start(&common); }
+  ~Work() {
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&y, &common);
+    cholmod_free_dense(&e, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+};
+
+namespace {
+
+cholmod_sparse view_of(const SymmetricMatrix& matrix) {
+  cholmod_sparse view{};  // of our own arrays, which CHOLMOD reads only
+  view.nrow = view.ncol = static_cast<std::size_t>(matrix.size);
+  view.nzmax = matrix.rows.size();
+  view.p = const_cast<int*>(matrix.column_starts.data());
+  view.i = const_cast<int*>(matrix.rows.data());
+  view.x = const_cast<double*>(matrix.values.data());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+}  // namespace
+
+SparseCholesky::SparseCholesky(const SymmetricMatrix& pattern) : work_(std::make_unique<Work>()) {
+  cholmod_common& common = work_->common;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_NATURAL;
+  common.postorder = 0;
+  common.final_ll = 1;  // L D L^T would pass over negative pivots
+  common.print = 0;
+  cholmod_sparse view = view_of(pattern);
+  work_->factor = cholmod_analyze(&view, &common);
+  if (work_->factor == nullptr) throw std::runtime_error("CHOLMOD failed, perhaps for want of memory");
+}
+
+SparseCholesky::~SparseCholesky() = default;
+
+bool SparseCholesky::factorize(const SymmetricMatrix& matrix) {
+  cholmod_sparse view = view_of(matrix);
+  cholmod_factorize(&view, work_->factor, &work_->common);
+  if (work_->common.status < CHOLMOD_OK)
+    throw std::runtime_error("CHOLMOD failed, perhaps for want of memory");
+  return work_->common.status == CHOLMOD_OK && work_->factor->minor == work_->factor->n;
+}
+
+void SparseCholesky::solve(Eigen::VectorXd& x) {
+  cholmod_dense right{};
+  right.nrow = right.nzmax = right.d = static_cast<std::size_t>(x.size());
+  right.ncol = 1;
+  right.x = x.data();
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  if (cholmod_solve2(CHOLMOD_A, work_->factor, &right, nullptr, &work_->solution, nullptr, &work_->y,
+                     &work_->e, &work_->common) == 0)
+    throw std::runtime_error("CHOLMOD failed, perhaps for want of memory");
+  std::copy_n(static_cast<const double*>(work_->solution->x), x.size(), x.data());
+}
+
+}  // namespace armtune

@@ -1,0 +1,45 @@
+#pragma once
+// What a task asks of the arm at a knot: torque limits, tool on a path, gaze at a target, distance from
+// obstacles. Lengths count relative to a tolerance or a radius, torques to their limit, so that violations
+// are relative.
+
+#include "core/robot/robot_model.hpp"
+#include "core/trajectory/harmonic_path.hpp"
+#include "tuner/planning/transcription/knot_term.hpp"
+
+namespace armtune {
+
+struct KnotRange {
+  int first = 0;
+  int last = 0;
+};
+
+/// |tau_i| <= margin * limit of every joint, by the arm's inverse dynamics.
+KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin);
+
+/// Tool within `tolerance` [m] of path(t) along x, y, z; 0: on it, in units of 1 m.
+KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const HarmonicPath& path, double tolerance);
+
+/// The tool moves with path(t): velocity and acceleration are the path's own [m/s, m/s^2].
+KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const HarmonicPath& path);
+
+/// Cost: the tool's distance from path(t); `weight` per (m^2).
+KnotTerm tool_path_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& path, double weight);
+
+/// Tool z within `angle` [rad] of the line to target(t).
+KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double angle);
+
+/// Cost: the sine of the angle between tool z and the line to target(t); `weight` per (rad^2).
+KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double weight);
+
+/// Every joint's origin at least `radius` [m] from obstacle(t), but those of joints before `first_joint`.
+KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name,
+                  const HarmonicPath& obstacle, double radius, int first_joint);
+
+/// A curve of the tool over a coordinate s: position [m] and its derivative.
+using ToolCurve = std::function<MotionPoint<Vec3>(double s)>;
+
+/// Tool at curve(s) in x, y, z, s being the path coordinate.
+KnotTerm tool_on_curve(const RobotModel& robot, KnotRange knots, const ToolCurve& curve, double tolerance);
+
+}  // namespace armtune

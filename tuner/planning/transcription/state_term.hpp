@@ -1,0 +1,44 @@
+#pragma once
+// A motion that is given at one knot.
+
+#include "tuner/planning/transcription/knot_term.hpp"
+
+namespace armtune {
+
+/// Position, velocity, acceleration of every coordinate [rad, m and per s, s^2]; empty: not given.
+struct GivenState {
+  Eigen::VectorXd position, velocity, acceleration;
+};
+
+/// Equations: the coordinates `names` move as given at the knot.
+inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names, int knot,
+                            const GivenState& given) {
+  KnotTerm term;
+  term.name = name;
+  term.first_knot = term.last_knot = knot;
+  term.lower = term.upper = 0.0;
+  term.linear = true;
+  term.on_velocity = given.velocity.size() > 0;
+  term.on_acceleration = given.acceleration.size() > 0;
+  const auto add = [&](const char* what) {
+    for (const std::string& coordinate : names) term.rows.push_back(coordinate + " " + what);
+  };
+  if (given.position.size() > 0) add("position");
+  if (given.velocity.size() > 0) add("velocity");
+  if (given.acceleration.size() > 0) add("acceleration");
+  term.evaluate = [given](const Knot& at, const KnotRows& out) {
+    int row = 0;
+    const auto put = [&](const Eigen::VectorXd& wanted, const JointVector& is, double path, double* by) {
+      for (Eigen::Index j = 0; j < wanted.size(); ++j, ++row) {
+        out.value[row] = (j < is.size() ? is[j] : path) - wanted[j];
+        if (by != nullptr) by[row * out.columns + j] = 1.0;
+      }
+    };
+    if (given.position.size() > 0) put(given.position, at.q, at.s, out.by_q);
+    if (given.velocity.size() > 0) put(given.velocity, at.qd, at.sd, out.by_qd);
+    if (given.acceleration.size() > 0) put(given.acceleration, at.qdd, at.sdd, out.by_qdd);
+  };
+  return term;
+}
+
+}  // namespace armtune

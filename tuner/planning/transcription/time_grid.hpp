@@ -1,0 +1,43 @@
+#pragma once
+// The time grid of a trajectory: phases of equal intervals; a phase's duration may be free.
+
+#include <string>
+#include <vector>
+
+namespace armtune {
+
+struct Phase {
+  std::string name;
+  int intervals = 1;
+  double duration = 1.0;  ///< [s]; a free one's first guess
+  bool free = false;
+  double shortest = 1e-3;  ///< of a free duration [s]
+  double longest = 1e3;
+};
+
+struct TimeGrid {
+  double start = 0.0;  ///< [s]
+  std::vector<Phase> phases;
+
+  int intervals() const {
+    int sum = 0;
+    for (const Phase& phase : phases) sum += phase.intervals;
+    return sum;
+  }
+  int knots() const { return intervals() + 1; }
+  /// First knot of a phase; that of the phase after the last one is the last knot.
+  int first_knot(int phase) const {
+    int knot = 0;
+    for (int p = 0; p < phase; ++p) knot += phases[static_cast<std::size_t>(p)].intervals;
+    return knot;
+  }
+  /// The phase an interval lies in.
+  int phase_of(int interval) const {
+    int p = 0;
+    while (interval >= phases[static_cast<std::size_t>(p)].intervals)
+      interval -= phases[static_cast<std::size_t>(p++)].intervals;
+    return p;
+  }
+};
+
+}  // namespace armtune

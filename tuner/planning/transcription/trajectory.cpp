@@ -1,0 +1,48 @@
+#include "tuner/planning/transcription/trajectory.hpp"
+
+#include <algorithm>
+
+namespace armtune {
+
+TrajectoryPoint point_at(const Trajectory& trajectory, double t) {
+  const auto& time = trajectory.time;
+  t = std::clamp(t, time.front(), time.back());
+  auto next = std::upper_bound(time.begin() + 1, time.end() - 1, t);
+  const auto k = static_cast<Eigen::Index>(next - time.begin()) - 1;
+  const double h = time[static_cast<std::size_t>(k) + 1] - time[static_cast<std::size_t>(k)];
+  const double s = t - time[static_cast<std::size_t>(k)];
+  const Eigen::VectorXd a0 = trajectory.acceleration.col(k);
+  const Eigen::VectorXd jerk = (trajectory.acceleration.col(k + 1) - a0) / h;
+  TrajectoryPoint point;
+  point.acceleration = a0 + s * jerk;
+  point.velocity = trajectory.velocity.col(k) + s * (a0 + s / 2.0 * jerk);
+  point.position =
+      trajectory.position.col(k) + s * (trajectory.velocity.col(k) + s / 2.0 * (a0 + s / 3.0 * jerk));
+  return point;
+}
+
+Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid) {
+  Trajectory fine;
+  fine.durations = trajectory.durations;
+  const Eigen::Index m = trajectory.position.rows();
+  const Eigen::Index knots = grid.knots();
+  fine.position.resize(m, knots);
+  fine.velocity.resize(m, knots);
+  fine.acceleration.resize(m, knots);
+  double start = trajectory.time.front();
+  Eigen::Index k = 0;
+  for (std::size_t p = 0; p < grid.phases.size(); ++p) {
+    const int intervals = grid.phases[p].intervals;
+    for (int i = p == 0 ? 0 : 1; i <= intervals; ++i, ++k) {
+      fine.time.push_back(start + fine.durations[p] * i / intervals);
+      const TrajectoryPoint point = point_at(trajectory, fine.time.back());
+      fine.position.col(k) = point.position;
+      fine.velocity.col(k) = point.velocity;
+      fine.acceleration.col(k) = point.acceleration;
+    }
+    start += fine.durations[p];
+  }
+  return fine;
+}
+
+}  // namespace armtune

@@ -1,0 +1,27 @@
+#pragma once
+// A motion on a time grid: cubic between knots, with piecewise constant jerk.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "tuner/planning/transcription/time_grid.hpp"
+
+namespace armtune {
+
+struct Trajectory {
+  std::vector<double> time;                          ///< of the knots, ascending [s]
+  Eigen::MatrixXd position, velocity, acceleration;  ///< coordinates x knots
+  std::vector<double> durations;                     ///< of the phases [s]
+};
+
+/// Position, velocity and acceleration of every coordinate at t, held at the ends outside.
+struct TrajectoryPoint {
+  Eigen::VectorXd position, velocity, acceleration;
+};
+TrajectoryPoint point_at(const Trajectory& trajectory, double t);
+
+/// The same motion at the knots of another grid with the same phases, whose durations become the
+/// trajectory's.
+Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
+
+}  // namespace armtune

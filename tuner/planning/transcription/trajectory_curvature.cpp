@@ -1,0 +1,151 @@
+// The curvature of the rows: exact where durations are free and bilinear with the motion; of the terms at
+// knots by differences of their exact derivatives, and only where their multipliers are not zero.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tuner/planning/transcription/trajectory_program.hpp"
+
+namespace armtune {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double kDifference = 1e-6;
+constexpr double kNoMultiplier = 1e-12;
+
+}  // namespace
+
+void TrajectoryProgram::lay_out_curvature() {
+  const int intervals = task_.grid.intervals();
+  interval_curvature_.assign(static_cast<std::size_t>(intervals), -1);
+  for (int k = 0; k < intervals; ++k) {
+    const int duration =
+        duration_column_[static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)])];
+    if (duration < 0) continue;
+    for (int j = 0; j < m_; ++j) {
+      const int block = curvature.add({column(k, 1, j), column(k, 2, j), column(k + 1, 2, j), duration});
+      if (j == 0) interval_curvature_[static_cast<std::size_t>(k)] = block;
+    }
+  }
+  const int knots = task_.grid.knots();
+  knot_curvature_.assign(static_cast<std::size_t>(knots), -1);
+  for (int k = 0; k < knots; ++k) {
+    bool any = false, velocity = false, acceleration = false, time = false;
+    for (const KnotTerm& term : task_.terms) {
+      if (term.cost || term.linear || k < term.first_knot || k > term.last_knot) continue;
+      any = true;
+      velocity = velocity || term.on_velocity;
+      acceleration = acceleration || term.on_acceleration;
+      time = time || term.on_time;
+    }
+    if (any)
+      knot_curvature_[static_cast<std::size_t>(k)] =
+          curvature.add(knot_columns(k, velocity, acceleration, time));
+  }
+}
+
+void TrajectoryProgram::curve(const VectorXd& z, const VectorXd& y) {
+  curvature.set_zero();
+  curve_intervals(z, y);
+  curve_knots(z, y);
+}
+
+void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
+  const std::vector<double> T = durations(z);
+  int dynamics = first_dynamics_;
+  int jerk = first_jerk_;
+  for (int k = 0; k < task_.grid.intervals(); ++k) {
+    const auto phase = static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)]);
+    const int first = interval_curvature_[static_cast<std::size_t>(k)];
+    const double by_T = 1.0 / task_.grid.phases[phase].intervals;
+    const double h = T[phase] * by_T;
+    for (int j = 0; j < m_; ++j) {
+      const RowBlock& rows_q = rows.block(dynamics++);
+      const double limit = task_.coordinates[static_cast<std::size_t>(j)].jerk;
+      const bool jerk_row = has_jerk_limits_ && std::isfinite(limit);
+      const double y_jerk = jerk_row ? y[rows.block(jerk++).first_row] : 0.0;
+      if (first < 0) continue;
+      const double y_q = y[rows_q.first_row];
+      const double y_v = y[rows_q.first_row + 1];
+      const double sv = scale(1, j);
+      const double sa = scale(2, j);
+      const double a0 = z[column(k, 2, j)] * sa;
+      const double a1 = z[column(k + 1, 2, j)] * sa;
+      auto C = curvature.values(first + j);  // over v0, a0, a1, T
+      double by_a0 = -y_q * 2.0 * h / 3.0 - y_v / (2.0 * sv);
+      double by_a1 = -y_q * 2.0 * h / 6.0 - y_v / (2.0 * sv);
+      double by_h = -y_q * 2.0 * (a0 / 3.0 + a1 / 6.0);
+      if (jerk_row) {
+        by_a0 += y_jerk / (h * h * limit);
+        by_a1 -= y_jerk / (h * h * limit);
+        by_h += y_jerk * 2.0 * (a1 - a0) / (h * h * h * limit);
+      }
+      C(0, 3) = C(3, 0) = -y_q * sv * by_T;
+      C(1, 3) = C(3, 1) = by_a0 * sa * by_T;
+      C(2, 3) = C(3, 2) = by_a1 * sa * by_T;
+      C(3, 3) = by_h * by_T * by_T;
+    }
+  }
+}
+
+void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& y) {
+  VectorXd at = z;
+  VectorXd value, derivative, here, there;
+  for (int k = 0; k < task_.grid.knots(); ++k) {
+    const int index = knot_curvature_[static_cast<std::size_t>(k)];
+    if (index < 0) continue;
+    std::vector<std::size_t> counting;
+    for (std::size_t t = 0; t < task_.terms.size(); ++t) {
+      const KnotTerm& term = task_.terms[t];
+      if (term.cost || term.linear || k < term.first_knot || k > term.last_knot) continue;
+      const RowBlock& block = rows.block(term_blocks_[t].first_block + k - term.first_knot);
+      if (y.segment(block.first_row, block.rows).lpNorm<Eigen::Infinity>() > kNoMultiplier)
+        counting.push_back(t);
+    }
+    if (counting.empty()) continue;
+    const auto& block = curvature.blocks()[static_cast<std::size_t>(index)];
+    const int* columns = curvature.columns(block);
+    auto C = curvature.values(index);
+    // The gradient of y^T c over the block's columns.
+    const auto gradient = [&](VectorXd& g) {
+      g.setZero(block.columns);
+      const Knot knot = knot_at(at, durations(at), k);
+      for (const std::size_t t : counting) {
+        const KnotTerm& term = task_.terms[t];
+        const RowBlock& term_block = rows.block(term_blocks_[t].first_block + k - term.first_knot);
+        value.resize(term_block.rows);
+        derivative.resize(static_cast<Index>(term_block.rows) * term_block.columns);
+        term_rows(term, knot, value.data(), derivative.data());
+        const int* own = rows.columns(term_block);
+        for (int c = 0, b = 0; c < term_block.columns; ++c) {
+          while (columns[b] != own[c]) ++b;
+          for (int i = 0; i < term_block.rows; ++i)
+            g[b] += y[term_block.first_row + i] * derivative[static_cast<Index>(i) * term_block.columns + c];
+        }
+      }
+    };
+    gradient(here);
+    const int first_acceleration = column(k, 2, 0);
+    const auto is_acceleration = [&](int c) {
+      return c >= first_acceleration && c < first_acceleration + m_;
+    };
+    for (int b = 0; b < block.columns; ++b) {
+      if (is_acceleration(columns[b])) continue;  // every term is linear along accelerations
+      const double kept = at[columns[b]];
+      at[columns[b]] = kept + kDifference;
+      gradient(there);
+      at[columns[b]] = kept;
+      C.col(b) = (there - here) / kDifference;
+    }
+    for (int b = 0; b < block.columns; ++b) {
+      if (is_acceleration(columns[b])) C.col(b) = C.row(b).transpose();
+    }
+    for (int b = 0; b < block.columns; ++b) {
+      for (int c = 0; c < b; ++c) C(b, c) = C(c, b) = 0.5 * (C(b, c) + C(c, b));
+    }
+  }
+}
+
+}  // namespace armtune

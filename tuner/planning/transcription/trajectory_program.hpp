@@ -1,0 +1,120 @@
+#pragma once
+// Direct transcription of a motion with piecewise constant jerk: unknowns are position, velocity and
+// acceleration of every coordinate at every knot, and the free durations. Between knots the motion is an
+// exact cubic:
+//   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
+// Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/robot/chain.hpp"
+#include "tuner/planning/solver/nonlinear_program.hpp"
+#include "tuner/planning/transcription/knot_term.hpp"
+#include "tuner/planning/transcription/time_grid.hpp"
+#include "tuner/planning/transcription/trajectory.hpp"
+
+namespace armtune {
+
+/// A joint, or the path coordinate, and its limits (inf: none).
+struct Coordinate {
+  std::string name;
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double least_velocity = -std::numeric_limits<double>::infinity();
+  double velocity = std::numeric_limits<double>::infinity();
+  double acceleration = std::numeric_limits<double>::infinity();
+  double jerk = std::numeric_limits<double>::infinity();
+  double velocity_scale = 1.0;  ///< typical size
+  double acceleration_scale = 1.0;
+};
+
+struct Smoothness {
+  double acceleration = 0.0;  ///< cost per second of (q'' / acceleration_scale)^2 / 2
+  double jerk = 0.0;          ///< cost per second of (jerk / acceleration_scale)^2 s^2 / 2
+};
+
+struct TrajectoryTask {
+  const Chain* chain = nullptr;  ///< null: coordinates only, no poses
+  TimeGrid grid;
+  std::vector<Coordinate> coordinates;  ///< the joints, then perhaps the path coordinate
+  std::vector<KnotTerm> terms;
+  Smoothness smoothness;
+  double duration_cost = 0.0;  ///< per second of free durations
+  double penalty = 1e3;        ///< of a violated limit, whose value counts relative to the limit
+};
+
+/// What a row of the program is, in the user's words.
+struct RowMeaning {
+  std::string limit;  ///< "velocity", "torque", "tool path"...
+  std::string part;   ///< joint or axis
+  int knot = 0;
+};
+
+class TrajectoryProgram : public NonlinearProgram {
+ public:
+  explicit TrajectoryProgram(TrajectoryTask task);
+
+  void evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) override;
+  void linearize(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) override;
+
+  void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& y) override;
+
+  const TrajectoryTask& task() const { return task_; }
+  Eigen::VectorXd unknowns(const Trajectory& trajectory) const;
+  Trajectory trajectory(const Eigen::VectorXd& z) const;
+  RowMeaning meaning(Eigen::Index row) const;
+  /// Multipliers of this program's rows, guessed from those of the same task on a coarser grid.
+  Eigen::VectorXd multipliers_from(const TrajectoryProgram& coarse, const Eigen::VectorXd& y) const;
+
+ private:
+  struct TermBlocks {
+    int first_block = 0;  ///< one a knot, in `rows` or `residuals`
+  };
+  int column(int knot, int order, int coordinate) const;
+  double scale(int order, int coordinate) const;
+  void lay_out_intervals();
+  void lay_out_bounds();
+  void lay_out_terms();
+  void lay_out_curvature();
+  void curve_intervals(const Eigen::VectorXd& z, const Eigen::VectorXd& y);
+  void curve_knots(const Eigen::VectorXd& z, const Eigen::VectorXd& y);
+  Knot knot_at(const Eigen::VectorXd& z, const std::vector<double>& durations, int k) const;
+  void add_bounds(int count, double lower, double upper, bool hard);
+  std::vector<double> durations(const Eigen::VectorXd& z) const;
+  void intervals_at(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row,
+                    bool derivatives);
+  void knots_at(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row, bool derivatives);
+  double part_of_phase(int knot, std::size_t phase) const;
+  std::vector<int> free_phases_until(int knot) const;
+  std::vector<int> knot_columns(int knot, bool on_velocity, bool on_acceleration, bool on_time) const;
+  void term_rows(const KnotTerm& term, const Knot& knot, double* value, double* derivative);
+  void write_term(std::size_t term, const Knot& knot, Eigen::VectorXd& values, BlockRows& rows,
+                  bool derivatives);
+
+  TrajectoryTask task_;
+  int m_ = 0;  ///< coordinates
+  int joints_ = 0;
+  std::vector<int> duration_column_;  ///< of each phase; -1: fixed
+  std::vector<int> phase_of_interval_;
+  int first_dynamics_ = 0, first_jerk_ = 0;  ///< blocks in rows
+  bool has_jerk_limits_ = false;
+  std::vector<int> interval_curvature_;  ///< of each interval: its first block, -1: none
+  std::vector<int> knot_curvature_;      ///< of each knot: its block, -1: none
+  int first_smooth_ = -1;                ///< block in residuals; -1: none
+  std::vector<TermBlocks> term_blocks_;
+  std::vector<double> lower_, upper_, penalty_;
+  struct RowGroup {
+    Eigen::Index first_row;
+    std::string limit;
+    int kind;  ///< how `meaning` reads the offset
+    int term;  ///< or coordinate
+    int first_knot;
+    int width;  ///< rows of a knot
+  };
+  std::vector<RowGroup> groups_;
+  Eigen::VectorXd scratch_value_, scratch_q_, scratch_qd_, scratch_qdd_, scratch_time_;
+};
+
+}  // namespace armtune
