@@ -25,7 +25,7 @@ install(FILES ${CMAKE_BINARY_DIR}/armtuneConfig.cmake ${CMAKE_BINARY_DIR}/armtun
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune)
 
 # Bundled data. The build tree gets the same layout beside bin/, so the program finds it the same way.
-set(data sim/robots sim/scenarios sim/theta sim/gains tuner/studies)
+set(data sim/robots sim/scenarios sim/theta sim/gains tuner/studies tuner/tasks)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/armtune)
 foreach(folder ${data})
   get_filename_component(name ${folder} NAME)

@@ -42,8 +42,12 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
       y = program->multipliers_from(*planned.program, planned.result.multipliers);
       here.damping = planned.result.last.damping;
     }
+    const PlanObserver with_knots = [&](SequentialQuadraticProgress at) {
+      at.knots = level.knots();
+      return !observer || observer(at);
+    };
     planned.result =
-        solve(*program, program->unknowns(on_grid(planned.trajectory, level)), y, here, observer);
+        solve(*program, program->unknowns(on_grid(planned.trajectory, level)), y, here, with_knots);
     planned.interior_iterations += planned.result.last.interior_iterations;
     planned.trajectory = program->trajectory(planned.result.z);
     planned.program = program;

@@ -136,7 +136,9 @@ TEST_P(ProgramOf, CurvatureIsTheDifferenceOfTheRowsGradient) {
   const VectorXd z = random_unknowns(program, generator);
   VectorXd y(program.rows.rows());
   for (Index i = 0; i < y.size(); ++i) y[i] = test::random_number(generator, -1.0, 1.0);
-  program.curve(z, y);
+  VectorXd weights(program.residuals.rows());
+  for (Index i = 0; i < weights.size(); ++i) weights[i] = test::random_number(generator, -1.0, 1.0);
+  program.curve(z, weights, y);
   WorstError worst("curvature", 1e-4);  // half of it is made of one-sided differences of 1e-6 itself
   VectorXd residual, row;
   for (Index j = 0; j < z.size(); ++j) {
@@ -147,6 +149,7 @@ TEST_P(ProgramOf, CurvatureIsTheDifferenceOfTheRowsGradient) {
           program.linearize(z + h * VectorXd::Unit(z.size(), j), residual, row);
           VectorXd gradient = VectorXd::Zero(z.size());
           program.rows.add_transposed(y, gradient);
+          program.residuals.add_transposed(weights, gradient);
           return gradient;
         },
         1e-4);

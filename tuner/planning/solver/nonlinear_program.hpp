@@ -14,8 +14,9 @@ class NonlinearProgram {
   /// The same, and their Jacobians into `residuals` and `rows`, whose patterns never change.
   virtual void linearize(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) = 0;
 
-  /// The curvature of y^T c(z) into `curvature`, whose pattern never changes.
-  virtual void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& y) = 0;
+  /// The curvature of residual^T r(z) + y^T c(z), the weights held, into `curvature`, whose pattern never
+  /// changes: what the Hessian of the Lagrangian has beside the Gauss-Newton product.
+  virtual void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& residual, const Eigen::VectorXd& y) = 0;
 
   int variables() const { return static_cast<int>(cost.size()); }
 

@@ -123,7 +123,7 @@ class Solver {
 
   /// One step; false if none can be found.
   bool advance(VectorXd& z, VectorXd& y, double& mu, SequentialQuadraticProgress& now) {
-    program_.curve(z, y);
+    program_.curve(z, residual_, y);
     for (;;) {
       quadratic_.gradient = gradient_;
       quadratic_.damping = now.damping * program_.metric;

@@ -21,6 +21,7 @@ enum class PlanStatus { kSolved, kInfeasible, kStalled, kInterrupted };
 
 struct SequentialQuadraticProgress {
   int iteration = 0;
+  int knots = 0;                ///< of the grid it is on
   int interior_iterations = 0;  ///< so far, of all subproblems
   double objective = 0.0;
   double violation = 0.0;

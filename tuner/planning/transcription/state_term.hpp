@@ -41,4 +41,19 @@ inline KnotTerm given_state(const std::string& name, const std::vector<std::stri
   return term;
 }
 
+/// The path coordinate has the value `s` at the knot.
+inline KnotTerm path_coordinate_at(int knot, double s) {
+  KnotTerm term;
+  term.name = "path coordinate";
+  term.rows = {"s"};
+  term.first_knot = term.last_knot = knot;
+  term.lower = term.upper = 0.0;
+  term.linear = true;
+  term.evaluate = [s](const Knot& at, const KnotRows& out) {
+    out.value[0] = at.s - s;
+    if (out.by_q != nullptr) out.by_q[at.q.size()] = 1.0;
+  };
+  return term;
+}
+
 }  // namespace armtune

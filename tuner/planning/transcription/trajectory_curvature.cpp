@@ -1,5 +1,5 @@
-// The curvature of the rows: exact where durations are free and bilinear with the motion; of the terms at
-// knots by differences of their exact derivatives, and only where their multipliers are not zero.
+// The curvature of rows and residuals: exact where durations are free and bilinear with the motion; of the
+// terms at knots by differences of their exact derivatives, and only where their multipliers are not zero.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ void TrajectoryProgram::lay_out_curvature() {
   for (int k = 0; k < knots; ++k) {
     bool any = false, velocity = false, acceleration = false, time = false;
     for (const KnotTerm& term : task_.terms) {
-      if (term.cost || term.linear || k < term.first_knot || k > term.last_knot) continue;
+      if (term.linear || k < term.first_knot || k > term.last_knot) continue;
       any = true;
       velocity = velocity || term.on_velocity;
       acceleration = acceleration || term.on_acceleration;
@@ -46,10 +46,10 @@ void TrajectoryProgram::lay_out_curvature() {
   }
 }
 
-void TrajectoryProgram::curve(const VectorXd& z, const VectorXd& y) {
+void TrajectoryProgram::curve(const VectorXd& z, const VectorXd& residual, const VectorXd& y) {
   curvature.set_zero();
   curve_intervals(z, y);
-  curve_knots(z, y);
+  curve_knots(z, residual, y);
 }
 
 void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
@@ -90,7 +90,7 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
   }
 }
 
-void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& y) {
+void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& residual, const VectorXd& y) {
   VectorXd at = z;
   VectorXd value, derivative, here, there;
   for (int k = 0; k < task_.grid.knots(); ++k) {
@@ -99,30 +99,35 @@ void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& y) {
     std::vector<std::size_t> counting;
     for (std::size_t t = 0; t < task_.terms.size(); ++t) {
       const KnotTerm& term = task_.terms[t];
-      if (term.cost || term.linear || k < term.first_knot || k > term.last_knot) continue;
-      const RowBlock& block = rows.block(term_blocks_[t].first_block + k - term.first_knot);
-      if (y.segment(block.first_row, block.rows).lpNorm<Eigen::Infinity>() > kNoMultiplier)
+      if (term.linear || k < term.first_knot || k > term.last_knot) continue;
+      const RowBlock& block =
+          (term.cost ? residuals : rows).block(term_blocks_[t].first_block + k - term.first_knot);
+      const VectorXd& weights = term.cost ? residual : y;
+      if (weights.segment(block.first_row, block.rows).lpNorm<Eigen::Infinity>() > kNoMultiplier)
         counting.push_back(t);
     }
     if (counting.empty()) continue;
     const auto& block = curvature.blocks()[static_cast<std::size_t>(index)];
     const int* columns = curvature.columns(block);
     auto C = curvature.values(index);
-    // The gradient of y^T c over the block's columns.
+    // The gradient of residual^T r + y^T c over the block's columns.
     const auto gradient = [&](VectorXd& g) {
       g.setZero(block.columns);
       const Knot knot = knot_at(at, durations(at), k);
       for (const std::size_t t : counting) {
         const KnotTerm& term = task_.terms[t];
-        const RowBlock& term_block = rows.block(term_blocks_[t].first_block + k - term.first_knot);
+        const BlockRows& of = term.cost ? residuals : rows;
+        const VectorXd& weights = term.cost ? residual : y;
+        const RowBlock& term_block = of.block(term_blocks_[t].first_block + k - term.first_knot);
         value.resize(term_block.rows);
         derivative.resize(static_cast<Index>(term_block.rows) * term_block.columns);
         term_rows(term, knot, value.data(), derivative.data());
-        const int* own = rows.columns(term_block);
+        const int* own = of.columns(term_block);
         for (int c = 0, b = 0; c < term_block.columns; ++c) {
           while (columns[b] != own[c]) ++b;
           for (int i = 0; i < term_block.rows; ++i)
-            g[b] += y[term_block.first_row + i] * derivative[static_cast<Index>(i) * term_block.columns + c];
+            g[b] += weights[term_block.first_row + i] *
+                    derivative[static_cast<Index>(i) * term_block.columns + c];
         }
       }
     };

@@ -59,7 +59,7 @@ class TrajectoryProgram : public NonlinearProgram {
   void evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) override;
   void linearize(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) override;
 
-  void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& y) override;
+  void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& residual, const Eigen::VectorXd& y) override;
 
   const TrajectoryTask& task() const { return task_; }
   Eigen::VectorXd unknowns(const Trajectory& trajectory) const;
@@ -79,7 +79,7 @@ class TrajectoryProgram : public NonlinearProgram {
   void lay_out_terms();
   void lay_out_curvature();
   void curve_intervals(const Eigen::VectorXd& z, const Eigen::VectorXd& y);
-  void curve_knots(const Eigen::VectorXd& z, const Eigen::VectorXd& y);
+  void curve_knots(const Eigen::VectorXd& z, const Eigen::VectorXd& residual, const Eigen::VectorXd& y);
   Knot knot_at(const Eigen::VectorXd& z, const std::vector<double>& durations, int k) const;
   void add_bounds(int count, double lower, double upper, bool hard);
   std::vector<double> durations(const Eigen::VectorXd& z) const;

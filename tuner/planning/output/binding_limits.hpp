@@ -1,0 +1,29 @@
+#pragma once
+// Which limits a planned motion runs into, and, where there is none, what is in the way.
+
+#include "tuner/planning/refining_solver.hpp"
+
+namespace armtune {
+
+/// A limit of one joint or axis that holds the motion back.
+struct BindingLimit {
+  std::string limit;   ///< "velocity", "torque", "gaze"...
+  std::string part;    ///< the joint or axis
+  double share = 0.0;  ///< of the knots at which it is active
+  double first = 0.0;  ///< s, of the first and the last of them
+  double last = 0.0;
+  double strength = 0.0;  ///< sum of its multipliers: seconds, or cost, per unit of relief
+};
+
+/// The limits that are active, the strongest first. What a task asks for (start, goal, path) is none.
+std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned);
+
+/// The row that is violated most.
+struct WorstViolation {
+  RowMeaning meaning;
+  double time = 0.0;
+  double violation = 0.0;  ///< relative to the limit; of an equation in its own unit
+};
+WorstViolation worst_violation(const PlannedTrajectory& planned);
+
+}  // namespace armtune

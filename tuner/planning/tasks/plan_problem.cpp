@@ -1,0 +1,330 @@
+#include "tuner/planning/tasks/plan_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "core/trajectory/quintic.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "tuner/planning/tasks/plan_start.hpp"
+#include "tuner/planning/transcription/arm_terms.hpp"
+#include "tuner/planning/transcription/state_term.hpp"
+
+namespace armtune {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kShortest = 2e-3;  // of a free duration [s]
+constexpr double kLongest = 60.0;
+constexpr double kAccelerationTime =
+    0.2;  // s from rest to the velocity limit, where no limit says how long it takes
+constexpr double kErrorWeight = 1e3;  // of squared errors beside the jerk: m and rad
+
+/// Everything all tasks have in common.
+struct Common {
+  PlanTask task;
+  std::shared_ptr<const RobotModel> robot;
+  StartState start;
+
+  int n() const { return robot->n(); }
+
+  std::vector<Coordinate> coordinates() const {
+    std::vector<Coordinate> found;
+    for (int i = 0; i < n(); ++i) {
+      const JointInfo& joint = robot->joints[static_cast<std::size_t>(i)];
+      Coordinate c;
+      c.name = joint.name;
+      if (joint.limits.has_position) {
+        c.lower = joint.limits.lower;
+        c.upper = joint.limits.upper;
+      }
+      c.velocity = task.limits.velocity * joint.limits.velocity;
+      if (task.limits.acceleration.size() > 0) c.acceleration = task.limits.acceleration[i];
+      if (task.limits.jerk.size() > 0) c.jerk = task.limits.jerk[i];
+      c.velocity_scale = c.velocity;
+      c.acceleration_scale = std::min(c.acceleration, c.velocity / kAccelerationTime);
+      found.push_back(c);
+    }
+    return found;
+  }
+
+  /// The arm, its start, its limits, its distance from obstacles.
+  TrajectoryTask on(const TimeGrid& grid) const {
+    TrajectoryTask program;
+    program.chain = &robot->chain;
+    program.grid = grid;
+    program.coordinates = coordinates();
+    program.smoothness.jerk = task.smoothness;
+    program.duration_cost = 1.0;
+    const int last = grid.intervals();
+    program.terms.push_back(
+        given_state("start", joint_names(*robot), 0, {start.position, start.velocity, start.acceleration}));
+    program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
+    if (task.clearance > 0.0) {
+      for (const NamedPath& obstacle : task.scenario.obstacles)
+        program.terms.push_back(clear_of(*robot, {0, last}, obstacle.name, obstacle.path, task.clearance, 1));
+    }
+    return program;
+  }
+
+  Phase phase(const char* name, int intervals, double guess) const {
+    return task.duration ? Phase{name, intervals, *task.duration, false}
+                         : Phase{name, intervals, guess, true, kShortest, kLongest};
+  }
+
+  TimeGrid grid(std::vector<Phase> phases) const {
+    TimeGrid made;
+    made.start = task.at;
+    made.phases = std::move(phases);
+    return made;
+  }
+
+  [[noreturn]] void no_pose(const Vec3& tool) const {
+    throw InputError(fmt::format("{}: {} cannot reach ({:.4g}, {:.4g}, {:.4g}) m within its joint limits",
+                                 shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
+  }
+
+  /// What a joint takes at half its velocity limit, at least 0.2 s.
+  double likely_duration(const JointVector& way) const {
+    return std::max(0.2, (way.array().abs() / (0.5 * robot->velocity_limits().array())).maxCoeff());
+  }
+};
+
+/// A quintic in every joint from one motion to another.
+Trajectory joint_quintic(const TimeGrid& grid, const MotionPoint<JointVector>& from,
+                         const MotionPoint<JointVector>& to) {
+  Trajectory motion;
+  const double duration = grid.phases.front().duration;
+  const int intervals = grid.intervals();
+  motion.durations = {duration};
+  motion.position.resize(from.position.size(), intervals + 1);
+  motion.velocity.resize(from.position.size(), intervals + 1);
+  motion.acceleration.resize(from.position.size(), intervals + 1);
+  for (Eigen::Index i = 0; i < from.position.size(); ++i) {
+    const Quintic<double> quintic({from.position[i], from.velocity[i], from.acceleration[i]},
+                                  {to.position[i], to.velocity[i], to.acceleration[i]}, duration);
+    for (int k = 0; k <= intervals; ++k) {
+      const MotionPoint<double> point = quintic.at(duration * k / intervals);
+      motion.position(i, k) = point.position;
+      motion.velocity(i, k) = point.velocity;
+      motion.acceleration(i, k) = point.acceleration;
+    }
+  }
+  for (int k = 0; k <= intervals; ++k) motion.time.push_back(grid.start + duration * k / intervals);
+  return motion;
+}
+
+PlanProblem move_problem(const Common& common) {
+  const JointVector zero = JointVector::Zero(common.n());
+  PlanProblem problem;
+  problem.grid = common.grid({common.phase(
+      "move", common.task.knots, common.likely_duration(common.task.goal - common.start.position))});
+  problem.task = [common, zero](const TimeGrid& grid) {
+    TrajectoryTask program = common.on(grid);
+    program.terms.push_back(
+        given_state("goal", joint_names(*common.robot), grid.intervals(), {common.task.goal, zero, zero}));
+    return program;
+  };
+  problem.guess = joint_quintic(problem.grid, {common.start.position, common.start.velocity, zero},
+                                {common.task.goal, zero, zero});
+  return problem;
+}
+
+PlanProblem track_problem(const Common& common) {
+  PlanProblem problem;
+  const double duration = *common.task.duration;
+  problem.grid = common.grid({{"track", common.task.knots, duration, false}});
+  problem.task = [common, duration](const TimeGrid& grid) {
+    TrajectoryTask program = common.on(grid);
+    const int last = grid.intervals();
+    const double weight = kErrorWeight * duration / last;
+    const Scenario& scenario = common.task.scenario;
+    program.terms.push_back(tool_path_cost(*common.robot, {0, last}, scenario.path, weight));
+    // The target that is active at each knot.
+    const std::size_t targets = scenario.targets.size();
+    for (std::size_t target = 0; target < targets; ++target) {
+      int first = -1;
+      for (int k = 0; k <= last + 1; ++k) {
+        const bool active =
+            k <= last && scenario.active_target(grid.start + duration * k / last + 1e-9) == target;
+        if (active && first < 0) first = k;
+        if (!active && first >= 0) {
+          program.terms.push_back(
+              gaze_cost(*common.robot, {first, k - 1}, scenario.targets[target].path, weight));
+          first = -1;
+        }
+      }
+    }
+    return program;
+  };
+  problem.guess = follow(
+      *common.robot, common.start.position, problem.grid,
+      [&](double t) { return common.task.scenario.path.at(t); }, active_target(common.task.scenario));
+  return problem;
+}
+
+PlanProblem switch_problem(const Common& common) {
+  const Scenario& scenario = common.task.scenario;
+  const HarmonicPath from =
+      scenario.targets[scenario.active_target(common.task.at - scenario.control_period)].path;
+  const HarmonicPath to =
+      scenario.targets[scenario.active_target(common.task.at + scenario.control_period)].path;
+  const double guess = common.task.duration.value_or(1.0);
+  const int holding = std::max(4, common.task.knots / 3);
+  PlanProblem problem;
+  problem.grid = common.task.least_error
+                     ? common.grid({{"turn", common.task.knots, guess, false}})
+                     : common.grid({common.phase("turn", common.task.knots - holding, guess),
+                                    {"hold", holding, common.task.hold, false}});
+  problem.task = [common, to](const TimeGrid& grid) {
+    TrajectoryTask program = common.on(grid);
+    const int last = grid.intervals();
+    program.terms.push_back(
+        tool_on_path(*common.robot, {1, last}, common.task.scenario.path, common.task.path_tolerance));
+    if (common.task.least_error) {
+      program.terms.push_back(
+          gaze_cost(*common.robot, {0, last}, to, kErrorWeight * *common.task.duration / last));
+    } else {
+      program.terms.push_back(
+          gaze_within(*common.robot, {grid.first_knot(1), last}, to, common.task.gaze_threshold));
+    }
+    return program;
+  };
+  // The gaze wanders from one target to the other within the first guess.
+  const double start = common.task.at;
+  const MovingPoint blended = [from, to, start, guess](double t) {
+    const double s = std::clamp((t - start) / guess, 0.0, 1.0);
+    const double b = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
+    const MotionPoint<Vec3> a = from.at(t);
+    const MotionPoint<Vec3> c = to.at(t);
+    return MotionPoint<Vec3>{(1.0 - b) * a.position + b * c.position, (1.0 - b) * a.velocity + b * c.velocity,
+                             Vec3::Zero()};
+  };
+  problem.guess = follow(
+      *common.robot, common.start.position, problem.grid, [&](double t) { return scenario.path.at(t); },
+      blended);
+  return problem;
+}
+
+PlanProblem return_problem(const Common& common) {
+  const Scenario& scenario = common.task.scenario;
+  const MovingPoint target = active_target(scenario);
+  // Where the path will be: a first guess, then the guess that follows from it.
+  double duration = common.task.duration.value_or(1.0);
+  JointVector end;
+  for (int pass = 0; pass < 2; ++pass) {
+    const double at = common.task.at + duration;
+    const Vec3 tool = scenario.path.at(at).position;
+    const auto pose = pose_at(*common.robot, tool,
+                              common.task.end_gaze ? std::optional<Vec3>(target(at).position) : std::nullopt,
+                              common.start.position, BestPose::kSoonest);
+    if (!pose) common.no_pose(tool);
+    end = *pose;
+    if (!common.task.duration) duration = common.likely_duration(end - common.start.position);
+  }
+  PlanProblem problem;
+  problem.grid = common.grid({common.phase("return", common.task.knots, duration)});
+  problem.task = [common](const TimeGrid& grid) {
+    TrajectoryTask program = common.on(grid);
+    const int last = grid.intervals();
+    const Scenario& in = common.task.scenario;
+    program.terms.push_back(tool_on_path(*common.robot, {last, last}, in.path, 0.0));
+    program.terms.push_back(tool_moves_with_path(*common.robot, last, in.path));
+    if (common.task.end_gaze) {
+      program.terms.push_back(gaze_within(*common.robot, {last, last},
+                                          in.targets[in.active_target(common.task.at)].path,
+                                          common.task.gaze_threshold));
+    }
+    return program;
+  };
+  const JointVector zero = JointVector::Zero(common.n());
+  problem.guess =
+      joint_quintic(problem.grid, {common.start.position, common.start.velocity, zero}, {end, zero, zero});
+  return problem;
+}
+
+PlanProblem fastest_problem(const Common& common) {
+  const Scenario& scenario = common.task.scenario;
+  if (!(scenario.path.frequency > 0.0))
+    throw InputError(fmt::format("{}: the tool path of {} stands still; there is no way along it",
+                                 shown_path(common.task.source), scenario.name));
+  // One turn: the path's own time is the coordinate.
+  const double turn = 2.0 * M_PI / scenario.path.frequency;
+  const double from = common.task.at;
+  const ToolCurve curve = [path = scenario.path, from](double s) { return path.at(from + s); };
+  PlanProblem problem;
+  problem.grid = common.grid({common.phase("along the path", common.task.knots, turn)});
+  problem.task = [common, curve, turn](const TimeGrid& grid) {
+    TrajectoryTask program = common.on(grid);
+    Coordinate s;
+    s.name = "path";
+    s.least_velocity = 0.0;
+    s.velocity_scale = 1.0;
+    s.acceleration_scale = 1.0 / kAccelerationTime;
+    program.coordinates.push_back(s);
+    const int last = grid.intervals();
+    const auto joints = joint_names(*common.robot);
+    // From rest to rest, from the curve's beginning to its end.
+    program.terms.push_back(path_coordinate_at(0, 0.0));
+    program.terms.push_back(path_coordinate_at(last, turn));
+    program.terms.push_back(given_state("end", joints, last, {{}, JointVector::Zero(common.n()), {}}));
+    program.terms.push_back(tool_on_curve(*common.robot, {1, last}, curve, common.task.path_tolerance));
+    return program;
+  };
+  const MovingPoint target = active_target(scenario);
+  Trajectory joints = follow(
+      *common.robot, common.start.position, problem.grid, [&](double t) { return scenario.path.at(t); },
+      target);
+  problem.guess = joints;
+  const Eigen::Index n = common.n();
+  const Eigen::Index knots = joints.position.cols();
+  problem.guess.position.conservativeResize(n + 1, knots);
+  problem.guess.velocity.conservativeResize(n + 1, knots);
+  problem.guess.acceleration.conservativeResize(n + 1, knots);
+  for (Eigen::Index k = 0; k < knots; ++k) {
+    problem.guess.position(n, k) = turn * static_cast<double>(k) / static_cast<double>(knots - 1);
+    problem.guess.velocity(n, k) = 1.0;
+    problem.guess.acceleration(n, k) = 0.0;
+  }
+  return problem;
+}
+
+}  // namespace
+
+MovingPoint active_target(const Scenario& scenario) {
+  return [targets = scenario.targets, scenario](double t) {
+    return targets[scenario.active_target(std::max(0.0, t))].path.at(t);
+  };
+}
+
+PlanProblem plan_problem(const PlanTask& task) {
+  Common common;
+  common.task = task;
+  common.robot = std::make_shared<const RobotModel>(plant_model(task.scenario));
+  common.start = start_state(task, *common.robot);
+  PlanProblem problem;
+  switch (task.kind) {
+    case PlanKind::kMove:
+      problem = move_problem(common);
+      break;
+    case PlanKind::kTrack:
+      problem = track_problem(common);
+      break;
+    case PlanKind::kSwitch:
+      problem = switch_problem(common);
+      break;
+    case PlanKind::kReturn:
+      problem = return_problem(common);
+      break;
+    case PlanKind::kFastest:
+      problem = fastest_problem(common);
+      break;
+  }
+  problem.robot = common.robot;
+  return problem;
+}
+
+}  // namespace armtune

@@ -1,0 +1,24 @@
+#pragma once
+// A task as a program on a time grid, and where to start from.
+
+#include "tuner/planning/refining_solver.hpp"
+#include "tuner/planning/tasks/plan_task.hpp"
+#include "tuner/planning/tasks/tool_motion.hpp"
+
+namespace armtune {
+
+struct PlanProblem {
+  std::shared_ptr<const RobotModel> robot;  ///< as it really is in the scenario
+  TaskOnGrid task;
+  TimeGrid grid;
+  Trajectory guess;
+};
+
+/// Throws InputError if no pose of the arm is on the tool's path where the plan needs one, or a rollout does
+/// not fit.
+PlanProblem plan_problem(const PlanTask& task);
+
+/// The target the gaze is to be at in time.
+MovingPoint active_target(const Scenario& scenario);
+
+}  // namespace armtune

@@ -1,0 +1,84 @@
+#include "tuner/planning/tasks/plan_start.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "tuner/planning/tasks/tool_motion.hpp"
+#include "tuner/report/csv_table.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kLeadIn = 3.0;  // s on the path before the start: the inverse kinematics settles
+
+/// The row of a rollout nearest to the plan's start.
+StartState row_of(const PlanTask& task, const RobotModel& robot) {
+  const auto table = report::CsvTable::read(task.start.rollout);
+  const std::vector<double> time = table.numbers(table.column("time"));
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (std::abs(time[i] - task.at) < std::abs(time[row] - task.at)) row = i;
+  }
+  const double apart = time.empty() ? INFINITY : std::abs(time[row] - task.at);
+  if (!(apart <= 0.05)) {
+    throw InputError(fmt::format("{}: has no row within 0.05 s of {} s, where {} begins",
+                                 shown_path(task.start.rollout), task.at, task.name));
+  }
+  StartState state;
+  state.position.resize(robot.n());
+  state.velocity.resize(robot.n());
+  for (int i = 0; i < robot.n(); ++i) {
+    const std::string joint = "joint/" + robot.joints[static_cast<std::size_t>(i)].name;
+    state.position[i] = table.number(row, table.column(joint + "/position"));
+    state.velocity[i] = table.number(row, table.column(joint + "/velocity"));
+  }
+  return state;
+}
+
+}  // namespace
+
+StartState start_state(const PlanTask& task, const RobotModel& robot) {
+  if (!task.start.rollout.empty()) return row_of(task, robot);
+  StartState state;
+  state.velocity = JointVector::Zero(robot.n());
+  if (task.start.position.size() > 0) {
+    state.position = task.start.position;
+    if (task.start.velocity.size() > 0) state.velocity = task.start.velocity;
+    state.acceleration = task.start.acceleration;
+    return state;
+  }
+  if (task.kind == PlanKind::kMove) {
+    state.position = task.scenario.start_position;
+    state.acceleration = JointVector::Zero(robot.n());
+    return state;
+  }
+  const Scenario& scenario = task.scenario;
+  const double from = task.at - kLeadIn;
+  // Before a switch: the target the gaze leaves.
+  const HarmonicPath& target =
+      scenario.targets[scenario.active_target(std::max(0.0, task.at - scenario.control_period))].path;
+  const Vec3 tool = scenario.path.at(from).position;
+  const auto pose = pose_at(robot, tool, target.at(from).position, scenario.start_position,
+                            BestPose::kLargestManipulability);
+  if (!pose) {
+    throw InputError(
+        fmt::format("{}: {} cannot have its tool at ({:.4g}, {:.4g}, {:.4g}) m with its z axis on the target "
+                    "within its joint limits; "
+                    "move the path, or give a start",
+                    shown_path(task.source), robot.name, tool.x(), tool.y(), tool.z()));
+  }
+  TimeGrid lead_in;
+  lead_in.start = from;
+  lead_in.phases = {{"lead-in", 30, kLeadIn, false}};
+  const Trajectory motion = follow(
+      robot, *pose, lead_in, [&](double t) { return scenario.path.at(t); },
+      [&](double t) { return target.at(t); });
+  state.position = motion.position.col(30);
+  if (task.kind != PlanKind::kFastest) state.velocity = motion.velocity.col(30);  // that one begins at rest
+  return state;
+}
+
+}  // namespace armtune

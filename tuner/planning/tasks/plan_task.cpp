@@ -1,0 +1,166 @@
+#include "tuner/planning/tasks/plan_task.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+
+#include "core/common/error.hpp"
+#include "sim/csv/cell.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "sim/yaml/joint_values.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr long kMostKnots = 100'000;
+
+JointVector positive_values(yaml::MapReader& map, const char* key, const std::vector<std::string>& joints) {
+  const yaml::Node* node = map.optional(key);
+  if (node == nullptr) return {};
+  const JointVector values = yaml::joint_values(*node, joints);
+  if (!(values.array() > 0.0).all())
+    node->fail(fmt::format("a limit is {}; each must be > 0", values.minCoeff()));
+  return values;
+}
+
+PlanLimits read_limits(const yaml::Node& node, const std::vector<std::string>& joints) {
+  yaml::MapReader map(node);
+  PlanLimits limits;
+  limits.velocity = map.number_in("velocity", limits.velocity, 0.01, 1.0);
+  limits.effort = map.number_in("effort", limits.effort, 0.01, 1.0);
+  limits.acceleration = positive_values(map, "acceleration", joints);
+  limits.jerk = positive_values(map, "jerk", joints);
+  map.finish();
+  return limits;
+}
+
+PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joints) {
+  yaml::MapReader map(node);
+  PlanStart start;
+  if (const yaml::Node* rollout = map.optional("rollout")) {
+    start.rollout = rollout->as_string();
+    if (!start.rollout.starts_with('/')) start.rollout = folder_of(node.file()) + "/" + start.rollout;
+    if (map.has("position") || map.has("velocity"))
+      rollout->fail("give either a rollout or a position, not both");
+    map.finish();
+    return start;
+  }
+  start.position = yaml::joint_values(map.required("position"), joints);
+  if (const yaml::Node* velocity = map.optional("velocity"))
+    start.velocity = yaml::joint_values(*velocity, joints);
+  if (const yaml::Node* acceleration = map.optional("acceleration"))
+    start.acceleration = yaml::joint_values(*acceleration, joints);
+  map.finish();
+  return start;
+}
+
+PlanKind read_kind(const yaml::Node& node) {
+  std::vector<std::string> words;
+  for (const auto& [kind, word] : plan_kinds()) {
+    if (node.is_word(word)) return kind;
+    words.push_back(word);
+  }
+  node.fail(fmt::format("is none of the tasks: {}", fmt::join(words, ", ")));
+}
+
+std::string list(const JointVector& values) {
+  std::string text = "[";
+  for (Eigen::Index i = 0; i < values.size(); ++i) text += (i == 0 ? "" : ", ") + cell(values[i]);
+  return text + "]";
+}
+
+}  // namespace
+
+const std::vector<std::pair<PlanKind, std::string>>& plan_kinds() {
+  static const std::vector<std::pair<PlanKind, std::string>> kinds = {{PlanKind::kMove, "move"},
+                                                                      {PlanKind::kTrack, "track"},
+                                                                      {PlanKind::kSwitch, "switch"},
+                                                                      {PlanKind::kReturn, "return"},
+                                                                      {PlanKind::kFastest, "fastest"}};
+  return kinds;
+}
+
+std::string name(PlanKind kind) {
+  for (const auto& [k, word] : plan_kinds()) {
+    if (k == kind) return word;
+  }
+  return {};
+}
+
+PlanTask load_plan_task(const std::string& name_or_path) {
+  const std::string path = find_data_file("tasks", name_or_path);
+  const yaml::Node root = yaml::parse_file(path);
+  yaml::MapReader map(root);
+  PlanTask task;
+  task.name = stem(path);
+  task.source = path;
+  task.description = map.string("description", "");
+  const yaml::Node& kind = map.required("task");
+  task.kind = read_kind(kind);
+  const std::string scenario = map.required("scenario").as_string();
+  task.scenario = load_scenario(find_data_file("scenarios", scenario, folder_of(path)));
+  const auto joints = joint_names(*task.scenario.robot);
+  task.at = map.number_in("at", 0.0, 0.0, 1e6);
+  if (const yaml::Node* start = map.optional("start")) task.start = read_start(*start, joints);
+  if (const yaml::Node* goal = map.optional("goal")) task.goal = yaml::joint_values(*goal, joints);
+  if (map.has("duration")) task.duration = map.number_in("duration", 1.0, 1e-3, 1e4);
+  task.hold = map.number_in("hold", task.hold, 1e-2, 1e3);
+  task.least_error = map.boolean("least_error", task.least_error);
+  task.path_tolerance = map.number_in("path_tolerance", task.path_tolerance, 0.0, 1.0);
+  task.gaze_threshold = map.number_in("gaze_threshold", task.gaze_threshold, 1e-4, 3.0);
+  task.end_gaze = map.boolean("end_gaze", task.end_gaze);
+  task.clearance = map.number_in("clearance", task.clearance, 0.0, kInfinity);
+  if (const yaml::Node* limits = map.optional("limits")) task.limits = read_limits(*limits, joints);
+  const long knots = map.integer("knots", task.knots);
+  if (knots < 4 || knots > kMostKnots)
+    map.required("knots").fail(fmt::format("{} knots; it must lie in 4 .. {}", knots, kMostKnots));
+  task.knots = static_cast<int>(knots);
+  task.smoothness = map.number_in("smoothness", task.smoothness, 0.0, 1e3);
+  map.finish();
+
+  if (task.kind == PlanKind::kMove && task.goal.size() == 0)
+    kind.fail("a move needs a goal: a joint position");
+  if (task.kind != PlanKind::kMove && task.goal.size() > 0)
+    map.required("goal").fail("only a move has a goal; the others end on the tool's path");
+  if (task.kind == PlanKind::kReturn && task.start.position.size() == 0 && task.start.rollout.empty())
+    kind.fail("a return needs a start off the path: {position: [...]} or {rollout: FILE}");
+  if (task.kind == PlanKind::kTrack && !task.duration) kind.fail("a track needs a duration [s]");
+  if (task.least_error && !task.duration) kind.fail("least_error needs a duration [s]");
+  if (task.kind == PlanKind::kSwitch &&
+      task.scenario.active_target(task.at + task.scenario.control_period) ==
+          task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
+    map.required("at").fail(fmt::format("{} switches no target at {} s; it does every {} s",
+                                        task.scenario.name, task.at, task.scenario.switch_every));
+  if (task.clearance > 0.0 && task.scenario.obstacles.empty())
+    map.required("clearance").fail(task.scenario.name + " has no obstacles");
+  return task;
+}
+
+std::string plan_task_yaml(const PlanTask& task) {
+  std::string text = fmt::format("description: '{}'\ntask: {}\nscenario: {}\nat: {}\n", task.description,
+                                 name(task.kind), portable_reference(task.scenario.source), cell(task.at));
+  if (!task.start.rollout.empty()) text += fmt::format("start: {{rollout: {}}}\n", task.start.rollout);
+  if (task.start.position.size() > 0) {
+    text += "start:\n  position: " + list(task.start.position) + "\n";
+    if (task.start.velocity.size() > 0) text += "  velocity: " + list(task.start.velocity) + "\n";
+    if (task.start.acceleration.size() > 0) text += "  acceleration: " + list(task.start.acceleration) + "\n";
+  }
+  if (task.goal.size() > 0) text += "goal: " + list(task.goal) + "\n";
+  if (task.duration) text += "duration: " + cell(*task.duration) + "\n";
+  text += fmt::format(
+      "hold: {}\nleast_error: {}\npath_tolerance: {}\ngaze_threshold: {}\nend_gaze: {}\nclearance: {}\n",
+      cell(task.hold), task.least_error, cell(task.path_tolerance), cell(task.gaze_threshold), task.end_gaze,
+      cell(task.clearance));
+  text += fmt::format("limits:\n  velocity: {}\n  effort: {}\n", cell(task.limits.velocity),
+                      cell(task.limits.effort));
+  if (task.limits.acceleration.size() > 0) text += "  acceleration: " + list(task.limits.acceleration) + "\n";
+  if (task.limits.jerk.size() > 0) text += "  jerk: " + list(task.limits.jerk) + "\n";
+  text += fmt::format("knots: {}\nsmoothness: {}\n", task.knots, cell(task.smoothness));
+  return text;
+}
+
+}  // namespace armtune

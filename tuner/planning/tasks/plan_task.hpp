@@ -1,0 +1,68 @@
+#pragma once
+// What `armtune plan` is asked for.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune {
+
+enum class PlanKind {
+  kMove,     ///< from one joint position to another
+  kTrack,    ///< along the scenario's tool path with the gaze at its targets, with the least error
+  kSwitch,   ///< gaze to the next target while the path goes on
+  kReturn,   ///< to the tool's moving path, with its velocity and acceleration
+  kFastest,  ///< along the tool path's curve in the least time
+};
+
+/// Every kind with the word that files use for it.
+const std::vector<std::pair<PlanKind, std::string>>& plan_kinds();
+std::string name(PlanKind kind);
+
+struct PlanLimits {
+  double velocity = 1.0;     ///< share of the robot's velocity limits
+  double effort = 1.0;       ///< share of its effort limits
+  JointVector acceleration;  ///< n or empty (none) [rad/s^2, m/s^2]
+  JointVector jerk;          ///< n or empty (none) [rad/s^3, m/s^3]
+};
+
+/// Where the motion starts. Nothing given: on the path, gaze at the target (kMove: the scenario's start).
+struct PlanStart {
+  JointVector position;      ///< n or empty
+  JointVector velocity;      ///< n or empty (at rest)
+  JointVector acceleration;  ///< n or empty (free)
+  std::string rollout;       ///< a rollout's CSV: its row at the plan's start counts
+};
+
+struct PlanTask {
+  std::string name;
+  std::string description;
+  std::string source;  ///< file
+  PlanKind kind = PlanKind::kMove;
+  Scenario scenario;  ///< robot as it really is (payload, friction), path, targets, obstacles
+  double at = 0.0;    ///< when it begins, on the scenario's time [s]
+  PlanStart start;
+  JointVector goal;                ///< kMove: n
+  std::optional<double> duration;  ///< fixed [s]; none: the least
+  double hold = 0.5;               ///< kSwitch: the gaze stays on target this long [s]
+  bool least_error = false;        ///< kSwitch: least gaze error over a fixed duration in place of least time
+  double path_tolerance = 1e-3;    ///< of the tool along x, y, z [m]
+  double gaze_threshold = 0.15;    ///< [rad]
+  bool end_gaze = false;           ///< kReturn: with the gaze within its threshold at the end
+  double clearance = 0.0;          ///< of every joint's origin from every obstacle's centre [m]; 0: none
+  PlanLimits limits;
+  int knots = 200;
+  double smoothness = 1e-7;  ///< cost of jerk beside time
+};
+
+/// Reads a bundled task by name, or a file by path. Throws InputError.
+PlanTask load_plan_task(const std::string& name_or_path);
+
+/// Text of the task with every default written out.
+std::string plan_task_yaml(const PlanTask& task);
+
+}  // namespace armtune
