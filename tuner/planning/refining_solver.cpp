@@ -38,7 +38,8 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
       here.violation = std::max(options.violation, 1e-4);
       here.complementarity = std::max(options.complementarity, 1e-4);
     }
-    if (planned.program) {
+    y.resize(0);
+    if (planned.program && planned.result.status == PlanStatus::kSolved) {
       y = program->multipliers_from(*planned.program, planned.result.multipliers);
       here.damping = planned.result.last.damping;
     }

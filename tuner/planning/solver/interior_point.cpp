@@ -224,8 +224,9 @@ InteriorPointResult InteriorPoint::solve(const QuadraticProgram& program, const 
     result.stationarity = std::max(rd.lpNorm<Eigen::Infinity>(), rw.lpNorm<Eigen::Infinity>());
     result.infeasibility = rp.lpNorm<Eigen::Infinity>();
     result.complementarity = mu;
-    result.solved = result.stationarity <= options.tolerance && result.infeasibility <= options.tolerance &&
-                    mu <= options.tolerance;
+    const double rounding = std::max(1.0, 1e-2 * y.lpNorm<Eigen::Infinity>());  // of large multipliers
+    result.solved = result.stationarity <= rounding * options.tolerance &&
+                    result.infeasibility <= options.tolerance && mu <= rounding * options.tolerance;
     if (result.solved || result.iterations == options.max_iterations || !std::isfinite(result.stationarity))
       break;
 

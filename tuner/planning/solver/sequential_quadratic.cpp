@@ -44,6 +44,12 @@ class Solver {
     auto& now = result.last;
     const bool warm = y.size() == program_.rows.rows();
     if (!warm) y.setZero(program_.rows.rows());
+    // No violation is worth it at a price above the multipliers.
+    for (Index i = 0; i < y.size(); ++i) {
+      if (std::isfinite(program_.bounds.penalty[i]))
+        price_ = std::max(price_, 2.0 * std::abs(y[i]) / program_.bounds.penalty[i]);
+    }
+    quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
     now.damping = options_.damping;
     double mu = warm ? 1e-4 : 1.0;
     program_.linearize(z, residual_, row_);
@@ -54,8 +60,10 @@ class Solver {
         result.status = PlanStatus::kSolved;
         break;
       }
-      if (now.stationarity <= options_.stationarity && now.complementarity <= options_.complementarity &&
-          at_penalty(y)) {
+      // Multipliers as large as penalties round by as much more.
+      const double rounding = std::max(1.0, 0.1 * y.lpNorm<Eigen::Infinity>());
+      if (now.stationarity <= rounding * options_.stationarity &&
+          now.complementarity <= rounding * options_.complementarity && at_penalty(y)) {
         // What is violated stays violated at this price. A higher one, then it is settled.
         if (price_ >= kHighestPrice) {
           result.status = PlanStatus::kInfeasible;
@@ -137,8 +145,15 @@ class Solver {
       interior.start_mu = mu;
       VectorXd p = VectorXd::Zero(z.size());
       VectorXd multipliers = y;
-      const InteriorPointResult solved = interior_.solve(quadratic_, interior, p, multipliers);
+      InteriorPointResult solved = interior_.solve(quadratic_, interior, p, multipliers);
       now.interior_iterations += solved.iterations;
+      if (!solved.solved) {  // once more from nothing: the start may have been what was wrong
+        interior.start_mu = 1.0;
+        p.setZero();
+        multipliers.setZero();
+        solved = interior_.solve(quadratic_, interior, p, multipliers);
+        now.interior_iterations += solved.iterations;
+      }
       if (solved.infeasibility < 1e-5 && p.allFinite()) {
         const Judged before = judge(z, residual_, row_);
         program_.residuals.multiply(p, change_r_);

@@ -21,7 +21,7 @@ constexpr double kShortest = 2e-3;  // of a free duration [s]
 constexpr double kLongest = 60.0;
 constexpr double kAccelerationTime =
     0.2;  // s from rest to the velocity limit, where no limit says how long it takes
-constexpr double kErrorWeight = 1e3;  // of squared errors beside the jerk: m and rad
+constexpr double kErrorWeight = 10.0;  // of squared errors beside the jerk: m and rad
 
 /// Everything all tasks have in common.
 struct Common {

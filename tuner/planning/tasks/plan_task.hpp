@@ -56,7 +56,7 @@ struct PlanTask {
   double clearance = 0.0;          ///< of every joint's origin from every obstacle's centre [m]; 0: none
   PlanLimits limits;
   int knots = 200;
-  double smoothness = 1e-7;  ///< cost of jerk beside time
+  double smoothness = 1e-9;  ///< cost of jerk beside time and errors: picks one of many optima
 };
 
 /// Reads a bundled task by name, or a file by path. Throws InputError.

@@ -42,7 +42,7 @@ struct TrajectoryTask {
   std::vector<KnotTerm> terms;
   Smoothness smoothness;
   double duration_cost = 0.0;  ///< per second of free durations
-  double penalty = 1e3;        ///< of a violated limit, whose value counts relative to the limit
+  double penalty = 10.0;       ///< of a violated limit, whose value counts relative to the limit
 };
 
 /// What a row of the program is, in the user's words.
