@@ -43,6 +43,8 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   }
   EXPECT_THAT(help("margins"), AllOf(HasSubstr("control_rate"), HasSubstr("1 % of the control periods"),
                                      HasSubstr("--limit"), HasSubstr("armtune margins extended_tuned")));
+  EXPECT_THAT(help("plan"), AllOf(HasSubstr("ur10_switch"), HasSubstr("--knots"), HasSubstr("fastest"),
+                                  HasSubstr("slowly first")));
   EXPECT_THAT(help("compare"), AllOf(HasSubstr("--scenarios"), HasSubstr("midpoint")));
   EXPECT_THAT(help("report"), AllOf(HasSubstr("DIR"), HasSubstr("--out"), HasSubstr("report.html")));
   for (const char* command : {"simulate", "compare", "robustness"}) {

@@ -9,9 +9,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kAccept = 1e-4;  // least part of the predicted decrease
-constexpr double kMargin = 1e-5;  // of the filter
-constexpr int kHalvings = 4;      // of a step before its damping grows instead
+constexpr double kAccept = 1e-4;           // least part of the predicted decrease
+constexpr double kSubproblemNoise = 1e-8;  // what its tolerance leaves, relative to the merit
+constexpr double kElastic = 1e-6;          // violation of a linearised row that means it
+constexpr double kMargin = 1e-5;           // of the filter
+constexpr int kHalvings = 4;               // of a step before its damping grows instead
 constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
@@ -46,8 +48,9 @@ class Solver {
     if (!warm) y.setZero(program_.rows.rows());
     // No violation is worth it at a price above the multipliers.
     for (Index i = 0; i < y.size(); ++i) {
-      if (std::isfinite(program_.bounds.penalty[i]))
-        price_ = std::max(price_, 2.0 * std::abs(y[i]) / program_.bounds.penalty[i]);
+      if (!std::isfinite(program_.bounds.penalty[i])) continue;
+      dearest_ = std::max(dearest_, program_.bounds.penalty[i]);
+      price_ = std::max(price_, 2.0 * std::abs(y[i]) / program_.bounds.penalty[i]);
     }
     quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
     now.damping = options_.damping;
@@ -78,8 +81,12 @@ class Solver {
         result.status = PlanStatus::kInterrupted;
         break;
       }
-      if (now.iteration == options_.max_iterations) break;
-      if (!advance(z, y, mu, now)) break;
+      if (now.iteration == options_.max_iterations || !advance(z, y, mu, now)) {
+        // No further, and what is violated pulls with the highest price: infeasible, if not to the last
+        // digit.
+        if (price_ >= kHighestPrice && at_penalty(y)) result.status = PlanStatus::kInfeasible;
+        break;
+      }
     }
     result.z = std::move(z);
     result.multipliers = std::move(y);
@@ -163,8 +170,8 @@ class Solver {
         program_.curvature.add_product(p, Cp);
         model.objective += 0.5 * p.dot(Cp);
         if (now.iteration == 0) largest_allowed_ = std::max(0.3, 2.0 * before.largest);
-        double alpha = 1.0;
-        for (int halving = 0; halving <= kHalvings; ++halving, alpha *= 0.5) {
+        for (int halving = 0; halving <= kHalvings; ++halving) {
+          const double alpha = std::ldexp(1.0, -halving);
           const VectorXd next = z + alpha * p;
           program_.evaluate(next, trial_r_, trial_c_);
           const Judged after = judge(next, trial_r_, trial_c_);
@@ -195,6 +202,13 @@ class Solver {
         after.largest > largest_allowed_)
       return false;
     const double noise = 1e-12 * std::max(1.0, std::abs(before.objective));
+    if (model.largest > kElastic) {
+      // Even the subproblem gives way: what it made less is the objective with the violations at their price.
+      const double price = price_ * dearest_ / program_.metric[0];
+      const auto merit = [&](const Judged& at) { return at.objective + price * at.violation; };
+      const double promised = alpha * (merit(before) - merit(model));
+      return merit(after) <= merit(before) - kAccept * promised + kSubproblemNoise * std::abs(merit(before));
+    }
     const auto better = [&](const Judged& than) {
       return after.violation <= (1.0 - kMargin) * than.violation || after.violation <= 1e-11 ||
              after.objective <= than.objective - kMargin * than.violation;
@@ -217,7 +231,8 @@ class Solver {
   QuadraticProgram quadratic_;
   std::vector<Judged> filter_;
   double largest_allowed_ = 0.0;
-  double price_ = 1.0;  ///< of violations, times their penalty
+  double dearest_ = 0.0;  ///< penalty of any elastic row
+  double price_ = 1.0;    ///< of violations, times their penalty
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };
 

@@ -21,7 +21,7 @@ constexpr long kMostKnots = 100'000;
 JointVector positive_values(yaml::MapReader& map, const char* key, const std::vector<std::string>& joints) {
   const yaml::Node* node = map.optional(key);
   if (node == nullptr) return {};
-  const JointVector values = yaml::joint_values(*node, joints);
+  JointVector values = yaml::joint_values(*node, joints);
   if (!(values.array() > 0.0).all())
     node->fail(fmt::format("a limit is {}; each must be > 0", values.minCoeff()));
   return values;
