@@ -26,5 +26,6 @@ void add_report_command(CLI::App& app, int& exit_code);
 void add_excite_command(CLI::App& app, int& exit_code);
 void add_identify_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);
+void add_yardstick_command(CLI::App& app, int& exit_code);
 
 }  // namespace armtune::cli

@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   cli::add_excite_command(app, exit_code);
   cli::add_identify_command(app, exit_code);
   cli::add_plan_command(app, exit_code);
+  cli::add_yardstick_command(app, exit_code);
 #endif
   if (argc == 1) {
     if (!first) return cli::kDone;

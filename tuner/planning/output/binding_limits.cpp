@@ -25,6 +25,7 @@ std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
         !(row[i] > program.bounds.upper[i]) && !(row[i] < program.bounds.lower[i]))
       continue;
     const RowMeaning meaning = program.meaning(i);
+    if (meaning.part.empty()) continue;  // how short a phase may be is no limit of the arm
     auto& [limit, count] = found[{meaning.limit, meaning.part}];
     const double time = planned.trajectory.time[static_cast<std::size_t>(meaning.knot)];
     if (count++ == 0) {
