@@ -39,7 +39,6 @@ class InteriorPoint {
                             Eigen::VectorXd& x, Eigen::VectorXd& y);
 
  private:
-  struct Iterate;
   NormalMatrix normal_;
   SparseCholesky cholesky_;
 };

@@ -8,90 +8,14 @@
 #include "core/common/error.hpp"
 #include "core/trajectory/quintic.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "tuner/planning/tasks/plan_start.hpp"
+#include "tuner/planning/tasks/plan_common.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
 namespace armtune {
 namespace {
 
-using Eigen::VectorXd;
-
-constexpr double kShortest = 2e-3;  // of a free duration [s]
-constexpr double kLongest = 60.0;
-constexpr double kAccelerationTime =
-    0.2;  // s from rest to the velocity limit, where no limit says how long it takes
 constexpr double kErrorWeight = 10.0;  // of squared errors beside the jerk: m and rad
-
-/// Everything all tasks have in common.
-struct Common {
-  PlanTask task;
-  std::shared_ptr<const RobotModel> robot;
-  StartState start;
-
-  int n() const { return robot->n(); }
-
-  std::vector<Coordinate> coordinates() const {
-    std::vector<Coordinate> found;
-    for (int i = 0; i < n(); ++i) {
-      const JointInfo& joint = robot->joints[static_cast<std::size_t>(i)];
-      Coordinate c;
-      c.name = joint.name;
-      if (joint.limits.has_position) {
-        c.lower = joint.limits.lower;
-        c.upper = joint.limits.upper;
-      }
-      c.velocity = task.limits.velocity * joint.limits.velocity;
-      if (task.limits.acceleration.size() > 0) c.acceleration = task.limits.acceleration[i];
-      if (task.limits.jerk.size() > 0) c.jerk = task.limits.jerk[i];
-      c.velocity_scale = c.velocity;
-      c.acceleration_scale = std::min(c.acceleration, c.velocity / kAccelerationTime);
-      found.push_back(c);
-    }
-    return found;
-  }
-
-  /// The arm, its start, its limits, its distance from obstacles.
-  TrajectoryTask on(const TimeGrid& grid) const {
-    TrajectoryTask program;
-    program.chain = &robot->chain;
-    program.grid = grid;
-    program.coordinates = coordinates();
-    program.smoothness.jerk = task.smoothness;
-    program.duration_cost = 1.0;
-    const int last = grid.intervals();
-    program.terms.push_back(
-        given_state("start", joint_names(*robot), 0, {start.position, start.velocity, start.acceleration}));
-    program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
-    if (task.clearance > 0.0) {
-      for (const NamedPath& obstacle : task.scenario.obstacles)
-        program.terms.push_back(clear_of(*robot, {0, last}, obstacle.name, obstacle.path, task.clearance, 1));
-    }
-    return program;
-  }
-
-  Phase phase(const char* name, int intervals, double guess) const {
-    return task.duration ? Phase{name, intervals, *task.duration, false}
-                         : Phase{name, intervals, guess, true, kShortest, kLongest};
-  }
-
-  TimeGrid grid(std::vector<Phase> phases) const {
-    TimeGrid made;
-    made.start = task.at;
-    made.phases = std::move(phases);
-    return made;
-  }
-
-  [[noreturn]] void no_pose(const Vec3& tool) const {
-    throw InputError(fmt::format("{}: {} cannot reach ({:.4g}, {:.4g}, {:.4g}) m within its joint limits",
-                                 shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
-  }
-
-  /// What a joint takes at half its velocity limit, at least 0.2 s.
-  double likely_duration(const JointVector& way) const {
-    return std::max(0.2, (way.array().abs() / (0.5 * robot->velocity_limits().array())).maxCoeff());
-  }
-};
 
 /// A quintic in every joint from one motion to another.
 Trajectory joint_quintic(const TimeGrid& grid, const MotionPoint<JointVector>& from,
@@ -117,7 +41,7 @@ Trajectory joint_quintic(const TimeGrid& grid, const MotionPoint<JointVector>& f
   return motion;
 }
 
-PlanProblem move_problem(const Common& common) {
+PlanProblem move_problem(const PlanCommon& common) {
   const JointVector zero = JointVector::Zero(common.n());
   PlanProblem problem;
   problem.grid = common.grid({common.phase(
@@ -133,7 +57,7 @@ PlanProblem move_problem(const Common& common) {
   return problem;
 }
 
-PlanProblem track_problem(const Common& common) {
+PlanProblem track_problem(const PlanCommon& common) {
   PlanProblem problem;
   const double duration = *common.task.duration;
   problem.grid = common.grid({{"track", common.task.knots, duration, false}});
@@ -166,7 +90,7 @@ PlanProblem track_problem(const Common& common) {
   return problem;
 }
 
-PlanProblem switch_problem(const Common& common) {
+PlanProblem switch_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
   const HarmonicPath from =
       scenario.targets[scenario.active_target(common.task.at - scenario.control_period)].path;
@@ -209,7 +133,7 @@ PlanProblem switch_problem(const Common& common) {
   return problem;
 }
 
-PlanProblem return_problem(const Common& common) {
+PlanProblem return_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
   const MovingPoint target = active_target(scenario);
   // Where the path will be: a first guess, then the guess that follows from it.
@@ -246,7 +170,7 @@ PlanProblem return_problem(const Common& common) {
   return problem;
 }
 
-PlanProblem fastest_problem(const Common& common) {
+PlanProblem fastest_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
   if (!(scenario.path.frequency > 0.0))
     throw InputError(fmt::format("{}: the tool path of {} stands still; there is no way along it",
@@ -301,7 +225,7 @@ MovingPoint active_target(const Scenario& scenario) {
 }
 
 PlanProblem plan_problem(const PlanTask& task) {
-  Common common;
+  PlanCommon common;
   common.task = task;
   common.robot = std::make_shared<const RobotModel>(plant_model(task.scenario));
   common.start = start_state(task, *common.robot);

@@ -105,6 +105,7 @@ class TrajectoryProgram : public NonlinearProgram {
   int first_smooth_ = -1;                ///< block in residuals; -1: none
   std::vector<TermBlocks> term_blocks_;
   std::vector<double> lower_, upper_, penalty_;
+  enum GroupKind { kDynamics, kJerk, kBounds, kTerm };
   struct RowGroup {
     Eigen::Index first_row;
     std::string limit;

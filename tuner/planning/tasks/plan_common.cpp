@@ -1,0 +1,79 @@
+#include "tuner/planning/tasks/plan_common.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "tuner/planning/transcription/arm_terms.hpp"
+#include "tuner/planning/transcription/state_term.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kShortest = 2e-3;  // of a free duration [s]
+constexpr double kLongest = 60.0;
+
+}  // namespace
+
+std::vector<Coordinate> PlanCommon::coordinates() const {
+  std::vector<Coordinate> found;
+  for (int i = 0; i < n(); ++i) {
+    const JointInfo& joint = robot->joints[static_cast<std::size_t>(i)];
+    Coordinate c;
+    c.name = joint.name;
+    if (joint.limits.has_position) {
+      c.lower = joint.limits.lower;
+      c.upper = joint.limits.upper;
+    }
+    c.velocity = task.limits.velocity * joint.limits.velocity;
+    if (task.limits.acceleration.size() > 0) c.acceleration = task.limits.acceleration[i];
+    if (task.limits.jerk.size() > 0) c.jerk = task.limits.jerk[i];
+    c.velocity_scale = c.velocity;
+    c.acceleration_scale = std::min(c.acceleration, c.velocity / kAccelerationTime);
+    found.push_back(c);
+  }
+  return found;
+}
+
+TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
+  TrajectoryTask program;
+  program.chain = &robot->chain;
+  program.grid = grid;
+  program.coordinates = coordinates();
+  program.smoothness.jerk = task.smoothness;
+  program.duration_cost = 1.0;
+  const int last = grid.intervals();
+  program.terms.push_back(
+      given_state("start", joint_names(*robot), 0, {start.position, start.velocity, start.acceleration}));
+  program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
+  if (task.clearance > 0.0) {
+    for (const NamedPath& obstacle : task.scenario.obstacles)
+      program.terms.push_back(clear_of(*robot, {0, last}, obstacle.name, obstacle.path, task.clearance, 1));
+  }
+  return program;
+}
+
+Phase PlanCommon::phase(const char* name, int intervals, double guess) const {
+  return task.duration ? Phase{name, intervals, *task.duration, false}
+                       : Phase{name, intervals, guess, true, kShortest, kLongest};
+}
+
+TimeGrid PlanCommon::grid(std::vector<Phase> phases) const {
+  TimeGrid made;
+  made.start = task.at;
+  made.phases = std::move(phases);
+  return made;
+}
+
+void PlanCommon::no_pose(const Vec3& tool) const {
+  throw InputError(fmt::format("{}: {} cannot reach ({:.4g}, {:.4g}, {:.4g}) m within its joint limits",
+                               shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
+}
+
+double PlanCommon::likely_duration(const JointVector& way) const {
+  return std::max(0.2, (way.array().abs() / (0.5 * robot->velocity_limits().array())).maxCoeff());
+}
+
+}  // namespace armtune

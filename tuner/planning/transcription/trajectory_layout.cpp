@@ -1,0 +1,160 @@
+// Unknowns and rows of a trajectory: which there are and which columns each row depends on.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tuner/planning/transcription/trajectory_program.hpp"
+
+namespace armtune {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TrajectoryProgram::TrajectoryProgram(TrajectoryTask task) : task_(std::move(task)) {
+  m_ = static_cast<int>(task_.coordinates.size());
+  joints_ = task_.chain == nullptr ? m_ : task_.chain->n;
+  const int knots = task_.grid.knots();
+  int columns = knots * 3 * m_;
+  const auto& phases = task_.grid.phases;
+  for (const Phase& phase : phases) duration_column_.push_back(phase.free ? columns++ : -1);
+  for (int p = 0; p < static_cast<int>(phases.size()); ++p)
+    phase_of_interval_.insert(phase_of_interval_.end(),
+                              static_cast<std::size_t>(phases[static_cast<std::size_t>(p)].intervals), p);
+  cost = VectorXd::Zero(columns);
+  metric = VectorXd::Constant(columns, 1.0 / knots);
+  for (const int c : duration_column_) {
+    if (c < 0) continue;
+    cost[c] = task_.duration_cost;
+    metric[c] = 1.0;
+  }
+  lay_out_intervals();
+  lay_out_bounds();
+  lay_out_terms();
+  lay_out_curvature();
+  bounds.lower = Eigen::Map<VectorXd>(lower_.data(), static_cast<Index>(lower_.size()));
+  bounds.upper = Eigen::Map<VectorXd>(upper_.data(), static_cast<Index>(upper_.size()));
+  bounds.penalty = Eigen::Map<VectorXd>(penalty_.data(), static_cast<Index>(penalty_.size()));
+}
+
+void TrajectoryProgram::lay_out_intervals() {
+  const int intervals = task_.grid.intervals();
+  const auto with_duration = [&](std::vector<int> columns, int k) {
+    const int duration =
+        duration_column_[static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)])];
+    if (duration >= 0) columns.push_back(duration);
+    return columns;
+  };
+  groups_.push_back({rows.rows(), "dynamics", kDynamics, -1, 0, 2 * m_});
+  first_dynamics_ = static_cast<int>(rows.blocks().size());
+  for (int k = 0; k < intervals; ++k) {
+    for (int j = 0; j < m_; ++j) {
+      rows.add(2, with_duration({column(k, 0, j), column(k, 1, j), column(k, 2, j), column(k + 1, 0, j),
+                                 column(k + 1, 1, j), column(k + 1, 2, j)},
+                                k));
+      add_bounds(2, 0.0, 0.0, true);
+    }
+  }
+  has_jerk_limits_ = std::any_of(task_.coordinates.begin(), task_.coordinates.end(),
+                                 [](const Coordinate& c) { return std::isfinite(c.jerk); });
+  if (has_jerk_limits_) {
+    groups_.push_back(
+        {rows.rows(), "jerk", kJerk, -1, 0,
+         static_cast<int>(std::count_if(task_.coordinates.begin(), task_.coordinates.end(),
+                                        [](const Coordinate& c) { return std::isfinite(c.jerk); }))});
+    first_jerk_ = static_cast<int>(rows.blocks().size());
+    for (int k = 0; k < intervals; ++k) {
+      for (int j = 0; j < m_; ++j) {
+        if (!std::isfinite(task_.coordinates[static_cast<std::size_t>(j)].jerk)) continue;
+        rows.add(1, with_duration({column(k, 2, j), column(k + 1, 2, j)}, k));
+        add_bounds(1, -1.0, 1.0, false);
+      }
+    }
+  }
+  if (task_.smoothness.jerk > 0.0 || task_.smoothness.acceleration > 0.0) {
+    first_smooth_ = static_cast<int>(residuals.blocks().size());
+    for (int k = 0; k < intervals; ++k) {
+      for (int j = 0; j < m_; ++j) residuals.add(2, {column(k, 2, j), column(k + 1, 2, j)});
+    }
+  }
+}
+
+void TrajectoryProgram::lay_out_bounds() {
+  const auto add = [&](const char* name, int order, int j, double lower, double upper) {
+    if (!std::isfinite(lower) && !std::isfinite(upper)) return;
+    groups_.push_back({rows.rows(), name, kBounds, j, 0, 1});
+    // Values relative to the limit, so that a violation is, too.
+    const double unit =
+        std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
+    const double per = unit > 0.0 ? 1.0 / unit : 1.0;
+    std::vector<int> columns;
+    for (int k = 0; k < task_.grid.knots(); ++k) columns.push_back(column(k, order, j));
+    const int block = rows.add_diagonal(columns);
+    std::fill_n(rows.values(rows.block(block)), columns.size(), scale(order, j) * per);
+    add_bounds(static_cast<int>(columns.size()), lower * per, upper * per, false);
+  };
+  for (int j = 0; j < m_; ++j) {
+    const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
+    add("position", 0, j, c.lower, c.upper);
+    add("velocity", 1, j, std::max(-c.velocity, c.least_velocity), c.velocity);
+    add("acceleration", 2, j, -c.acceleration, c.acceleration);
+  }
+  for (std::size_t p = 0; p < duration_column_.size(); ++p) {
+    if (duration_column_[p] < 0) continue;
+    const Phase& phase = task_.grid.phases[p];
+    groups_.push_back({rows.rows(), "duration of phase " + phase.name, kBounds, -1, 0, 1});
+    const int block = rows.add_diagonal({duration_column_[p]});
+    rows.values(rows.block(block))[0] = 1.0;
+    add_bounds(1, phase.shortest, phase.longest, false);
+  }
+}
+
+void TrajectoryProgram::lay_out_terms() {
+  for (std::size_t t = 0; t < task_.terms.size(); ++t) {
+    const KnotTerm& term = task_.terms[t];
+    BlockRows& target = term.cost ? residuals : rows;
+    if (!term.cost)
+      groups_.push_back({rows.rows(), term.name, kTerm, static_cast<int>(t), term.first_knot,
+                         static_cast<int>(term.rows.size())});
+    term_blocks_.push_back({static_cast<int>(target.blocks().size())});
+    for (int k = term.first_knot; k <= term.last_knot; ++k) {
+      const std::vector<int> columns = knot_columns(k, term.on_velocity, term.on_acceleration, term.on_time);
+      target.add(static_cast<int>(term.rows.size()), columns);
+      if (!term.cost) add_bounds(static_cast<int>(term.rows.size()), term.lower, term.upper, false);
+    }
+  }
+}
+
+void TrajectoryProgram::add_bounds(int count, double lower, double upper, bool hard) {
+  lower_.insert(lower_.end(), static_cast<std::size_t>(count), lower);
+  upper_.insert(upper_.end(), static_cast<std::size_t>(count), upper);
+  penalty_.insert(penalty_.end(), static_cast<std::size_t>(count), hard ? kInf : task_.penalty);
+}
+
+std::vector<int> TrajectoryProgram::free_phases_until(int knot) const {
+  std::vector<int> free;
+  const int own = knot == 0 ? 0 : phase_of_interval_[static_cast<std::size_t>(knot - 1)];
+  for (int p = 0; p <= own; ++p) {
+    if (duration_column_[static_cast<std::size_t>(p)] >= 0) free.push_back(p);
+  }
+  return free;
+}
+
+std::vector<int> TrajectoryProgram::knot_columns(int knot, bool on_velocity, bool on_acceleration,
+                                                 bool on_time) const {
+  std::vector<int> columns;
+  for (int order = 0; order < 3; ++order) {
+    if ((order == 1 && !on_velocity) || (order == 2 && !on_acceleration)) continue;
+    for (int j = 0; j < m_; ++j) columns.push_back(column(knot, order, j));
+  }
+  if (on_time) {
+    for (const int p : free_phases_until(knot))
+      columns.push_back(duration_column_[static_cast<std::size_t>(p)]);
+  }
+  return columns;
+}
+
+}  // namespace armtune
