@@ -13,8 +13,8 @@ struct Dual {
   Eigen::Array<double, N, 1> slope = Eigen::Array<double, N, 1>::Zero();
 
   Dual() = default;
-  Dual(double constant)
-      : value(constant) {}  // NOLINT(google-explicit-constructor): a constant is a number, too
+  // NOLINTNEXTLINE(google-explicit-constructor): a constant is a number, too
+  Dual(double constant) : value(constant) {}
   Dual(double v, const Eigen::Array<double, N, 1>& d) : value(v), slope(d) {}
   /// The variable of direction k.
   static Dual variable(double v, int k) {

@@ -64,12 +64,12 @@ bool reach(const RobotModel& robot, const Vec3& tool, const std::optional<Vec3>&
 std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
                                    const std::optional<Vec3>& target, const JointVector& first,
                                    BestPose best) {
-  std::mt19937 generator(1);
   std::optional<JointVector> found;
   double best_score = -std::numeric_limits<double>::infinity();
   for (int start = 0; start < kStarts; ++start) {
     JointVector q = first;
     if (start > 0) {
+      std::mt19937 generator(static_cast<unsigned>(start));  // its number names the start
       for (int i = 0; i < robot.n(); ++i) {
         const JointLimits& limits = robot.joints[static_cast<std::size_t>(i)].limits;
         const double lower = limits.has_position ? std::max(limits.lower, -M_PI) : -M_PI;

@@ -91,6 +91,7 @@ void TrajectoryProgram::lay_out_bounds() {
         std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
     const double per = unit > 0.0 ? 1.0 / unit : 1.0;
     std::vector<int> columns;
+    columns.reserve(static_cast<std::size_t>(task_.grid.knots()));
     for (int k = 0; k < task_.grid.knots(); ++k) columns.push_back(column(k, order, j));
     const int block = rows.add_diagonal(columns);
     std::fill_n(rows.values(rows.block(block)), columns.size(), scale(order, j) * per);

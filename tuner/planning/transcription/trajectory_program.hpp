@@ -90,7 +90,7 @@ class TrajectoryProgram : public NonlinearProgram {
   std::vector<int> free_phases_until(int knot) const;
   std::vector<int> knot_columns(int knot, bool on_velocity, bool on_acceleration, bool on_time) const;
   void term_rows(const KnotTerm& term, const Knot& knot, double* value, double* derivative);
-  void write_term(std::size_t term, const Knot& knot, Eigen::VectorXd& values, BlockRows& rows,
+  void write_term(std::size_t t, const Knot& knot, Eigen::VectorXd& values, BlockRows& target,
                   bool derivatives);
 
   TrajectoryTask task_;
