@@ -21,7 +21,7 @@ TEST(Plan, WritesATrajectoryAndSaysWhatHoldsItBack) {
   const Finished planned = run_program({"plan", "ur10_switch", "--knots", "60", "--out", out});
   ASSERT_EQ(planned.exit_code, 0) << planned.err;
   EXPECT_THAT(planned.out,
-              AllOf(HasSubstr("least time within the limits"), HasSubstr("velocity of wrist_2_joint"),
+              AllOf(HasSubstr("least time found within the limits"), HasSubstr("velocity of wrist_2_joint"),
                     HasSubstr("constraint violation"), HasSubstr("KKT residual")));
   for (const char* file :
        {"trajectory.csv", "joint_trajectory.yaml", "task.yaml", "columns.csv", "run.yaml"}) {

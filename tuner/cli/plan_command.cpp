@@ -53,7 +53,7 @@ void show_limits(const std::vector<BindingLimit>& limits, const char* title) {
 std::string headline(const PlanTask& task, const PlannedTrajectory& planned) {
   const double duration = planned.trajectory.durations.front();
   if (!task.duration)
-    return fmt::format("{}: {:.4g} s is the least time within the limits", task.name, duration);
+    return fmt::format("{}: {:.4g} s is the least time found within the limits", task.name, duration);
   return fmt::format("{}: solved over {:.4g} s", task.name, duration);
 }
 

@@ -119,10 +119,11 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(20, 10000))
       ->capture_default_str();
   command->footer(
-      "Each plan starts from the arm's state when the event begins, knows everything and keeps the "
-      "positions, velocities and "
-      "torques\nof the robot's file: no controller can do better. A lap is held against the least error, not "
-      "the least time.\n\n"
+      "Each plan starts from the arm's state when the event begins, knows everything, and keeps the robot's "
+      "positions,\n"
+      "velocities and torques at its knots. It is the best found from one first guess: a local optimum. A "
+      "lap is held\n"
+      "against a small error on its grid, not against the least time.\n\n"
       "Example:\n  armtune simulate target_switch --out runs/published\n  armtune yardstick "
       "runs/published\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });

@@ -34,6 +34,11 @@ StartState row_of(const PlanTask& task, const RobotModel& robot) {
     const std::string joint = "joint/" + robot.joints[static_cast<std::size_t>(i)].name;
     state.position[i] = table.number(row, table.column(joint + "/position"));
     state.velocity[i] = table.number(row, table.column(joint + "/velocity"));
+    if (!std::isfinite(state.position[i]) || !std::isfinite(state.velocity[i])) {
+      throw InputError(
+          fmt::format("{}: row at {} s has no finite {}/position and velocity; start from another time",
+                      shown_path(task.start.rollout), time[row], joint));
+    }
   }
   return state;
 }

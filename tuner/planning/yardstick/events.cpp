@@ -59,7 +59,8 @@ struct Columns {
 void add_switches(const Columns& columns, const Scenario& scenario, double threshold,
                   std::vector<Event>& events) {
   if (!(scenario.switch_every > 0.0) || scenario.targets.size() < 2) return;
-  for (double at = scenario.switch_every; at < columns.time.back(); at += scenario.switch_every) {
+  for (int turn = 1; turn * scenario.switch_every < columns.time.back(); ++turn) {
+    const double at = turn * scenario.switch_every;
     const std::size_t first = columns.row_at(at);
     const std::size_t last = std::min(columns.row_at(at + scenario.switch_every), columns.rows());
     if (first >= last || !columns.in(first, ControlState::kFollowTrajectory)) continue;
