@@ -12,7 +12,9 @@ constexpr int kFactor = 3;     // from one grid to the next
 TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
   TimeGrid coarse = grid;
   for (Phase& phase : coarse.phases)
-    phase.intervals = std::min(phase.intervals, std::max(4, phase.intervals * longest / wanted));
+    phase.intervals =
+        std::min(phase.intervals,
+                 std::max(4, static_cast<int>(static_cast<long>(phase.intervals) * longest / wanted)));
   return coarse;
 }
 

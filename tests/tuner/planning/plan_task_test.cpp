@@ -75,6 +75,14 @@ void expect_within_limits(const PlanTask& task, const PlanProblem& problem,
     const Eigen::VectorXd step = t.position.col(k - 1) + h * t.velocity.col(k - 1) +
                                  h * h * (t.acceleration.col(k - 1) / 3.0 + t.acceleration.col(k) / 6.0);
     EXPECT_LE((t.position.col(k) - step).lpNorm<Eigen::Infinity>(), 1e-8);
+    // Velocities between the knots as well.
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const TrajectoryPoint inside = point_at(t, t.time[static_cast<std::size_t>(k)] - part * h);
+      for (int i = 0; i < robot.n(); ++i) {
+        EXPECT_LE(std::abs(inside.velocity[i]), robot.joints[static_cast<std::size_t>(i)].limits.velocity *
+                                                    task.limits.velocity * (1.0 + 1e-7));
+      }
+    }
   }
 }
 

@@ -179,7 +179,7 @@ TEST(TrajectoryProgram, NamesEveryRow) {
   }
   EXPECT_EQ(found["dynamics"], 7 * 7 * 2);
   EXPECT_EQ(found["jerk"], 7 * 3);
-  EXPECT_EQ(found["velocity"], 6 * 8 + 8);
+  EXPECT_EQ(found["velocity"], 6 * 8 + 8 + 7 * 7);  // at the knots, and inside the intervals
   EXPECT_EQ(found["torque"], 6 * 8);
   EXPECT_EQ(found["tool path"], 4 * 3 + 3 + 5 * 3);
   EXPECT_EQ(found["gaze"], 4);

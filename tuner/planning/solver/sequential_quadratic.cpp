@@ -20,6 +20,7 @@ constexpr double kLargestDamping = 1e10;
 constexpr double kSmallestDamping = 1e-12;
 
 double violation(const RowBounds& bounds, Index i, double value) {
+  if (std::isnan(value)) return INFINITY;
   return std::max({0.0, bounds.lower[i] - value, value - bounds.upper[i]});
 }
 

@@ -1,6 +1,8 @@
 #pragma once
-// Gauss-Newton sequential quadratic programming with an l1 merit function (Nocedal and Wright, Numerical
-// Optimization, chapter 18.5: S l1 QP) and Levenberg-Marquardt damping in place of a trust region.
+// Sequential quadratic programming: the Hessian is the Gauss-Newton product and the curvature that the rows
+// add, with Levenberg-Marquardt damping in place of a trust region. A filter decides on steps (Fletcher and
+// Leyffer, Math. Prog. 91, 2002); where even the subproblem must violate rows, the l1 merit function does
+// (Nocedal and Wright, Numerical Optimization, 18.5).
 
 #include <functional>
 

@@ -13,7 +13,7 @@ namespace armtune {
 namespace {
 
 constexpr double kShortest = 2e-3;  // of a free duration [s]
-constexpr double kLongest = 60.0;
+constexpr double kLongest = 100.0;  // times its first guess
 
 }  // namespace
 
@@ -57,7 +57,7 @@ TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
 
 Phase PlanCommon::phase(const char* name, int intervals, double guess) const {
   return task.duration ? Phase{name, intervals, *task.duration, false}
-                       : Phase{name, intervals, guess, true, kShortest, kLongest};
+                       : Phase{name, intervals, guess, true, kShortest, kLongest * guess};
 }
 
 TimeGrid PlanCommon::grid(std::vector<Phase> phases) const {

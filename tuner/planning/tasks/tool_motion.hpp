@@ -14,10 +14,15 @@ namespace armtune {
 /// A point that moves: position [m], velocity, acceleration at t [s].
 using MovingPoint = std::function<MotionPoint<Vec3>(double t)>;
 
+/// Which of several poses is the best.
+enum class BestPose {
+  kLargestManipulability,
+  kSoonest,  ///< at the velocity limits, from the first start
+};
+
 /// A joint position (n) within the limits with the tool at `tool` and, where one is given, its z axis at
 /// `target`; of those that are found from `first` and from random ones the best. None if no start leads
 /// there.
-enum class BestPose { kLargestManipulability, kSoonest };  ///< kSoonest: at the velocity limits, from `first`
 std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
                                    const std::optional<Vec3>& target, const JointVector& first,
                                    BestPose best);

@@ -56,6 +56,7 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
   const std::vector<double> T = durations(z);
   int dynamics = first_dynamics_;
   int jerk = first_jerk_;
+  int inside = first_inside_;
   for (int k = 0; k < task_.grid.intervals(); ++k) {
     const auto phase = static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)]);
     const int first = interval_curvature_[static_cast<std::size_t>(k)];
@@ -63,9 +64,11 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
     const double h = T[phase] * by_T;
     for (int j = 0; j < m_; ++j) {
       const RowBlock& rows_q = rows.block(dynamics++);
-      const double limit = task_.coordinates[static_cast<std::size_t>(j)].jerk;
-      const bool jerk_row = has_jerk_limits_ && std::isfinite(limit);
+      const Coordinate& coordinate = task_.coordinates[static_cast<std::size_t>(j)];
+      const double limit = coordinate.jerk;
+      const bool jerk_row = std::isfinite(limit);
       const double y_jerk = jerk_row ? y[rows.block(jerk++).first_row] : 0.0;
+      const double y_inside = coordinate.limits_velocity() ? y[rows.block(inside++).first_row] : 0.0;
       if (first < 0) continue;
       const double y_q = y[rows_q.first_row];
       const double y_v = y[rows_q.first_row + 1];
@@ -74,7 +77,7 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
       const double a0 = z[column(k, 2, j)] * sa;
       const double a1 = z[column(k + 1, 2, j)] * sa;
       auto C = curvature.values(first + j);  // over v0, a0, a1, T
-      double by_a0 = -y_q * 2.0 * h / 3.0 - y_v / (2.0 * sv);
+      double by_a0 = -y_q * 2.0 * h / 3.0 - y_v / (2.0 * sv) + y_inside / (2.0 * coordinate.velocity_unit());
       double by_a1 = -y_q * 2.0 * h / 6.0 - y_v / (2.0 * sv);
       double by_h = -y_q * 2.0 * (a0 / 3.0 + a1 / 6.0);
       if (jerk_row) {

@@ -15,6 +15,8 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 }  // namespace
 
 TrajectoryProgram::TrajectoryProgram(TrajectoryTask task) : task_(std::move(task)) {
+  std::erase_if(task_.terms,
+                [](const KnotTerm& term) { return term.rows.empty(); });  // an arm with nothing to say
   m_ = static_cast<int>(task_.coordinates.size());
   joints_ = task_.chain == nullptr ? m_ : task_.chain->n;
   const int knots = task_.grid.knots();
@@ -48,7 +50,7 @@ void TrajectoryProgram::lay_out_intervals() {
     if (duration >= 0) columns.push_back(duration);
     return columns;
   };
-  groups_.push_back({rows.rows(), "dynamics", kDynamics, -1, 0, 2 * m_});
+  groups_.push_back({rows.rows(), "dynamics", kDynamics, -1, 2 * m_});
   first_dynamics_ = static_cast<int>(rows.blocks().size());
   for (int k = 0; k < intervals; ++k) {
     for (int j = 0; j < m_; ++j) {
@@ -58,20 +60,28 @@ void TrajectoryProgram::lay_out_intervals() {
       add_bounds(2, 0.0, 0.0, true);
     }
   }
-  has_jerk_limits_ = std::any_of(task_.coordinates.begin(), task_.coordinates.end(),
-                                 [](const Coordinate& c) { return std::isfinite(c.jerk); });
-  if (has_jerk_limits_) {
-    groups_.push_back(
-        {rows.rows(), "jerk", kJerk, -1, 0,
-         static_cast<int>(std::count_if(task_.coordinates.begin(), task_.coordinates.end(),
-                                        [](const Coordinate& c) { return std::isfinite(c.jerk); }))});
-    first_jerk_ = static_cast<int>(rows.blocks().size());
-    for (int k = 0; k < intervals; ++k) {
-      for (int j = 0; j < m_; ++j) {
-        if (!std::isfinite(task_.coordinates[static_cast<std::size_t>(j)].jerk)) continue;
-        rows.add(1, with_duration({column(k, 2, j), column(k + 1, 2, j)}, k));
-        add_bounds(1, -1.0, 1.0, false);
-      }
+  for (int j = 0; j < m_; ++j) {
+    const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
+    if (std::isfinite(c.jerk)) jerk_limited_.push_back(j);
+    if (c.limits_velocity()) velocity_limited_.push_back(j);
+  }
+  first_jerk_ = static_cast<int>(rows.blocks().size());
+  if (!jerk_limited_.empty())
+    groups_.push_back({rows.rows(), "jerk", kJerk, -1, static_cast<int>(jerk_limited_.size())});
+  for (int k = 0; k < intervals; ++k) {
+    for (const int j : jerk_limited_) {
+      rows.add(1, with_duration({column(k, 2, j), column(k + 1, 2, j)}, k));
+      add_bounds(1, -1.0, 1.0, false);
+    }
+  }
+  first_inside_ = static_cast<int>(rows.blocks().size());
+  if (!velocity_limited_.empty())
+    groups_.push_back({rows.rows(), "velocity", kInside, -1, static_cast<int>(velocity_limited_.size())});
+  for (int k = 0; k < intervals; ++k) {
+    for (const int j : velocity_limited_) {
+      const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
+      rows.add(1, with_duration({column(k, 1, j), column(k, 2, j)}, k));
+      add_bounds(1, c.lowest_velocity() / c.velocity_unit(), c.velocity / c.velocity_unit(), false);
     }
   }
   if (task_.smoothness.jerk > 0.0 || task_.smoothness.acceleration > 0.0) {
@@ -85,7 +95,7 @@ void TrajectoryProgram::lay_out_intervals() {
 void TrajectoryProgram::lay_out_bounds() {
   const auto add = [&](const char* name, int order, int j, double lower, double upper) {
     if (!std::isfinite(lower) && !std::isfinite(upper)) return;
-    groups_.push_back({rows.rows(), name, kBounds, j, 0, 1});
+    groups_.push_back({rows.rows(), name, kBounds, j, 1});
     // Values relative to the limit, so that a violation is, too.
     const double unit =
         std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
@@ -100,13 +110,13 @@ void TrajectoryProgram::lay_out_bounds() {
   for (int j = 0; j < m_; ++j) {
     const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
     add("position", 0, j, c.lower, c.upper);
-    add("velocity", 1, j, std::max(-c.velocity, c.least_velocity), c.velocity);
+    add("velocity", 1, j, c.lowest_velocity(), c.velocity);
     add("acceleration", 2, j, -c.acceleration, c.acceleration);
   }
   for (std::size_t p = 0; p < duration_column_.size(); ++p) {
     if (duration_column_[p] < 0) continue;
     const Phase& phase = task_.grid.phases[p];
-    groups_.push_back({rows.rows(), "duration of phase " + phase.name, kBounds, -1, 0, 1});
+    groups_.push_back({rows.rows(), "duration of phase " + phase.name, kBounds, -1, 1});
     const int block = rows.add_diagonal({duration_column_[p]});
     rows.values(rows.block(block))[0] = 1.0;
     add_bounds(1, phase.shortest, phase.longest, false);
@@ -118,8 +128,8 @@ void TrajectoryProgram::lay_out_terms() {
     const KnotTerm& term = task_.terms[t];
     BlockRows& target = term.cost ? residuals : rows;
     if (!term.cost)
-      groups_.push_back({rows.rows(), term.name, kTerm, static_cast<int>(t), term.first_knot,
-                         static_cast<int>(term.rows.size())});
+      groups_.push_back(
+          {rows.rows(), term.name, kTerm, static_cast<int>(t), static_cast<int>(term.rows.size())});
     term_blocks_.push_back({static_cast<int>(target.blocks().size())});
     for (int k = term.first_knot; k <= term.last_knot; ++k) {
       const std::vector<int> columns = knot_columns(k, term.on_velocity, term.on_acceleration, term.on_time);

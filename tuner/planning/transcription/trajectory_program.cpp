@@ -111,11 +111,9 @@ RowMeaning TrajectoryProgram::meaning(Index row) const {
       meaning.part = task_.coordinates[static_cast<std::size_t>(offset / 2 % m_)].name;
       meaning.knot = offset / 2 / m_;
       break;
-    case kJerk: {
-      std::vector<int> limited;
-      for (int j = 0; j < m_; ++j) {
-        if (std::isfinite(task_.coordinates[static_cast<std::size_t>(j)].jerk)) limited.push_back(j);
-      }
+    case kJerk:
+    case kInside: {
+      const std::vector<int>& limited = group->kind == kJerk ? jerk_limited_ : velocity_limited_;
       const int count = static_cast<int>(limited.size());
       meaning.part =
           task_.coordinates[static_cast<std::size_t>(limited[static_cast<std::size_t>(offset % count)])].name;

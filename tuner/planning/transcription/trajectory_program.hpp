@@ -3,8 +3,12 @@
 // acceleration of every coordinate at every knot, and the free durations. Between knots the motion is an
 // exact cubic:
 //   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
-// Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
+// Between knots q'' is linear, so its limit holds there as well; q' is a parabola whose control points q', q'
+// + h q''/2, q'+ all keep the velocity limit, and with them the parabola (Farin, Curves and Surfaces for
+// CAGD, chapter 4). Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -23,6 +27,11 @@ struct Coordinate {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double least_velocity = -std::numeric_limits<double>::infinity();
+  /// Bounds on q': of both directions the narrower.
+  double lowest_velocity() const { return std::max(-velocity, least_velocity); }
+  bool limits_velocity() const { return std::isfinite(lowest_velocity()) || std::isfinite(velocity); }
+  /// What velocities are divided by, so that a violation is relative to the limit.
+  double velocity_unit() const { return std::isfinite(velocity) ? velocity : velocity_scale; }
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
   double jerk = std::numeric_limits<double>::infinity();
@@ -98,24 +107,23 @@ class TrajectoryProgram : public NonlinearProgram {
   int joints_ = 0;
   std::vector<int> duration_column_;  ///< of each phase; -1: fixed
   std::vector<int> phase_of_interval_;
-  int first_dynamics_ = 0, first_jerk_ = 0;  ///< blocks in rows
-  bool has_jerk_limits_ = false;
+  int first_dynamics_ = 0, first_jerk_ = 0, first_inside_ = 0;  ///< blocks in rows
+  std::vector<int> jerk_limited_, velocity_limited_;            ///< coordinates
   std::vector<int> interval_curvature_;  ///< of each interval: its first block, -1: none
   std::vector<int> knot_curvature_;      ///< of each knot: its block, -1: none
   int first_smooth_ = -1;                ///< block in residuals; -1: none
   std::vector<TermBlocks> term_blocks_;
   std::vector<double> lower_, upper_, penalty_;
-  enum GroupKind { kDynamics, kJerk, kBounds, kTerm };
+  enum GroupKind { kDynamics, kJerk, kInside, kBounds, kTerm };
   struct RowGroup {
     Eigen::Index first_row;
     std::string limit;
-    int kind;  ///< how `meaning` reads the offset
-    int term;  ///< or coordinate
-    int first_knot;
+    int kind;   ///< how `meaning` reads the offset
+    int term;   ///< or coordinate
     int width;  ///< rows of a knot
   };
   std::vector<RowGroup> groups_;
-  Eigen::VectorXd scratch_value_, scratch_q_, scratch_qd_, scratch_qdd_, scratch_time_;
+  Eigen::VectorXd scratch_q_, scratch_qd_, scratch_qdd_, scratch_time_;
 };
 
 }  // namespace armtune

@@ -32,6 +32,7 @@ void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, Vect
   const int intervals = task_.grid.intervals();
   int dynamics = first_dynamics_;
   int jerk = first_jerk_;
+  int inside = first_inside_;
   for (int k = 0; k < intervals; ++k) {
     const auto phase = static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)]);
     const double by_T = 1.0 / task_.grid.phases[phase].intervals;
@@ -57,16 +58,27 @@ void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, Vect
         put({0.0, -1.0, -h / 2.0 * sa / sv, 0.0, 1.0, -h / 2.0 * sa / sv});
         if (free) put({-by_T * (a0 + a1) / 2.0 / sv});
       }
-      const double limit = task_.coordinates[static_cast<std::size_t>(j)].jerk;
-      if (has_jerk_limits_ && std::isfinite(limit)) {
+      const Coordinate& coordinate = task_.coordinates[static_cast<std::size_t>(j)];
+      if (std::isfinite(coordinate.jerk)) {
         const RowBlock& jerk_block = rows.block(jerk++);
-        const double per = 1.0 / (h * limit);
+        const double per = 1.0 / (h * coordinate.jerk);
         row[jerk_block.first_row] = (a1 - a0) * per;
         if (derivatives) {
           double* d = rows.values(jerk_block);
           d[0] = -sa * per;
           d[1] = sa * per;
           if (free) d[2] = -(a1 - a0) * per / h * by_T;
+        }
+      }
+      if (coordinate.limits_velocity()) {
+        const RowBlock& inside_block = rows.block(inside++);
+        const double per = 1.0 / coordinate.velocity_unit();
+        row[inside_block.first_row] = (v0 + h * a0 / 2.0) * per;
+        if (derivatives) {
+          double* d = rows.values(inside_block);
+          d[0] = sv * per;
+          d[1] = h / 2.0 * sa * per;
+          if (free) d[2] = by_T * a0 / 2.0 * per;
         }
       }
       if (first_smooth_ >= 0) {
@@ -132,6 +144,7 @@ void TrajectoryProgram::term_rows(const KnotTerm& term, const Knot& knot, double
   }
   term.evaluate(knot, out);
   if (derivative == nullptr) return;
+  const std::vector<int> free = term.on_time ? free_phases_until(knot.index) : std::vector<int>();
   double* d = derivative;
   for (Index i = 0; i < count; ++i) {
     for (int j = 0; j < m_; ++j) *d++ = scratch_q_[i * m_ + j];
@@ -141,10 +154,7 @@ void TrajectoryProgram::term_rows(const KnotTerm& term, const Knot& knot, double
     if (term.on_acceleration) {
       for (int j = 0; j < m_; ++j) *d++ = scratch_qdd_[i * m_ + j] * scale(2, j);
     }
-    if (term.on_time) {
-      for (const int p : free_phases_until(knot.index))
-        *d++ = scratch_time_[i] * part_of_phase(knot.index, static_cast<std::size_t>(p));
-    }
+    for (const int p : free) *d++ = scratch_time_[i] * part_of_phase(knot.index, static_cast<std::size_t>(p));
   }
 }
 

@@ -93,8 +93,8 @@ void add_returns(const Columns& columns, const Scenario& scenario, std::vector<E
 }
 
 void add_laps(const Columns& columns, const Scenario& scenario, std::vector<Event>& events) {
-  if (!(scenario.path.frequency > 0.0)) return;
-  const double turn = 2.0 * M_PI / scenario.path.frequency;
+  if (scenario.path.frequency == 0.0) return;
+  const double turn = 2.0 * M_PI / std::abs(scenario.path.frequency);
   std::size_t first = 0;
   while (first < columns.rows()) {
     while (first < columns.rows() && !columns.in(first, ControlState::kFollowTrajectory)) ++first;
