@@ -10,4 +10,14 @@ std::string cell(double value) {
   return std::isnan(value) ? std::string() : fmt::format("{}", value);
 }
 
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
 }  // namespace armtune

@@ -1,5 +1,5 @@
 #pragma once
-// A number as a cell of a CSV file.
+// A number or a text as a cell of a CSV file.
 
 #include <string>
 
@@ -7,5 +7,8 @@ namespace armtune {
 
 /// Reads back to the same bits; empty for NaN, which stands for a value that there is not.
 std::string cell(double value);
+
+/// The text, in quotes where a reader would else take part of it for the end of the cell.
+std::string cell(const std::string& text);
 
 }  // namespace armtune

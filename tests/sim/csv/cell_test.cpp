@@ -1,0 +1,35 @@
+#include "sim/csv/cell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "tests/sim/support/csv.hpp"
+
+namespace armtune {
+namespace {
+
+TEST(Cell, ANumberReadsBackToTheSameBitsAndNoValueIsEmpty) {
+  std::mt19937_64 generator(3);
+  std::uniform_real_distribution<double> exponent(-300.0, 300.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double value = (i % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, exponent(generator));
+    EXPECT_EQ(std::stod(cell(value)), value);
+  }
+  EXPECT_EQ(cell(NAN), "");
+}
+
+TEST(Cell, ATextReadsBackWhateverIsInIt) {
+  EXPECT_EQ(cell(std::string("velocity of elbow_joint")), "velocity of elbow_joint");
+  for (const std::string text : {"a, b", "say \"it\"", "\"", ",", ""}) {
+    const test::Csv csv("first,second\n" + cell(text) + ",x\n");
+    ASSERT_EQ(csv.rows.size(), 1U);
+    EXPECT_EQ(csv.at(0, "first"), text);
+    EXPECT_EQ(csv.at(0, "second"), "x");
+  }
+}
+
+}  // namespace
+}  // namespace armtune
