@@ -11,6 +11,7 @@
 #include "tuner/report/arm.hpp"
 #include "tuner/report/run_kind.hpp"
 #include "tuner/report/series.hpp"
+#include "tuner/report/yardstick_rows.hpp"
 
 namespace armtune::report {
 
@@ -172,6 +173,7 @@ struct ReportData {
   std::vector<Gain> gains;
   std::vector<Sensitivity> sensitivity;
   std::vector<MarginRow> margins;
+  std::vector<YardstickRow> yardstick;
   std::optional<Front> front;
   std::optional<Robustness> robustness;
   std::string command;

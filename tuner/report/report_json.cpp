@@ -3,6 +3,7 @@
 #include "tuner/report/base64.hpp"
 #include "tuner/report/json.hpp"
 #include "tuner/report/report_data.hpp"
+#include "tuner/report/yardstick_json.hpp"
 
 namespace armtune::report {
 namespace {
@@ -263,6 +264,7 @@ std::string report_json(const ReportData& data) {
   if (!data.gains.empty()) array(json, "gains", data.gains, write_gain);
   if (!data.sensitivity.empty()) array(json, "sensitivity", data.sensitivity, write_sensitivity);
   if (!data.margins.empty()) array(json, "margins", data.margins, write_margin);
+  if (!data.yardstick.empty()) array(json, "yardstick", data.yardstick, write_yardstick);
   if (data.front) {
     json.key("front");
     write_front(json, *data.front);

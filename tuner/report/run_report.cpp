@@ -116,9 +116,7 @@ class Assembly {
     std::vector<std::optional<CsvTable>> errors;
     for (const SceneSet& set : scene_.sets) errors.push_back(table_if_any(file(set.errors)));
     data_.tables = tables_of(errors);
-    std::vector<std::optional<CsvTable>> robust;
-    for (const SceneSet& set : scene_.sets) robust.push_back(table_if_any(file(set, "robust_errors.csv")));
-    auto judged = tables_of(robust);
+    auto judged = tables_of(of_sets("robust_errors.csv"));
     // Each metric is measured over the arms by itself: joint and time of a ratio are of no one arm.
     for (Table& table : judged) {
       for (MetricRow& row : table.rows) row.text.clear();
@@ -128,11 +126,7 @@ class Assembly {
 
   /// Those that a person looks at first and those that the study asks for: every other is in the files.
   void show_tables() {
-    std::vector<Metric> wanted;
-    if (facts_.study) {
-      for (const StudyTerm& term : facts_.study->terms) wanted.push_back(term.metric);
-      for (const StudyLimit& limit : facts_.study->limits) wanted.push_back(limit.metric);
-    }
+    const auto wanted = facts_.study ? metrics_of(*facts_.study) : std::vector<Metric>();
     keep_rows(data_.tables, wanted);
     if (data_.judged) keep_rows(data_.judged->tables, wanted);
   }
@@ -244,13 +238,19 @@ class Assembly {
                                   facts_.study ? facts_.study->limits : std::vector<StudyLimit>());
   }
 
+  /// A file of each set; none where there is no such file.
+  std::vector<std::optional<CsvTable>> of_sets(const char* name) const {
+    std::vector<std::optional<CsvTable>> tables;
+    for (const SceneSet& set : scene_.sets) tables.push_back(table_if_any(file(set, name)));
+    return tables;
+  }
+
   void read_analyses() {
     if (const auto sensitivity = table_if_any(file("sensitivity.csv"))) {
       data_.sensitivity = sensitivity_of(*sensitivity);
     }
-    std::vector<std::optional<CsvTable>> margins;
-    for (const SceneSet& set : scene_.sets) margins.push_back(table_if_any(file(set, "margins.csv")));
-    data_.margins = margins_of(margins);
+    data_.margins = margins_of(of_sets("margins.csv"));
+    part([this] { data_.yardstick = yardstick_of(of_sets("yardstick.csv")); });
   }
 
   void read_many() {

@@ -20,6 +20,14 @@ std::optional<Metric> metric_of(const yaml::Node& item) {
 
 }  // namespace
 
+std::vector<Metric> metrics_of(const StudyFacts& study) {
+  std::vector<Metric> metrics;
+  metrics.reserve(study.terms.size() + study.limits.size());
+  for (const StudyTerm& term : study.terms) metrics.push_back(term.metric);
+  for (const StudyLimit& limit : study.limits) metrics.push_back(limit.metric);
+  return metrics;
+}
+
 StudyFacts read_study_facts(const std::string& path) {
   const yaml::Node root = yaml::parse_file(path);
   StudyFacts facts;

@@ -37,6 +37,9 @@ struct StudyFacts {
   std::string measure;  ///< "worst of 5 arms each" of a study on many arms, else empty
 };
 
+/// What its terms and limits are of, twice or not.
+std::vector<Metric> metrics_of(const StudyFacts& study);
+
 /// Of a study.yaml in a run folder. Throws InputError naming file and key.
 StudyFacts read_study_facts(const std::string& path);
 

@@ -248,9 +248,7 @@ Verdict of_robustness(const ReportData& data) {
   return verdict;
 }
 
-}  // namespace
-
-Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
+Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
   const bool searches =
       data.kind == RunKind::kTune || data.kind == RunKind::kPareto || data.kind == RunKind::kRobustness;
   if (searches && !facts.ended) return of_unfinished(data, facts);
@@ -267,6 +265,16 @@ Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
       return of_compare(data);
   }
   return {};
+}
+
+}  // namespace
+
+Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
+  Verdict verdict = of_run(data, facts);
+  const std::size_t result = data.sets.empty() ? 0 : data.sets.size() - 1;
+  const std::string sentence = yardstick_sentence(data.yardstick, result);
+  if (!sentence.empty()) verdict.details.insert(verdict.details.begin(), sentence);
+  return verdict;
 }
 
 }  // namespace armtune::report

@@ -88,6 +88,12 @@ function casesOf(data) {
       sensitivity: undefined,
       robustness: undefined,
       margins: [{ margin: "delay", unit: "periods", scenario: "all", values: [100, 0], text: ["≥ 100", "none"], reason: ["", REASON] }],
+      yardstick: [
+        { set: 0, scenario: "both", event: "switch", time: 8, reached: 1.48, limit: 1.21, ratio: 1.48 / 1.21, unit: "s", held_back_by: "velocity of elbow_joint", words: "reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)" },
+        { set: 1, scenario: "both", event: "switch", time: 8, reached: null, limit: 1.21, ratio: null, unit: "s", held_back_by: "nothing", words: "not reacquired: not before the next switch; the joint limits allow 1.21 s" },
+        { set: 1, scenario: "both", event: "lap", time: 10, reached: 0.012, limit: 0.0004, ratio: 30, unit: "rad", held_back_by: "nothing", words: "a gaze error of 12 mrad rms; the joint limits allow 0.4 mrad" },
+        { set: 1, scenario: "both", event: "return", time: 6, reached: null, limit: null, ratio: null, unit: "s", held_back_by: "", words: "not back on the path: cut off by an obstacle; no limit was found: not solved" },
+      ],
       front: {
         criteria: [{ name: "first", unit: "1" }, { name: "second", unit: "1" }],
         points: [point([1, 4], "start"), point([2, 3], "point"), point([3, 2], "chosen"), point([4, 1], "shown")],
@@ -195,6 +201,22 @@ async function checkNumbers({ page, expect }) {
   expect(margins.join() === "≥ 100,none", "margins stand as they are worded");
 }
 
+async function checkYardstick({ page, expect }) {
+  await bringIntoView(page, "#yardstick");
+  await settle(page, 50);
+  const titles = await page.locator("#yardstick .plot-title").allTextContents();
+  expect(titles.length === 2, `the yardstick has a plot of each kind that has figures (${titles.length})`);
+  expect(titles[0].endsWith("[s]") && titles[1].endsWith("[mrad]"), "with its unit");
+  const [reached, limit] = await page.locator("#yardstick svg rect").evaluateAll((all) => all.map((one) => Number(one.getAttribute("width"))));
+  expect(Math.abs(reached / limit - 1.48 / 1.21) < 1e-6, "reached and limit are as long as they are large");
+  const bars = await page.locator("#yardstick svg rect").count();
+  expect(bars === 5, `what was not reached has no bar (${bars} bars of three events)`);
+  const rows = await page.locator("#yardstick tbody tr").allTextContents();
+  expect(rows.length === 4 && rows[0].includes("1.48") && rows[0].includes("the joint limits allow"), "each event has a row in words");
+  expect(rows[2].includes("12") && rows[2].includes("mrad") && rows[2].includes("0.4"), "radians as mrad");
+  expect(rows[3].split("–").length >= 4, "what there is not is a dash");
+}
+
 export async function checkCases({ browser, file, folder, data, expect }) {
   if (!tabsOf(data).some((scenario) => hasReplay(data, scenario))) return;
   const cases = casesOf(data);
@@ -207,6 +229,7 @@ export async function checkCases({ browser, file, folder, data, expect }) {
   await checkWords(all);
   await checkArms(all);
   await checkMarks(all);
+  await checkYardstick(all);
   expect(complaints.length === 0, `none of it brings a complaint${complaints.length ? `: ${complaints[0]}` : ""}`);
   await context.close();
 }

@@ -40,6 +40,11 @@ function withMarkup(data) {
     margin.reason = margin.reason.map((text) => `${text}${IMAGE}`);
     margin.text = margin.text.map((text) => `${text}${SCRIPT}`);
   }
+  for (const one of changed.yardstick ?? []) {
+    one.scenario = `${SCRIPT}${one.scenario}`;
+    one.words = `${IMAGE}${one.words}`;
+    one.held_back_by = `${one.held_back_by}${SCRIPT}`;
+  }
   for (const point of changed.front?.points ?? []) point.label += IMAGE;
   for (const one of changed.robustness?.worst ?? []) one.text += SCRIPT;
   changed.provenance.command += CLOSING;

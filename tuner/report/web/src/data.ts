@@ -209,6 +209,27 @@ export interface Margin {
   reason: string[];
 }
 
+/** A target switch, return or lap of a rollout beside the best that the arm's limits allow from the same state. */
+export interface YardstickEvent {
+  /** Index into `sets`. */
+  set: number;
+  scenario: string;
+  event: "switch" | "return" | "lap";
+  /** When it begins, s. */
+  time: number;
+  /** Of `unit`; null where it was not reached. */
+  reached: number | null;
+  /** Of `unit`; null where none was found. */
+  limit: number | null;
+  /** reached / limit; null where there is none. */
+  ratio: number | null;
+  unit: "s" | "rad";
+  /** The limit of the arm that costs the plan most. */
+  held_back_by: string;
+  /** "reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)". */
+  words: string;
+}
+
 export interface Front {
   criteria: { name: string; unit: string }[];
   points: {
@@ -262,6 +283,7 @@ export interface ReportData {
   gains?: Gain[];
   sensitivity?: Sensitivity[];
   margins?: Margin[];
+  yardstick?: YardstickEvent[];
   front?: Front;
   robustness?: Robustness;
   provenance: { command: string; entries: [string, string][] };

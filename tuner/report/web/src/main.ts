@@ -12,6 +12,7 @@ import type { Section } from "./sections/section";
 import { sensitivitySection } from "./sections/sensitivity";
 import { tablesSection } from "./sections/tables";
 import { verdictSection } from "./sections/verdict";
+import { yardstickSection } from "./sections/yardstick";
 import { themeButton } from "./theme";
 
 const FORMAT = 1;
@@ -42,6 +43,7 @@ function show(data: ReportData): void {
     sensitivitySection(data),
     robustnessSection(data),
     marginsSection(data),
+    yardstickSection(data),
     provenanceSection(data),
   ].filter((one): one is Section => one !== null);
   document.getElementById("top")?.append(contents(sections), themeButton());
