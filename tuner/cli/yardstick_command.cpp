@@ -4,19 +4,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 
 #include "core/common/error.hpp"
+#include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
-#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
-#include "tuner/cli/progress_line.hpp"
-#include "tuner/planning/yardstick/yardstick.hpp"
-#include "tuner/report/csv_table.hpp"
+#include "tuner/cli/report_file.hpp"
+#include "tuner/cli/rollout_scenarios.hpp"
+#include "tuner/cli/yardstick_measures.hpp"
+#include "tuner/planning/yardstick/yardstick_file.hpp"
+#include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -25,77 +27,71 @@ struct Arguments {
   std::string folder;
   std::vector<std::string> scenarios;
   std::string out;
-  double velocity = 1.0;
-  double effort = 1.0;
-  int knots = 120;
+  YardstickOptions options;
 };
 
-/// The scenarios whose rollouts lie in the folder: those named, else bundled ones by the files' names.
-std::vector<Scenario> scenarios_in(const Arguments& args) {
-  std::vector<std::string> names = args.scenarios;
-  if (names.empty()) {
-    for (const auto& entry : std::filesystem::directory_iterator(args.folder)) {
-      const std::string file = entry.path().filename().string();
-      if (file.starts_with("rollout_") && file.ends_with(".csv"))
-        names.push_back(file.substr(8, file.size() - 12));
-    }
-    std::sort(names.begin(), names.end());
-  }
-  std::vector<Scenario> scenarios;
-  scenarios.reserve(names.size());
-  for (const std::string& name : names) scenarios.push_back(load_scenario(name));
-  if (scenarios.empty())
-    throw InputError(
-        args.folder +
-        ": has no rollout_*.csv; give the folder of a run that was simulated with --out, or tuned");
-  return scenarios;
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
 }
 
-void show(const Measure& m) {
-  const bool lap = m.event.kind == EventKind::kLap;
-  const double scale = lap ? 1e3 : 1.0;
-  const char* shown_unit = lap ? "mrad rms" : "s";
-  const std::string reached = std::isnan(m.event.reached)
-                                  ? "not reached"
-                                  : fmt::format("{:.4g} {}", scale * m.event.reached, shown_unit);
-  if (m.status != PlanStatus::kSolved) {
-    fmt::print(
-        "  {} at {:.2f} s: {}; no limit found ({})\n", name(m.event.kind), m.event.time, reached,
-        m.status == PlanStatus::kInfeasible ? "infeasible from there: " + m.held_back_by : "not solved");
-    return;
+/// yardstick.csv, and beside it with the ending .yaml where it came from.
+std::string provenance_path(const std::string& csv) {
+  return std::filesystem::path(csv).replace_extension(".yaml").string();
+}
+
+void write_provenance(const Arguments& args, const std::string& csv, const std::vector<Scenario>& scenarios,
+                      std::size_t events, double seconds) {
+  Provenance p;
+  p.command = command_line();
+  p.inputs = {args.folder + "/gains.yaml"};
+  for (const Scenario& scenario : scenarios)
+    p.inputs.push_back(args.folder + "/rollout_" + scenario.name + ".csv");
+  add_inputs(scenarios, p.inputs);
+  p.wall_seconds = seconds;
+  p.extra = {{"events", std::to_string(events)},
+             {"velocity", fmt::format("{}", args.options.velocity)},
+             {"effort", fmt::format("{}", args.options.effort)},
+             {"knots", std::to_string(args.options.knots)}};
+  write_text_file(provenance_path(csv), run_yaml(p));
+}
+
+/// The page of the run, made again with what is new; never the reason for this to fail.
+std::string report_again(const std::string& run) {
+  if (!exists(run + "/report.html") || !report::available()) return {};
+  try {
+    warn_of_left_out(report::write_report(run, run + "/report.html"));
+    return fmt::format(", {}/report.html", run);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "armtune: warning: the report is as it was: {}\n", error.what());
+    return {};
   }
-  fmt::print("  {} at {:.2f} s: {}; the joint limits allow {:.4g} {}", name(m.event.kind), m.event.time,
-             reached, scale * m.limit, shown_unit);
-  if (!m.held_back_by.empty()) fmt::print(" ({})", m.held_back_by);
-  fmt::print("\n");
 }
 
 int run(const Arguments& args) {
-  if (!std::filesystem::is_directory(args.folder)) throw InputError(args.folder + ": is no folder of a run");
-  const std::vector<Scenario> scenarios = scenarios_in(args);
-  std::vector<Measure> measures;
-  ProgressLine line;
-  for (const Scenario& scenario : scenarios) {
-    const Gains gains = load_gains(args.folder + "/gains.yaml", joint_names(*scenario.robot));
-    YardstickOptions options;
-    options.velocity = args.velocity;
-    options.effort = args.effort;
-    options.knots = args.knots;
-    options.gaze_threshold = gains.slerpAngularErrorThreshold;
-    const auto rollout = report::CsvTable::read(args.folder + "/rollout_" + scenario.name + ".csv");
-    const std::vector<Event> events = events_of(rollout, scenario, options.gaze_threshold);
-    fmt::print("{}: {}\n", scenario.name, events.empty() ? "no switch, return or whole lap" : "");
-    for (std::size_t i = 0; i < events.size() && !stop_requested(); ++i) {
-      line.show(fmt::format("{}: {} of {} events", scenario.name, i, events.size()));
-      measures.push_back(measure(events[i], scenario, options,
-                                 [](const SequentialQuadraticProgress&) { return !stop_requested(); }));
-      line.clear();
-      if (!stop_requested()) show(measures.back());
-    }
+  if (!std::filesystem::is_directory(args.folder))
+    throw InputError(args.folder +
+                     ": is no folder; give that of a run that was simulated with --out, or tuned");
+  const auto began = std::chrono::steady_clock::now();
+  const std::vector<Scenario> scenarios = rollout_scenarios(args.folder, args.scenarios);
+  const std::vector<Measure> measures = measure_rollouts(
+      args.folder, scenarios,
+      [&args](const Scenario& s) { return load_gains(args.folder + "/gains.yaml", joint_names(*s.robot)); },
+      args.options);
+  if (stop_requested() && measures.empty()) {
+    fmt::print(stderr, "interrupted; nothing was written\n");
+    return kInterrupted;
   }
-  const std::string out = args.out.empty() ? args.folder + "/yardstick.csv" : args.out;
-  write_text_file(out, yardstick_csv(measures));
-  fmt::print("wrote {}\n", out);
+  const std::string csv = args.out.empty() ? args.folder + "/yardstick.csv" : args.out;
+  write_text_file(csv, yardstick_csv(measures));
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
+  write_provenance(args, csv, scenarios, measures.size(), elapsed.count());
+  std::string more;
+  if (args.out.empty()) {
+    const std::string run_folder = run_of(args.folder);
+    more = add_columns(run_folder, {"yardstick.csv", yardstick_columns()}) + report_again(run_folder);
+  }
+  fmt::print("wrote {}, {}{}\n", csv, provenance_path(csv), more);
   return stop_requested() ? kInterrupted : kDone;
 }
 
@@ -105,17 +101,28 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "yardstick", "Hold each switch, return and lap of a run against the best that the arm's limits allow");
-  command->add_option("RUN", args->folder, "folder of a run, with gains.yaml and rollout_*.csv")->required();
-  command->add_option("--scenarios", args->scenarios,
-                      "those of the rollouts that are not bundled, or fewer than all");
-  command->add_option("--out", args->out, "file to write (default: RUN/yardstick.csv)");
-  command->add_option("--velocity", args->velocity, "share of the velocity limits that counts as the limit")
+  command
+      ->add_option(
+          "RUN", args->folder,
+          "folder of a run, or of one of its gain sets (RUN/start), with gains.yaml and rollout_*.csv")
+      ->required();
+  command->add_option(
+      "--scenarios", args->scenarios,
+      "bundled names or files; unless given, the run's own, as its study.yaml or run.yaml says");
+  command->add_option("--out", args->out,
+                      "file to write in place of RUN/yardstick.csv; run and report then stay as they are");
+  command
+      ->add_option("--velocity", args->options.velocity,
+                   "share of the velocity limits that counts as the limit")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command->add_option("--effort", args->effort, "share of the effort limits")
+  command->add_option("--effort", args->options.effort, "share of the effort limits")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command->add_option("--knots", args->knots, "time grid of each plan")
+  command
+      ->add_option(
+          "--knots", args->options.knots,
+          "time grid of each plan; a lap's has intervals of 25 ms at most, of 12.5 ms if targets switch")
       ->check(CLI::Range(20, 10000))
       ->capture_default_str();
   command->footer(
@@ -123,7 +130,15 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       "positions,\n"
       "velocities and torques at its knots. It is the best found from one first guess: a local optimum. A "
       "lap is held\n"
-      "against a small error on its grid, not against the least time.\n\n"
+      "against a small error, not against the least time; the mean is over the rollout's own times on both "
+      "sides.\n"
+      "Where the scenario has obstacles, plans keep the gains' influence radius from them, or what the arm "
+      "has "
+      "when the\n"
+      "event begins; where no plan is found that does, they are left out and status says so. Scenarios with "
+      "a "
+      "stimulus\n"
+      "are left out. A run's report.html is made again and shows all this.\n\n"
       "Example:\n  armtune simulate target_switch --out runs/published\n  armtune yardstick "
       "runs/published\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });

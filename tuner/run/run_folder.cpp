@@ -85,6 +85,20 @@ std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::s
   return found;
 }
 
+std::string add_columns(const std::string& folder, const FileColumns& columns) {
+  const std::string path = folder + "/columns.csv";
+  std::ifstream file(path);
+  if (!file) return {};
+  const std::string all = columns_csv({columns});
+  const std::size_t header_end = all.find('\n') + 1;
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with(columns.file + ",")) text += line + "\n";
+  }
+  write_text_file(path, text + all.substr(header_end));
+  return ", " + path;
+}
+
 std::string run_yaml(const Provenance& p) {
   std::string text = fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n",
                                  yaml::quoted(p.command), yaml::quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")),

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/csv/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune {
@@ -17,6 +18,10 @@ void make_run_folder(const std::string& folder);
 
 /// "runs/<name>_20261121-103000" (UTC) below the current folder.
 std::string default_run_folder(const std::string& name);
+
+/// Adds the columns of a file to a run's columns.csv, in place of what it said of that file before. Returns
+/// ", FOLDER/columns.csv" to follow the names of other files; empty where the folder has none.
+std::string add_columns(const std::string& folder, const FileColumns& columns);
 
 /// What run.yaml says.
 struct Provenance {

@@ -36,6 +36,7 @@ struct Columns {
     Event event;
     event.kind = kind;
     event.time = time[row];
+    event.gaze = gaze[row];
     event.position.resize(static_cast<Eigen::Index>(position.size()));
     event.velocity.resize(static_cast<Eigen::Index>(position.size()));
     for (std::size_t i = 0; i < position.size(); ++i) {
@@ -43,6 +44,12 @@ struct Columns {
       event.velocity[static_cast<Eigen::Index>(i)] = velocity[i][row];
     }
     return event;
+  }
+
+  /// First row from `first` on, before `end`, in which another state is in charge; `end` if none is.
+  std::size_t leaves(ControlState state_then, std::size_t first, std::size_t end) const {
+    while (first < end && in(first, state_then)) ++first;
+    return first;
   }
 
   double path_error(const HarmonicPath& path, std::size_t first, std::size_t last) const {
@@ -62,16 +69,27 @@ void add_switches(const Columns& columns, const Scenario& scenario, double thres
   for (int turn = 1; turn * scenario.switch_every < columns.time.back(); ++turn) {
     const double at = turn * scenario.switch_every;
     const std::size_t first = columns.row_at(at);
-    const std::size_t last = std::min(columns.row_at(at + scenario.switch_every), columns.rows());
-    if (first >= last || !columns.in(first, ControlState::kFollowTrajectory)) continue;
+    const std::size_t next = columns.row_at(at + scenario.switch_every);
+    if (first >= next || !columns.in(first, ControlState::kFollowTrajectory)) continue;
+    const std::size_t last = columns.leaves(ControlState::kFollowTrajectory, first, next);
     Event event = columns.begin(EventKind::kSwitch, first);
-    event.end = columns.time[last - 1];
+    event.end = columns.time[std::min(last, columns.rows() - 1)];
     std::size_t outside = first;  // one behind the last row outside
     for (std::size_t row = first; row < last; ++row) {
       if (columns.gaze[row] >= threshold) outside = row + 1;
     }
-    event.reached = outside == last ? NAN : columns.time[outside] - event.time;
-    event.path_error = columns.path_error(scenario.path, first, last);
+    std::size_t judged = last;  // rows whose distance from the path counts
+    if (outside < last) {
+      event.outcome = outside == first ? EventOutcome::kAlreadyThere : EventOutcome::kReached;
+      event.reached = columns.time[outside] - event.time;
+      judged = std::min(last, columns.row_at(columns.time[outside] + kSwitchHold) + 1);
+    } else {
+      event.reached = NAN;
+      event.outcome = last < next              ? EventOutcome::kCutByState
+                      : next == columns.rows() ? EventOutcome::kCutByEnd
+                                               : EventOutcome::kNotReached;
+    }
+    event.path_error = columns.path_error(scenario.path, first, judged);
     events.push_back(event);
   }
 }
@@ -81,12 +99,13 @@ void add_returns(const Columns& columns, const Scenario& scenario, std::vector<E
     if (!columns.in(row, ControlState::kReturnToTrajectory) ||
         columns.in(row - 1, ControlState::kReturnToTrajectory))
       continue;
-    std::size_t last = row;
-    while (last < columns.rows() && columns.in(last, ControlState::kReturnToTrajectory)) ++last;
+    const std::size_t last = columns.leaves(ControlState::kReturnToTrajectory, row, columns.rows());
     Event event = columns.begin(EventKind::kReturn, row);
     event.end = columns.time[std::min(last, columns.rows() - 1)];
-    const bool arrived = last < columns.rows() && columns.in(last, ControlState::kFollowTrajectory);
-    event.reached = arrived ? columns.time[last] - event.time : NAN;
+    event.outcome = last == columns.rows()                              ? EventOutcome::kCutByEnd
+                    : columns.in(last, ControlState::kFollowTrajectory) ? EventOutcome::kReached
+                                                                        : EventOutcome::kCutByState;
+    event.reached = event.outcome == EventOutcome::kReached ? event.end - event.time : NAN;
     event.path_error = columns.path_error(scenario.path, row, last);
     events.push_back(event);
   }
@@ -101,8 +120,7 @@ void add_laps(const Columns& columns, const Scenario& scenario, std::vector<Even
     const std::size_t last =
         first < columns.rows() ? columns.row_at(columns.time[first] + turn) : columns.rows();
     if (last >= columns.rows()) return;
-    std::size_t row = first;
-    while (row < last && columns.in(row, ControlState::kFollowTrajectory)) ++row;
+    const std::size_t row = columns.leaves(ControlState::kFollowTrajectory, first, last);
     if (row == last) {
       Event event = columns.begin(EventKind::kLap, first);
       event.end = columns.time[last];
@@ -110,6 +128,8 @@ void add_laps(const Columns& columns, const Scenario& scenario, std::vector<Even
       for (std::size_t i = first; i < last; ++i) sum += columns.gaze[i] * columns.gaze[i];
       event.reached = std::sqrt(sum / static_cast<double>(last - first));
       event.path_error = columns.path_error(scenario.path, first, last);
+      event.times.assign(columns.time.begin() + static_cast<std::ptrdiff_t>(first),
+                         columns.time.begin() + static_cast<std::ptrdiff_t>(last));
       events.push_back(event);
     }
     first = row;
@@ -132,6 +152,22 @@ std::string name(EventKind kind) {
 
 std::string unit(EventKind kind) {
   return kind == EventKind::kLap ? "rad" : "s";
+}
+
+std::string words(EventOutcome outcome) {
+  switch (outcome) {
+    case EventOutcome::kReached:
+      return "reached";
+    case EventOutcome::kAlreadyThere:
+      return "already there";
+    case EventOutcome::kNotReached:
+      return "not before the next switch";
+    case EventOutcome::kCutByEnd:
+      return "cut off by the end of the rollout";
+    case EventOutcome::kCutByState:
+      return "cut off by an obstacle";
+  }
+  return {};
 }
 
 std::vector<Event> events_of(const report::CsvTable& rollout, const Scenario& scenario,

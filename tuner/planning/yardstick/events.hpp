@@ -18,19 +18,38 @@ std::string name(EventKind kind);
 /// Of what is reached.
 std::string unit(EventKind kind);
 
+/// What became of it.
+enum class EventOutcome {
+  kReached,
+  kAlreadyThere,  ///< there was nothing to reach: 0 s
+  kNotReached,    ///< the next switch came first
+  kCutByEnd,      ///< the rollout ended first
+  kCutByState,    ///< the controller turned to something else first: an obstacle
+};
+/// In a reader's words.
+std::string words(EventOutcome outcome);
+
 struct Event {
   EventKind kind = EventKind::kSwitch;
+  EventOutcome outcome = EventOutcome::kReached;
   double time = 0.0;     ///< when it begins [s]
-  double end = 0.0;      ///< when it is over: the next event of its kind, or what it ended with [s]
+  double end = 0.0;      ///< what ended it at the latest: next switch, end of rollout, state or turn [s]
   double reached = 0.0;  ///< NaN: not before its end
+  double gaze = 0.0;     ///< angle to the active target at its beginning [rad]
   JointVector position;  ///< (n) at its beginning [rad, m]
   JointVector velocity;
-  double path_error = 0.0;  ///< largest distance of the tool from the path along an axis meanwhile [m]
+  /// Largest distance of the tool from the path along an axis meanwhile [m]. Of a switch: as long as a plan
+  /// for it lasts, which is until it was reached and kSwitchHold beyond; to its end if it was not.
+  double path_error = 0.0;
+  std::vector<double> times;  ///< kLap: of the rows that its rms is over [s]
 };
 
-/// In order of time. rollout: rollout_<scenario>.csv; gaze_threshold: below it a target counts as acquired
-/// [rad]. Events that begin while the path is not followed are left out. Throws InputError if a column is
-/// missing.
+/// A planned switch counts if the gaze stays on target so long [s].
+inline constexpr double kSwitchHold = 0.5;
+
+/// In order of time. rollout: rollout_<scenario>.csv, in whose rows times are counted; gaze_threshold: below
+/// it a target counts as acquired [rad]. Events that begin while the path is not followed are left out, and
+/// so are turns that are not whole. Throws InputError if a column is missing.
 std::vector<Event> events_of(const report::CsvTable& rollout, const Scenario& scenario,
                              double gaze_threshold);
 

@@ -1,48 +1,131 @@
 #include "tuner/planning/yardstick/yardstick.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/error.hpp"
+#include "core/control/obstacle_impedance.hpp"
 #include "core/trajectory/gaze.hpp"
-#include "sim/csv/cell.hpp"
+#include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune {
 namespace {
 
-constexpr double kToleranceRoom = 1.05;  // beside the rollout's own largest distance from the path
+constexpr double kToleranceRoom = 1.05;     // beside the rollout's own largest distance from the path
+constexpr double kClearanceRoom = 1e-6;     // m, below the distance at the start, which rounding may change
+constexpr double kLongestInterval = 0.025;  // s, of a lap's grid
+// s, where the targets switch during the lap: what its error is then made of takes tens of milliseconds.
+constexpr double kLongestWithSwitch = 0.0125;
+constexpr double kAtOnce = 1.001;       // times the shortest duration of a plan
+constexpr double kShortestHold = 0.02;  // s
 
-const char* word(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::kSolved:
-      return "solved";
-    case PlanStatus::kInfeasible:
-      return "infeasible";
-    case PlanStatus::kStalled:
-      return "not solved";
-    case PlanStatus::kInterrupted:
-      return "interrupted";
-  }
-  return "";
+double distance_at_start(const Event& event, const Scenario& scenario) {
+  const RobotModel robot = plant_model(scenario);
+  Poses poses;
+  forward_kinematics(robot.chain, event.position, poses);
+  std::vector<Vec3> centers;
+  centers.reserve(scenario.obstacles.size());
+  for (const NamedPath& obstacle : scenario.obstacles)
+    centers.push_back(obstacle.path.at(event.time).position);
+  return obstacle_distance(poses, centers);
 }
 
-/// Rms of the gaze angle along a planned lap.
-double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory) {
-  const MovingPoint target = active_target(scenario);
-  Poses poses;
-  double sum = 0.0;
-  for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
-    forward_kinematics(robot.chain, JointVector(trajectory.position.col(static_cast<Eigen::Index>(k))),
-                       poses);
-    const double angle = gaze_angle(poses.R_0T, poses.p_0T, target(trajectory.time[k]).position);
-    sum += angle * angle;
+/// When the targets switch next after t.
+double next_switch(const Scenario& scenario, double t) {
+  const double turns = std::floor((t + 0.5 * scenario.control_period) / scenario.switch_every);
+  return (turns + 1.0) * scenario.switch_every;
+}
+
+/// The longest interval of a lap's grid [s].
+double lap_interval(const Event& event, const Scenario& scenario) {
+  const bool switches = scenario.switch_every > 0.0 && scenario.targets.size() > 1 &&
+                        next_switch(scenario, event.time) < event.end;
+  return switches ? kLongestWithSwitch : kLongestInterval;
+}
+
+std::string strongest_limit(const PlannedTrajectory& planned) {
+  const std::vector<BindingLimit> limits = binding_limits(planned);
+  for (const BindingLimit& limit : limits) {
+    if (limit.limit == "gaze" || limit.limit == "tool path") continue;  // what was asked for
+    return limit.limit + " of " + limit.part;
   }
-  return std::sqrt(sum / static_cast<double>(trajectory.time.size()));
+  return "nothing";
+}
+
+MeasureStatus status_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kSolved:
+      return MeasureStatus::kSolved;
+    case PlanStatus::kInfeasible:
+      return MeasureStatus::kInfeasible;
+    case PlanStatus::kStalled:
+      return MeasureStatus::kNotSolved;
+    case PlanStatus::kInterrupted:
+      return MeasureStatus::kInterrupted;
+  }
+  return MeasureStatus::kNotSolved;
+}
+
+/// One plan for the event, with status, limit and what holds it back.
+Measure planned_measure(const PlanTask& task, const Event& event, const PlanObserver& observer) {
+  Measure found;
+  found.scenario = task.scenario.name;
+  found.event = event;
+  found.limit = NAN;
+  found.clearance = task.clearance > 0.0 ? task.clearance : NAN;
+  PlanProblem problem;
+  try {
+    problem = plan_problem(task);
+  } catch (const InputError&) {
+    if (!event.position.allFinite() || !event.velocity.allFinite()) throw;
+    found.status = MeasureStatus::kInfeasible;  // the path is where the arm cannot be
+    found.held_back_by = "reach of the arm";
+    return found;
+  }
+  const PlannedTrajectory planned = solve_refining(problem.task, problem.grid, problem.guess, {}, observer);
+  found.status = status_of(planned.result.status);
+  if (found.status == MeasureStatus::kInterrupted) return found;
+  found.held_back_by = strongest_limit(planned);
+  if (found.status != MeasureStatus::kSolved) return found;
+  if (event.kind == EventKind::kLap) {
+    found.limit = gaze_rms(task.scenario, *problem.robot, planned.trajectory, event.times);
+    return found;
+  }
+  found.limit = planned.trajectory.durations.front();
+  if (found.limit <= kAtOnce * problem.grid.phases.front().shortest) {
+    found.limit = 0.0;  // as short as a grid may be: it is there to begin with
+    found.status = MeasureStatus::kThereAtOnce;
+    found.held_back_by.clear();
+  }
+  return found;
 }
 
 }  // namespace
+
+std::string words(MeasureStatus status) {
+  switch (status) {
+    case MeasureStatus::kSolved:
+      return "solved";
+    case MeasureStatus::kWithoutClearance:
+      return "solved without obstacles";
+    case MeasureStatus::kPastNextSwitch:
+      return "past the next switch";
+    case MeasureStatus::kThereAtOnce:
+      return "there at once";
+    case MeasureStatus::kInfeasible:
+      return "infeasible";
+    case MeasureStatus::kNotSolved:
+      return "not solved";
+    case MeasureStatus::kInterrupted:
+      return "interrupted";
+  }
+  return {};
+}
+
+double Measure::ratio() const {
+  return limit > 0.0 ? event.reached / limit : NAN;
+}
 
 PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOptions& options) {
   PlanTask task;
@@ -57,9 +140,17 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
   task.limits.velocity = options.velocity;
   task.limits.effort = options.effort;
   task.knots = options.knots;
+  if (options.clearance > 0.0 && !scenario.obstacles.empty()) {
+    const double room = distance_at_start(event, scenario) - kClearanceRoom;
+    task.clearance = std::max(0.0, std::min(options.clearance, room));
+  }
   switch (event.kind) {
     case EventKind::kSwitch:
       task.kind = PlanKind::kSwitch;
+      task.hold = kSwitchHold;
+      // No longer than the controller itself was still to stay on target.
+      if (event.outcome == EventOutcome::kReached)
+        task.hold = std::clamp(event.end - event.time - event.reached, kShortestHold, kSwitchHold);
       break;
     case EventKind::kReturn:
       task.kind = PlanKind::kReturn;
@@ -67,61 +158,59 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
     case EventKind::kLap:
       task.kind = PlanKind::kTrack;
       task.duration = event.end - event.time;
+      task.knots =
+          std::max(task.knots, static_cast<int>(std::ceil(*task.duration / lap_interval(event, scenario))));
       break;
   }
   return task;
 }
 
+double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory,
+                const std::vector<double>& times) {
+  const MovingPoint target = active_target(scenario);
+  Poses poses;
+  double sum = 0.0;
+  for (const double t : times) {
+    forward_kinematics(robot.chain, JointVector(point_at(trajectory, t).position), poses);
+    const double angle = gaze_angle(poses.R_0T, poses.p_0T, target(t).position);
+    sum += angle * angle;
+  }
+  return std::sqrt(sum / static_cast<double>(times.size()));
+}
+
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer) {
-  const PlanTask task = task_of(event, scenario, options);
-  const PlanProblem problem = plan_problem(task);
-  const PlannedTrajectory planned = solve_refining(problem.task, problem.grid, problem.guess, {}, observer);
-  Measure found;
-  found.scenario = scenario.name;
-  found.event = event;
-  found.status = planned.result.status;
-  found.limit = NAN;
-  if (found.status == PlanStatus::kSolved) {
-    found.limit = event.kind == EventKind::kLap ? gaze_rms(scenario, *problem.robot, planned.trajectory)
-                                                : planned.trajectory.durations.front();
+  if (event.kind == EventKind::kSwitch && event.gaze < options.gaze_threshold) {
+    // However long the controller took: nobody has to move to be there.
+    Measure found;
+    found.scenario = scenario.name;
+    found.event = event;
+    found.status = MeasureStatus::kThereAtOnce;
+    found.clearance = NAN;
+    return found;
   }
-  const std::vector<BindingLimit> limits = binding_limits(planned);
-  for (const BindingLimit& limit : limits) {
-    if (limit.limit == "gaze" || limit.limit == "tool path") continue;  // what was asked for
-    found.held_back_by = limit.limit + " of " + limit.part;
-    break;
+  PlanTask task = task_of(event, scenario, options);
+  Measure found = planned_measure(task, event, observer);
+  const bool failed = found.status == MeasureStatus::kInfeasible || found.status == MeasureStatus::kNotSolved;
+  if (failed && task.clearance > 0.0) {
+    task.clearance = 0.0;
+    found = planned_measure(task, event, observer);
   }
+  const bool obstacles = options.clearance > 0.0 && !scenario.obstacles.empty();
+  if (found.status == MeasureStatus::kSolved && obstacles && task.clearance == 0.0)
+    found.status = MeasureStatus::kWithoutClearance;
+  if (event.kind == EventKind::kSwitch && found.limit > 0.0 &&
+      event.time + found.limit > next_switch(scenario, event.time))
+    found.status = MeasureStatus::kPastNextSwitch;
   return found;
 }
 
-std::string yardstick_csv(const std::vector<Measure>& measures) {
-  std::string text;
-  for (const Column& column : yardstick_columns()) text += (text.empty() ? "" : ",") + column.name;
-  text += '\n';
+double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario) {
+  double largest = NAN;
   for (const Measure& m : measures) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", m.scenario, name(m.event.kind), cell(m.event.time),
-                        cell(m.event.reached), cell(m.limit), cell(m.event.reached / m.limit),
-                        unit(m.event.kind), m.held_back_by, word(m.status));
+    if (m.event.kind == EventKind::kSwitch && m.scenario == scenario) largest = std::fmax(largest, m.limit);
   }
-  return text;
-}
-
-std::vector<Column> yardstick_columns() {
-  return {
-      {"scenario", "", "name of the scenario", {}},
-      {"event",
-       "",
-       "switch: time until the gaze is on the next target; return: time until the path is followed again; "
-       "lap: rms of the gaze angle over one turn",
-       {}},
-      {"time", "s", "when it begins", {}},
-      {"reached", "s, rad", "what the controller reached", {}},
-      {"limit", "s, rad", "the least that the arm's limits allow from the same state on", {}},
-      {"ratio", "1", "reached / limit", {}},
-      {"unit", "", "of reached and limit", {}},
-      {"held_back_by", "", "the limit that costs most", {}},
-      {"status", "", "of the plan: solved, infeasible, not solved, interrupted", {}}};
+  return largest;
 }
 
 }  // namespace armtune

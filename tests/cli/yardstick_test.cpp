@@ -1,0 +1,110 @@
+// `armtune yardstick` as a person runs it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/csv.hpp"
+#include "tests/tuner/report/support/decode.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/report/report.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Csv;
+using test::Finished;
+using test::read_text;
+using test::run_program;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Quick gains and a scenario of 6 s whose targets switch at 4 s.
+class YardstickProgram : public testing::Test {
+ protected:
+  Finished simulate(const std::string& out, std::vector<std::string> more = {}) const {
+    std::vector<std::string> args = {"simulate", scenario_,   "--gains", files_ / "gains.yaml",
+                                     "--out",    files_ / out};
+    args.insert(args.end(), more.begin(), more.end());
+    return run_program(args);
+  }
+
+  const test::ShortStudy files_;
+  const std::string scenario_ =
+      files_.write("quick_switch.yaml", "base: target_switch\nduration: 6\nswitch_every: 4\n");
+};
+
+TEST_F(YardstickProgram, HoldsARunsEventsAgainstTheirLimits) {
+  ASSERT_EQ(simulate("run").exit_code, 0);
+  const std::string columns = read_text(files_ / "run/columns.csv");
+  const Finished held = run_program({"yardstick", files_ / "run", "--knots", "60"});
+  ASSERT_EQ(held.exit_code, 0) << held.err;
+  EXPECT_EQ(held.err, "");
+  EXPECT_THAT(held.out, AllOf(HasSubstr("quick_switch:"), HasSubstr("switch at 4 s: "),
+                              HasSubstr("the joint limits allow "), HasSubstr("yardstick.csv")));
+  const Csv csv = test::read_csv(files_ / "run/yardstick.csv");
+  ASSERT_EQ(csv.rows.size(), 2U) << "the first return and a switch";
+  EXPECT_EQ(csv.at(0, "event"), "return");
+  EXPECT_EQ(csv.at(1, "event"), "switch");
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_EQ(csv.at(r, "status"), "solved");
+    EXPECT_GT(std::stod(csv.at(r, "limit")), 0.0);
+    if (csv.at(r, "ratio").empty()) continue;  // not reached
+    EXPECT_NEAR(std::stod(csv.at(r, "ratio")),
+                std::stod(csv.at(r, "reached")) / std::stod(csv.at(r, "limit")), 1e-12);
+  }
+  EXPECT_THAT(
+      read_text(files_ / "run/yardstick.yaml"),
+      AllOf(HasSubstr("rollout_quick_switch.csv"), HasSubstr("gains.yaml"), HasSubstr("knots: \"60\"")));
+  const std::string extended = read_text(files_ / "run/columns.csv");
+  EXPECT_THAT(extended, testing::StartsWith(columns));
+  EXPECT_THAT(extended, HasSubstr("\nyardstick.csv,limit,"));
+  // Again: the same, and its columns stand once.
+  ASSERT_EQ(run_program({"yardstick", files_ / "run", "--knots", "60"}).exit_code, 0);
+  EXPECT_EQ(read_text(files_ / "run/columns.csv"), extended);
+  if (!report::available()) return;
+  const auto data = test::parsed(test::data_of(read_text(files_ / "run/report.html")));
+  EXPECT_EQ(test::at(data, "yardstick").items().size(), 2U);
+  EXPECT_EQ(test::at(data, "yardstick/1/event").as_string(), "switch");
+}
+
+TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {
+  ASSERT_EQ(simulate("run").exit_code, 0);
+  const std::string columns = read_text(files_ / "run/columns.csv");
+  const Finished held =
+      run_program({"yardstick", files_ / "run", "--knots", "40", "--out", files_ / "mine.csv"});
+  ASSERT_EQ(held.exit_code, 0) << held.err;
+  EXPECT_TRUE(fs::exists(files_ / "mine.csv"));
+  EXPECT_TRUE(fs::exists(files_ / "mine.yaml"));
+  EXPECT_FALSE(fs::exists(files_ / "run/yardstick.csv"));
+  EXPECT_EQ(read_text(files_ / "run/columns.csv"), columns);
+}
+
+TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
+  ASSERT_EQ(simulate("run").exit_code, 0);
+  const auto refused = [&](std::vector<std::string> args) {
+    args.insert(args.begin(), "yardstick");
+    const Finished finished = run_program(args);
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+    return finished.err;
+  };
+  files_.write("quick_switch.yaml", "base: target_switch\nduration: 6\nswitch_every: 3\n");
+  EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("has changed"), HasSubstr("--scenarios")));
+  fs::rename(scenario_, files_ / "away.yaml");
+  EXPECT_THAT(refused({files_ / "run"}),
+              AllOf(HasSubstr("'quick_switch'"), HasSubstr("not there"), HasSubstr("--scenarios FILE")));
+  fs::remove(files_ / "run/run.yaml");
+  EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("is not bundled"), HasSubstr("--scenarios FILE")));
+  EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}),
+              AllOf(HasSubstr("rollout_moving_target.csv: cannot be read"), Not(HasSubstr("report"))));
+  EXPECT_THAT(refused({files_ / ""}), AllOf(HasSubstr("has no rollout_*.csv"), HasSubstr("/run")));
+  EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is no folder"));
+}
+
+}  // namespace
+}  // namespace armtune

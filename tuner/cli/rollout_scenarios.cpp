@@ -1,0 +1,136 @@
+#include "tuner/cli/rollout_scenarios.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "tuner/report/provenance.hpp"
+#include "tuner/run/file_hash.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune::cli {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::string_view kBegin = "rollout_";
+constexpr std::string_view kEnd = ".csv";
+constexpr std::string_view kInput = "inputs/";     // of run.yaml's keys
+constexpr std::string_view kBundled = "bundled ";  // as shown_path says it
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+/// Names of the scenarios whose rollouts are in the folder, sorted.
+std::vector<std::string> names_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string file = entry.path().filename().string();
+    if (file.size() > kBegin.size() + kEnd.size() && file.starts_with(kBegin) && file.ends_with(kEnd))
+      names.push_back(file.substr(kBegin.size(), file.size() - kBegin.size() - kEnd.size()));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+[[noreturn]] void without_rollouts(const std::string& folder) {
+  std::vector<std::string> below;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (!names_in(entry.path().string()).empty()) below.push_back(entry.path().string());
+  }
+  std::sort(below.begin(), below.end());
+  throw InputError(
+      fmt::format("{}: has no rollout_*.csv; give {}", folder,
+                  below.empty() ? "the folder of a run that was simulated with --out, or tuned"
+                                : fmt::format("one of its gain sets that has: {}", fmt::join(below, ", "))));
+}
+
+/// The files that a run was made from, as its run.yaml shows them, and their hashes.
+using Inputs = std::vector<std::pair<std::string, std::string>>;
+
+Inputs inputs_of(const std::string& run) {
+  Inputs inputs;
+  if (!exists(run + "/run.yaml")) return inputs;
+  for (const auto& [key, value] : report::read_provenance(run + "/run.yaml")) {
+    if (key.starts_with(kInput)) inputs.emplace_back(key.substr(kInput.size()), value);
+  }
+  return inputs;
+}
+
+/// The study's scenarios; none where there is no study, or its files are elsewhere by now.
+std::vector<Scenario> studied(const std::string& run) {
+  if (!exists(run + "/study.yaml")) return {};
+  try {
+    return load_study(run + "/study.yaml").scenarios;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+Scenario found_scenario(const std::string& name, const std::string& rollout, const Inputs& inputs) {
+  std::string told = "is not bundled, and run.yaml names no file for it";
+  for (const auto& [shown, hash] : inputs) {
+    if (stem(shown) != name || shown.starts_with(kBundled) || !shown.ends_with(".yaml")) continue;
+    if (exists(shown)) return load_scenario(shown);
+    told = fmt::format("was read from {}, which is not there", shown);
+  }
+  const auto bundled = bundled_names("scenarios");
+  if (std::find(bundled.begin(), bundled.end(), name) != bundled.end()) return load_scenario(name);
+  throw InputError(fmt::format("{}: scenario '{}' {}; give its file: --scenarios FILE", rollout, name, told));
+}
+
+/// A plan for another scenario than the rollout's would mean nothing.
+void refuse_changed(const Scenario& scenario, const std::string& run, const Inputs& inputs) {
+  for (const std::string& file : scenario.inputs) {
+    const std::string shown = shown_path(file);
+    for (const auto& [then, hash] : inputs) {
+      if (then != shown || hash == hash_of_file(file)) continue;
+      throw InputError(
+          fmt::format("{}: has changed since {} was made, which is of another {}; simulate that again, or "
+                      "give the scenario that is meant: --scenarios {}",
+                      shown, run, scenario.name, scenario.name));
+    }
+  }
+}
+
+}  // namespace
+
+std::string run_of(const std::string& folder) {
+  fs::path above = (fs::path(folder) / "..").lexically_normal();
+  if (!above.has_filename()) above = above.parent_path();
+  const bool own = exists(folder + "/run.yaml");
+  return !own && exists((above / "run.yaml").string()) ? above.string() : folder;
+}
+
+std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names) {
+  std::vector<Scenario> scenarios;
+  if (!names.empty()) {
+    scenarios.reserve(names.size());
+    for (const std::string& name : names) scenarios.push_back(load_scenario(name));
+    return scenarios;
+  }
+  const auto recorded = names_in(folder);
+  if (recorded.empty()) without_rollouts(folder);
+  const std::string run = run_of(folder);
+  const Inputs inputs = inputs_of(run);
+  const std::vector<Scenario> study = studied(run);
+  scenarios.reserve(recorded.size());
+  for (const std::string& name : recorded) {
+    const auto found =
+        std::find_if(study.begin(), study.end(), [&name](const Scenario& s) { return s.name == name; });
+    scenarios.push_back(found != study.end()
+                            ? *found
+                            : found_scenario(name, fmt::format("{}/rollout_{}.csv", folder, name), inputs));
+    refuse_changed(scenarios.back(), run, inputs);
+  }
+  return scenarios;
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,84 @@
+#include "tuner/cli/yardstick_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/planning/yardstick/yardstick_file.hpp"
+#include "tuner/report/yardstick_rows.hpp"
+
+namespace armtune::cli {
+namespace {
+
+struct Pending {
+  const Scenario* scenario = nullptr;
+  Event event;
+  YardstickOptions options;
+};
+
+/// What there is to plan for, scenario by scenario.
+std::vector<Pending> pending_in(const std::string& folder, const std::vector<Scenario>& scenarios,
+                                const GainsOf& gains, YardstickOptions options) {
+  std::vector<Pending> pending;
+  for (const Scenario& scenario : scenarios) {
+    if (scenario.stimulus) {
+      fmt::print("{}: left out: it has a stimulus, of which no plan knows\n", scenario.name);
+      continue;
+    }
+    const Gains set = gains(scenario);
+    options.gaze_threshold = set.slerpAngularErrorThreshold;
+    options.clearance = scenario.obstacles.empty() ? 0.0 : set.obstacleInfluenceRadius;
+    const auto rollout = report::CsvTable::read(folder + "/rollout_" + scenario.name + ".csv");
+    const std::vector<Event> events = events_of(rollout, scenario, options.gaze_threshold);
+    if (events.empty()) fmt::print("{}: no switch, return or whole lap\n", scenario.name);
+    for (const Event& event : events) pending.push_back({&scenario, event, options});
+  }
+  return pending;
+}
+
+/// As the report has it.
+void tell(const Measure& measure) {
+  const auto rows =
+      report::yardstick_of({report::CsvTable::parse(yardstick_csv({measure}), "yardstick.csv")});
+  fmt::print("  {} at {:.4g} s: {}\n", rows.front().event, rows.front().time, rows.front().words);
+}
+
+}  // namespace
+
+std::vector<Measure> measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
+                                      const GainsOf& gains, YardstickOptions options) {
+  const std::vector<Pending> pending = pending_in(folder, scenarios, gains, options);
+  const auto began = std::chrono::steady_clock::now();
+  const auto left = [&](std::size_t done) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
+    return done == 0 ? std::string()
+                     : fmt::format(", {:.0f} s left", elapsed.count() / static_cast<double>(done) *
+                                                          static_cast<double>(pending.size() - done));
+  };
+  std::vector<Measure> measures;
+  measures.reserve(pending.size());
+  ProgressLine line;
+  const Scenario* told = nullptr;
+  for (const Pending& next : pending) {
+    if (stop_requested()) break;
+    const std::size_t done = measures.size();
+    Measure found =
+        measure(next.event, *next.scenario, next.options, [&](const SequentialQuadraticProgress& at) {
+          line.show(fmt::format("yardstick: {} of {} events{}; {} at {:.4g} s, step {}", done, pending.size(),
+                                left(done), next.scenario->name, next.event.time, at.iteration));
+          return !stop_requested();
+        });
+    line.clear();
+    if (found.status == MeasureStatus::kInterrupted) break;
+    if (told != next.scenario) fmt::print("{}:\n", next.scenario->name);
+    told = next.scenario;
+    tell(found);
+    std::fflush(stdout);
+    measures.push_back(std::move(found));
+  }
+  return measures;
+}
+
+}  // namespace armtune::cli
