@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "sim/csv/cell.hpp"
 
 namespace armtune {
 namespace {
@@ -20,31 +20,35 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string errors_csv(const std::vector<ScenarioResult>& results) {
+std::string errors_csv(const std::vector<ScenarioResult>& results,
+                       const std::vector<FurtherColumn>& further) {
   const auto& fields = metric_fields();
   const auto ratio = static_cast<std::size_t>(Metric::kJointVelocityMaxRatio);
   std::string text;
-  for (const Column& column : error_columns()) text += (text.empty() ? "" : ",") + column.name;
+  for (const Column& column : error_columns(further)) text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
-  for (const ScenarioResult& row : results) {
+  for (std::size_t r = 0; r < results.size(); ++r) {
+    const ScenarioResult& row = results[r];
     text += fmt::format("{},{}", row.scenario, name(row.result.status));
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const double value = row.result.metrics.value[i];
-      text += std::isnan(value) ? "," : fmt::format(",{}", value);
+      text += ',' + cell(value);
       if (i == ratio) text += fmt::format(",{}", row.result.metrics.max_ratio_joint);
     }
+    for (const FurtherColumn& f : further) text += ',' + cell(f.values[r]);
     text += ',' + (row.result.reason.empty() ? std::string() : quoted(row.result.reason)) + '\n';
   }
   return text;
 }
 
-std::vector<Column> error_columns() {
+std::vector<Column> error_columns(const std::vector<FurtherColumn>& further) {
   std::vector<Column> columns = {{"scenario", "", "name of the scenario", {}},
                                  {"status", "", "completed, diverged, no_samples or interrupted", {}}};
   for (const Metric m : all_metrics()) {
     columns.push_back({name(m), field(m).unit, field(m).meaning, {}});
     if (m == Metric::kJointVelocityMaxRatio) columns.push_back({kJointColumn, "", "joint of that ratio", {}});
   }
+  for (const FurtherColumn& f : further) columns.push_back(f.column);
   columns.push_back({"reason", "", "when, where and why it ended, if it did not complete", {}});
   return columns;
 }

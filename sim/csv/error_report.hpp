@@ -14,11 +14,19 @@ struct ScenarioResult {
   RolloutResult result;
 };
 
-/// Text of errors.csv. Numbers read back to the same bits; metrics without a value are empty cells.
-std::string errors_csv(const std::vector<ScenarioResult>& results);
+/// A column of errors.csv that is no metric of the rollout itself.
+struct FurtherColumn {
+  Column column;
+  std::vector<double> values;  ///< one per result; NaN where there is none
+};
+
+/// Text of errors.csv. Numbers read back to the same bits; metrics without a value are empty cells. further:
+/// columns behind the metrics, in order.
+std::string errors_csv(const std::vector<ScenarioResult>& results,
+                       const std::vector<FurtherColumn>& further = {});
 
 /// Name, unit and meaning of the columns of errors.csv.
-std::vector<Column> error_columns();
+std::vector<Column> error_columns(const std::vector<FurtherColumn>& further = {});
 
 /// The columns of one CSV file of a run.
 struct FileColumns {

@@ -1,8 +1,9 @@
-// `armtune yardstick` as a person runs it.
+// `armtune yardstick` and --yardstick as a person runs them.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "tests/cli/support/program.hpp"
@@ -104,6 +105,54 @@ TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
               AllOf(HasSubstr("rollout_moving_target.csv: cannot be read"), Not(HasSubstr("report"))));
   EXPECT_THAT(refused({files_ / ""}), AllOf(HasSubstr("has no rollout_*.csv"), HasSubstr("/run")));
   EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is no folder"));
+}
+
+TEST_F(YardstickProgram, AtTheEndOfASimulationItsLimitStandsBesideTheTime) {
+  ASSERT_EQ(simulate("plain").exit_code, 0);
+  const Finished held = simulate("held", {"--yardstick"});
+  ASSERT_EQ(held.exit_code, 0) << held.err;
+  const Csv plain = test::read_csv(files_ / "plain/errors.csv");
+  const Csv errors = test::read_csv(files_ / "held/errors.csv");
+  ASSERT_EQ(errors.header.size(), plain.header.size() + 1);
+  for (const std::string& name : plain.header) EXPECT_EQ(errors.at(0, name), plain.at(0, name)) << name;
+  const Csv yardstick = test::read_csv(files_ / "held/yardstick.csv");
+  double largest = 0.0;
+  for (std::size_t r = 0; r < yardstick.rows.size(); ++r) {
+    if (yardstick.at(r, "event") == "switch")
+      largest = std::fmax(largest, std::stod(yardstick.at(r, "limit")));
+  }
+  EXPECT_EQ(std::stod(errors.at(0, "reacquisition/limit")), largest);
+  // Rows are 10 ms apart.
+  EXPECT_LE(largest, std::stod(errors.at(0, "reacquisition/time")) + 0.01);
+  EXPECT_THAT(read_text(files_ / "held/columns.csv"),
+              AllOf(HasSubstr("\nerrors.csv,reacquisition/limit,s,"), HasSubstr("\nyardstick.csv,ratio,1,")));
+  EXPECT_FALSE(fs::exists(files_ / "plain/yardstick.csv"));
+  EXPECT_THAT(read_text(files_ / "plain/columns.csv"), Not(HasSubstr("limit,s,")));
+  const Finished nowhere = run_program({"simulate", scenario_, "--yardstick"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("--out"));
+}
+
+TEST_F(YardstickProgram, OfATunedRunIsOfBothGainSets) {
+  files_.write("study.yaml", "gains: gains.yaml\nscenarios: [quick_switch.yaml]\n" + test::kShortParameters +
+                                 "objective:\n  - {metric: error/orientation/rms, weight: 1}\n" +
+                                 test::kShortConstraints + test::kShortSearch);
+  const Finished tuned = run_program({"tune", files_.path(), "--out", files_ / "run", "--max-evaluations",
+                                      "3", "--no-analysis", "--yardstick"});
+  ASSERT_TRUE(tuned.exit_code == 0 || tuned.exit_code == 3) << tuned.err;
+  for (const char* set : {"run/start", "run"}) {
+    const Csv errors = test::read_csv(files_ / (std::string(set) + "/errors.csv"));
+    EXPECT_GT(std::stod(errors.at(0, "reacquisition/limit")), 0.0) << set;
+    EXPECT_TRUE(fs::exists(files_ / (std::string(set) + "/yardstick.csv"))) << set;
+  }
+  // One of its sets, by the study of the run above it.
+  const Finished start = run_program({"yardstick", files_ / "run/start", "--knots", "40"});
+  EXPECT_EQ(start.exit_code, 0) << start.err;
+  if (!report::available()) return;
+  EXPECT_THAT(start.out, HasSubstr("run/report.html"));
+  const auto data = test::parsed(test::data_of(read_text(files_ / "run/report.html")));
+  EXPECT_EQ(test::at(data, "yardstick").items().size(), 4U);
+  EXPECT_THAT(test::at(data, "verdict/details/0").as_string(), HasSubstr("the joint limits allow"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 
+#include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/recorder.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -14,6 +15,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
@@ -30,16 +32,20 @@ struct Arguments {
   std::string folder;
   int workers = default_workers();
   int record_every = 5;
+  bool yardstick = false;
 };
 
 void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
-                 const std::vector<ScenarioResult>& results, double seconds) {
+                 const std::vector<ScenarioResult>& results, const YardstickFiles& yardstick,
+                 double seconds) {
   const std::string& folder = args.folder;
   const auto joints = joint_names(*scenarios.front().robot);
   const std::string gains_path = find_data_file("gains", args.gains);
-  write_text_file(folder + "/errors.csv", errors_csv(results));
-  write_text_file(folder + "/columns.csv", columns_csv({{"errors.csv", error_columns()},
-                                                        {"rollout_*.csv", rollout_columns(scenarios)}}));
+  write_text_file(folder + "/errors.csv", errors_csv(results, yardstick.errors));
+  std::vector<FileColumns> columns = {{"errors.csv", error_columns(yardstick.errors)},
+                                      {"rollout_*.csv", rollout_columns(scenarios)}};
+  columns.insert(columns.end(), yardstick.columns.begin(), yardstick.columns.end());
+  write_text_file(folder + "/columns.csv", columns_csv(columns));
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(load_gains(args.gains, joints), {"from " + shown_path(gains_path)}));
   Provenance p;
@@ -54,6 +60,8 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
 }
 
 int run(const Arguments& args) {
+  if (args.yardstick && args.folder.empty())
+    throw InputError("--yardstick: is held against the recordings of a run folder; give one with --out");
   std::vector<Scenario> scenarios;
   for (const std::string& name : args.scenarios) {
     scenarios.push_back(load_scenario(name));
@@ -89,14 +97,20 @@ int run(const Arguments& args) {
   fmt::print("{:.4g} s simulated in {:.3g} s: {:.3g} times real time on {} workers\n", simulated,
              elapsed.count(), simulated / elapsed.count(), args.workers);
   if (!args.folder.empty()) {
-    write_files(args, scenarios, results, elapsed.count());
+    YardstickFiles yardstick;
+    if (args.yardstick && !stop_requested()) {
+      yardstick = write_yardstick(args.folder, scenarios, [&args](const Scenario& s) {
+        return load_gains(args.gains, joint_names(*s.robot));
+      });
+    }
+    write_files(args, scenarios, results, yardstick, elapsed.count());
     const std::string report = add_report(args.folder, [&] {
       const Gains gains = load_gains(args.gains, joint_names(*scenarios.front().robot));
       return report::scene_of(scenarios, {{stem(args.gains), ".", "errors.csv"}},
                               gains.obstacleInfluenceRadius);
     });
-    fmt::print("wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml{}\n",
-               args.folder, report);
+    fmt::print("wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml{}{}\n",
+               args.folder, yardstick.written, report);
   }
   if (stop_requested()) return kInterrupted;
   return completed ? kDone : kFailed;
@@ -126,6 +140,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  add_yardstick_option(*command, args->yardstick);
   command->footer([] {
     return fmt::format("Bundled scenarios: {}\nBundled gains: {}\n",
                        fmt::join(bundled_names("scenarios"), " "), fmt::join(bundled_names("gains"), " "));

@@ -44,6 +44,7 @@ struct Arguments {
   long seed = -1;
   int record_every = 5;
   bool analysis = true;
+  bool yardstick = false;
   WarmArguments warm;
 };
 
@@ -202,7 +203,9 @@ int run(Arguments args, Team& team) {
     judge(*objective, study.robust ? robust[1] : sets[1], result);
     write_gains(study, result, args.folder);
   }
-  write_reports(study, result, sets, options, workers.count(), seconds_since(began));
+  std::vector<YardstickFiles> yardsticks(sets.size());
+  if (args.yardstick && !result.interrupted) yardsticks = measure_sets(study, result, args.folder);
+  write_reports(study, result, sets, yardsticks, options, workers.count(), seconds_since(began));
 
   if (study.robust) {
     fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
@@ -221,10 +224,11 @@ int run(Arguments args, Team& team) {
   const bool seen = report.find("report.html") != std::string::npos;
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
-      "study.yaml, run.yaml{}{}; the start's in start/\n"
+      "study.yaml, run.yaml{}{}{}; the start's in start/\n"
       "next: {}{} compare {}/start {}\n",
       args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
-      report, seen ? fmt::format("open {}/report.html in a browser; or ", args.folder) : "", program_name(),
+      yardsticks.back().written, report,
+      seen ? fmt::format("open {}/report.html in a browser; or ", args.folder) : "", program_name(),
       args.folder, args.folder);
   if (result.interrupted || stop_requested()) {
     fmt::print("interrupted: {}; to go on: {} tune --resume {}\n",
@@ -263,6 +267,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
+  add_yardstick_option(*command, args->yardstick);
   add_warm_options(*command, args->warm);
   command->footer(tune_help);
   command->callback(

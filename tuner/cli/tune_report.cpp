@@ -106,14 +106,28 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
                               result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
 }
 
+std::vector<YardstickFiles> measure_sets(const Study& study, const TuneResult& result,
+                                         const std::string& folder) {
+  std::vector<YardstickFiles> files(2);
+  files[0] =
+      write_yardstick(folder + "/start", study.scenarios, [&](const Scenario&) { return study.space.start; });
+  if (!stop_requested()) {
+    files[1] = write_yardstick(folder, study.scenarios, [&](const Scenario&) { return result.best.gains; });
+  }
+  return files;
+}
+
 void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
-                   const ReportOptions& options, int workers, double seconds) {
+                   const std::vector<YardstickFiles>& yardsticks, const ReportOptions& options, int workers,
+                   double seconds) {
   const std::string& folder = options.folder;
-  write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results));
-  write_text_file(folder + "/errors.csv", errors_csv(sets[1].results));
-  write_text_file(folder + "/columns.csv", columns_csv({{"errors.csv", error_columns()},
-                                                        {"rollout_*.csv", rollout_columns(study.scenarios)},
-                                                        {"evaluations.csv", evaluation_columns(study)}}));
+  write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results, yardsticks[0].errors));
+  write_text_file(folder + "/errors.csv", errors_csv(sets[1].results, yardsticks[1].errors));
+  std::vector<FileColumns> columns = {{"errors.csv", error_columns(yardsticks[1].errors)},
+                                      {"rollout_*.csv", rollout_columns(study.scenarios)},
+                                      {"evaluations.csv", evaluation_columns(study)}};
+  columns.insert(columns.end(), yardsticks[1].columns.begin(), yardsticks[1].columns.end());
+  write_text_file(folder + "/columns.csv", columns_csv(columns));
   Provenance p;
   p.command = command_line();
   p.inputs = {study.source, study.gains};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/search/tune.hpp"
 #include "tuner/workers/team.hpp"
@@ -37,9 +38,13 @@ void judge(const Objective& objective, const ComparedSet& simulated, TuneResult&
 /// What the start was, before anything else is simulated: an interrupted run can be judged by it too.
 void write_start(const Study& study, const std::string& folder);
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder);
-/// errors.csv of both, columns.csv, run.yaml. workers: of the search.
+/// Both sets' rollouts in `folder` against the best that the arm's limits allow: start, then tuned.
+std::vector<YardstickFiles> measure_sets(const Study& study, const TuneResult& result,
+                                         const std::string& folder);
+/// errors.csv of both, columns.csv, run.yaml. yardsticks: one per set. workers: of the search.
 void write_reports(const Study& study, const TuneResult& result, const std::vector<ComparedSet>& sets,
-                   const ReportOptions& options, int workers, double seconds);
+                   const std::vector<YardstickFiles>& yardsticks, const ReportOptions& options, int workers,
+                   double seconds);
 
 void print_gains(const Study& study, const Gains& gains);
 void print_verdict(const Study& study, const TuneResult& result, const Objective& objective);

@@ -65,6 +65,23 @@ TEST(ErrorsCsv, NumbersReadBackToTheBitAndNoValueIsAnEmptyCell) {
   }
 }
 
+TEST(ErrorsCsv, FurtherColumnsStandBehindTheMetricsAndChangeNothingElse) {
+  const auto results = two_results();
+  const std::vector<FurtherColumn> further = {{{"reacquisition/limit", "s", "the least", {}}, {0.1, NAN}}};
+  const test::Csv plain(errors_csv(results));
+  const test::Csv csv(errors_csv(results, further));
+  auto header = plain.header;
+  header.insert(header.end() - 1, "reacquisition/limit");
+  EXPECT_EQ(csv.header, header);
+  EXPECT_EQ(csv.at(0, "reacquisition/limit"), "0.1");
+  EXPECT_EQ(csv.at(1, "reacquisition/limit"), "");
+  for (std::size_t r = 0; r < 2; ++r) {
+    for (const std::string& name : plain.header) EXPECT_EQ(csv.at(r, name), plain.at(r, name)) << name;
+  }
+  ASSERT_EQ(error_columns(further).size(), header.size());
+  for (std::size_t i = 0; i < header.size(); ++i) EXPECT_EQ(error_columns(further)[i].name, header[i]);
+}
+
 TEST(ColumnsCsv, ExplainsEveryColumnOfBothFiles) {
   const auto columns = rollout_columns(test::scenario_of("obstacle_pass"));
   const std::string text = columns_csv({{"errors.csv", error_columns()}, {"rollout_*.csv", columns}});

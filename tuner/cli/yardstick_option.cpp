@@ -1,0 +1,56 @@
+#include "tuner/cli/yardstick_option.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "sim/csv/text_file.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/yardstick_measures.hpp"
+#include "tuner/planning/yardstick/yardstick_file.hpp"
+
+namespace armtune::cli {
+namespace {
+
+FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
+                                   const std::vector<Measure>& measures) {
+  FurtherColumn limit;
+  limit.column = {
+      "reacquisition/limit",
+      "s",
+      "the least that reacquisition/time can be within the arm's limits: the largest of the least "
+      "times of the switches that begin while the path is followed, each from the rollout's own "
+      "state; empty where none was found",
+      {}};
+  limit.values.reserve(scenarios.size());
+  for (const Scenario& scenario : scenarios)
+    limit.values.push_back(reacquisition_limit(measures, scenario.name));
+  return limit;
+}
+
+}  // namespace
+
+void add_yardstick_option(CLI::App& command, bool& wanted) {
+  command.add_flag("--yardstick", wanted,
+                   "also plan the best that the arm's limits allow for each target switch, return and lap: "
+                   "yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
+}
+
+YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scenario>& scenarios,
+                               const std::function<Gains(const Scenario&)>& gains) {
+  YardstickFiles files;
+  try {
+    fmt::print("against the best that the arm's limits allow ({}):\n", folder);
+    const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {});
+    write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
+    files.written = ", yardstick.csv";
+    files.columns = {{"yardstick.csv", yardstick_columns()}};
+    if (!stop_requested()) files.errors = {reacquisition_column(scenarios, measures)};
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "armtune: warning: the run is finished, but its yardstick is not: {}\n", error.what());
+  }
+  return files;
+}
+
+}  // namespace armtune::cli
