@@ -18,6 +18,7 @@
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
+#include "tuner/report/plan_recording.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -45,8 +46,8 @@ void show_limits(const std::vector<BindingLimit>& limits, const char* title) {
   fmt::print("{}{}\n", title, limits.empty() ? " nothing" : "");
   for (std::size_t i = 0; i < std::min(limits.size(), kShownLimits); ++i) {
     const BindingLimit& limit = limits[i];
-    fmt::print("  {}: {:.3g} % of the knots, {:.3f} .. {:.3f} s\n", limit_words(limit.limit, limit.part),
-               100.0 * limit.share, limit.first, limit.last);
+    fmt::print("  {}: {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
+               report::limit_words(limit.limit, limit.part), 100.0 * limit.share, limit.first, limit.last);
   }
   if (limits.size() > kShownLimits) fmt::print("  and {} more\n", limits.size() - kShownLimits);
 }
@@ -176,10 +177,14 @@ void add_plan_command(CLI::App& app, int& exit_code) {
     return "Tasks: move (point to point), track (path and gaze, least error), switch (gaze to the next "
            "target), return "
            "(onto the\nmoving path), fastest (along the path's curve). Limits: joint positions, velocities "
-           "and torques of the "
-           "robot's file,\nand accelerations and jerks where the task gives some. Nothing here knows the "
-           "arm's surroundings "
-           "or its own links:\nrun a trajectory slowly first.\n\nBundled tasks:\n" +
+           "and torques of "
+           "the robot's file,\nand accelerations and jerks where the task gives some. Torque, tool path, "
+           "gaze and "
+           "distances are held at the knots; what\nthey do between them is printed, and in limits.csv. The "
+           "folder also has "
+           "motion.csv (the motion at even times) and\nreport.html with replay and limits. Nothing here "
+           "knows the arm's "
+           "surroundings or its own links: run a trajectory\nslowly first.\n\nBundled tasks:\n" +
            tasks() + "\nExample:\n  armtune plan ur10_switch --out runs/switch\n";
   });
   command->callback([args, &exit_code] { exit_code = run(*args); });

@@ -173,7 +173,7 @@ TEST(PlanLimits, ATrajectoryThatIsPulledApartBetweenItsKnotsIsSeen) {
   EXPECT_LT(after.use->between_time, plan.motion().time[51]);
   EXPECT_NEAR(after.use->at_knots, 1.0, 1e-4);
   EXPECT_EQ(worst_between(uses, "distance").use, nullptr) << "no clearance, no limit";
-  EXPECT_THAT(between_words(uses), testing::AllOf(HasSubstr("torque at most"), HasSubstr("gaze at most")));
+  EXPECT_THAT(between_words(uses), testing::AllOf(HasSubstr("torque of"), HasSubstr("gaze at most")));
 }
 
 TEST(PlanFiles, TrajectoryHasEveryKnotAndRatiosToTheRobotsLimits) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/report/plan_recording.hpp"
+
 namespace armtune {
 namespace {
 
@@ -49,10 +51,6 @@ std::string plan_headline(const PlanTask& task, const PlanProblem& problem,
   return fmt::format("possible in {:.4g} s within the limits", duration);
 }
 
-std::string limit_words(const std::string& limit, const std::string& part) {
-  return limit == "gaze" ? limit : limit + " of " + part;
-}
-
 std::string between_words(const std::vector<LimitUse>& uses) {
   std::vector<std::string> parts;
   for (const char* kind : kBetween) {
@@ -60,10 +58,10 @@ std::string between_words(const std::vector<LimitUse>& uses) {
     if (worst.use == nullptr) continue;
     const bool distance = std::string(kind) == "distance";
     // Of a distance the share is limit over value.
-    const std::string part = worst.use->part == "angle" ? "" : fmt::format(" ({})", worst.use->part);
     parts.push_back(
         distance ? fmt::format("{} at least {:.4f} of the clearance", worst.use->limit, 1.0 / worst.between)
-                 : fmt::format("{} at most {:.4f} of its limit{}", kind, worst.between, part));
+                 : fmt::format("{} at most {:.4f} of its limit",
+                               report::limit_words(worst.use->limit, worst.use->part), worst.between));
   }
   return parts.empty() ? std::string() : fmt::format("between the knots: {}", fmt::join(parts, ", "));
 }
@@ -82,6 +80,7 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
   }
   std::vector<std::pair<std::string, std::string>> entries = {
       {"task", name(task.kind)},
+      {"scenario", task.scenario.name},
       {"headline", plan_headline(task, problem, planned)},
       {"duration", fmt::format("{:.17g}", trajectory.durations.front())},
       {"phases", fmt::format("{}", fmt::join(phases, ", "))},
@@ -97,7 +96,7 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
     std::replace(key.begin(), key.end(), ' ', '_');
     entries.emplace_back(
         key, fmt::format("{:.6g} of the limit, {} at {:.4f} s", worst.between,
-                         limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
+                         report::limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
   }
   return entries;
 }

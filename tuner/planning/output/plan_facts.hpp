@@ -8,10 +8,7 @@ namespace armtune {
 /// "0.136 s is the least time found within the limits", "10 s: tool at most 0.0021 mm off its path, ...".
 std::string plan_headline(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned);
 
-/// "torque of elbow_joint", "gaze".
-std::string limit_words(const std::string& limit, const std::string& part);
-
-/// "between the knots: torque at most 1.002 of its limit (wrist_2_joint), gaze 1.000"; empty where a task
+/// "between the knots: torque of wrist_2_joint at most 1.0020 of its limit, gaze ..."; empty where a task
 /// limits nothing of that kind.
 std::string between_words(const std::vector<LimitUse>& uses);
 
