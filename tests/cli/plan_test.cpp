@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <thread>
 
 #include "tests/cli/support/program.hpp"
@@ -49,6 +50,18 @@ TEST(Plan, WritesATrajectoryAndSaysWhatHoldsItBack) {
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
   }
   EXPECT_EQ(test::read_csv(out + "/trajectory.csv").rows.size(), 61U);
+
+  const test::Csv columns = test::read_csv(out + "/columns.csv");
+  std::set<std::string> described;
+  for (const auto& row : columns.rows) described.insert(row.at(0) + ":" + row.at(1));
+  std::size_t there = 0;
+  for (const std::string file : {"trajectory.csv", "motion.csv", "limits.csv"}) {
+    for (const std::string& column : test::read_csv(out + "/" + file).header) {
+      EXPECT_EQ(described.count(file + ":" + column), 1U) << file << " " << column;
+      ++there;
+    }
+  }
+  EXPECT_EQ(described.size(), there) << "and nothing that is not there";
 
   // The resolved task gives the same motion, to the byte; a folder in use is left alone.
   const Finished again =
