@@ -10,56 +10,20 @@
 
 #include "core/robot/dynamics.hpp"
 #include "core/trajectory/gaze.hpp"
-#include "sim/yaml/document.hpp"
 #include "tests/sim/support/csv.hpp"
+#include "tests/tuner/support/solved_plan.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
-#include "tuner/planning/output/ros_trajectory.hpp"
 
 namespace armtune {
 namespace {
 
+using test::a_limited_move;
+using test::a_return;
+using test::a_switch;
+using test::Solved;
 using testing::HasSubstr;
 using testing::Not;
-
-struct Solved {
-  PlanTask task;
-  PlanProblem problem;
-  PlannedTrajectory planned;
-  std::vector<LimitUse> uses;
-
-  Solved(PlanTask given, int knots) : task(std::move(given)) {
-    task.knots = knots;
-    problem = plan_problem(task);
-    planned = solve_refining(problem.task, problem.grid, problem.guess, {}, {});
-    EXPECT_EQ(planned.result.status, PlanStatus::kSolved) << task.name;
-    uses = limit_uses(task, problem, planned);
-  }
-  const Trajectory& motion() const { return planned.trajectory; }
-  const RobotModel& robot() const { return *problem.robot; }
-};
-
-const Solved& a_switch() {
-  static const Solved solved(load_plan_task("ur10_switch"), 60);
-  return solved;
-}
-
-const Solved& a_limited_move() {
-  static const Solved solved = [] {
-    PlanTask task = load_plan_task("ur10_move");
-    task.limits.velocity = 0.5;
-    task.limits.effort = 0.75;
-    task.limits.acceleration = JointVector::Constant(6, 8.0);
-    task.limits.jerk = JointVector::Constant(6, 100.0);
-    return Solved(task, 40);
-  }();
-  return solved;
-}
-
-const Solved& a_return() {
-  static const Solved solved(load_plan_task("ur10_return"), 60);
-  return solved;
-}
 
 /// The largest use of a limit over an interval's tenths, by kinematics and dynamics at point_at.
 template <typename Use>
@@ -246,67 +210,6 @@ TEST(PlanFiles, LimitsSayWhatHoldsThePlanBackAndWhen) {
   EXPECT_EQ(csv.at(0, "part"), "wrist_2_joint");
   const std::string when = csv.at(0, "active_lower") + csv.at(0, "active_upper");
   EXPECT_TRUE(std::regex_match(when, std::regex(R"(8\.0\d*:8\.1\d*)"))) << when;
-}
-
-TEST(RosTrajectory, ReadsBackToTheSameBitsAndIsFloatingPointToEveryReader) {
-  const Solved& plan = a_return();
-  const std::string text = ros_trajectory(plan.robot(), plan.motion(), RosVersion::kRos2, {"one line"});
-  const yaml::Node root = yaml::parse_text(text, "joint_trajectory.yaml");
-  EXPECT_EQ(root.find("joint_names")->as_strings(), joint_names(plan.robot()));
-  const auto& points = root.find("points")->items();
-  ASSERT_EQ(points.size(), plan.motion().time.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const std::pair<const char*, const Eigen::MatrixXd*> parts[] = {
-        {"positions", &plan.motion().position},
-        {"velocities", &plan.motion().velocity},
-        {"accelerations", &plan.motion().acceleration}};
-    for (const auto& part : parts) {
-      const std::vector<double> values = points[k].find(part.first)->as_numbers(6);
-      for (std::size_t i = 0; i < 6; ++i)
-        EXPECT_EQ(values[i], (*part.second)(static_cast<Eigen::Index>(i), column));
-    }
-    const yaml::Node& time = *points[k].find("time_from_start");
-    EXPECT_NEAR(static_cast<double>(time.find("sec")->as_integer()) +
-                    1e-9 * static_cast<double>(time.find("nanosec")->as_integer()),
-                plan.motion().time[k] - plan.motion().time[0], 1e-9);
-  }
-  // YAML 1.1's floating point numbers (yaml.org/type/float.html): a point, and a sign in the exponent.
-  const std::regex number(R"([-+]?[0-9]+\.[0-9]+([eE][-+][0-9]+)?)");
-  const std::regex list(R"((positions|velocities|accelerations): \[([^\]]*)\])");
-  std::size_t numbers = 0;
-  for (auto line = std::sregex_iterator(text.begin(), text.end(), list); line != std::sregex_iterator();
-       ++line) {
-    const std::string all = (*line)[2];
-    const std::regex comma(", ");
-    for (auto one = std::sregex_token_iterator(all.begin(), all.end(), comma, -1);
-         one != std::sregex_token_iterator(); ++one, ++numbers) {
-      EXPECT_TRUE(std::regex_match(one->str(), number)) << one->str();
-    }
-  }
-  EXPECT_EQ(numbers, 3 * 6 * points.size());
-}
-
-TEST(RosTrajectory, SmallLargeAndWholeNumbersHaveAPoint) {
-  Trajectory tiny;
-  tiny.time = {0.0, 1.0};
-  const RobotModel& robot = a_return().robot();
-  tiny.position = Eigen::MatrixXd::Zero(6, 2);
-  tiny.velocity = tiny.acceleration = tiny.position;
-  tiny.position.col(0) << 1e-5, -2e-300, 3e20, 0.0, -7.0, 1.5e-9;
-  const std::string text = ros_trajectory(robot, tiny, RosVersion::kRos1, {});
-  EXPECT_THAT(text, HasSubstr("positions: [1.0e-05, -2.0e-300, 3.0e+20, 0.0, -7.0, 1.5e-09]"));
-  EXPECT_THAT(text, HasSubstr("{secs: 1, nsecs: 0}"));
-}
-
-TEST(RosTrajectory, SaysWhereItDoesNotEndAtRest) {
-  const auto header = [](const Solved& plan) {
-    const std::string text = ros_trajectory(plan.robot(), plan.motion(), RosVersion::kRos2, {"one line"});
-    return text.substr(0, text.find("joint_names:"));
-  };
-  EXPECT_EQ(header(a_limited_move()), "# one line\n");
-  EXPECT_THAT(header(a_return()),
-              testing::AllOf(HasSubstr("does not end at rest"), HasSubstr("rad/s there")));
 }
 
 TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
