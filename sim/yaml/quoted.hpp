@@ -5,12 +5,17 @@
 
 namespace armtune::yaml {
 
-/// In double quotes, with quotes and backslashes escaped. For text without control characters.
+/// In double quotes, with quotes, backslashes, line ends and tabs escaped. For text without other control
+/// characters.
 inline std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
-    out += c;
+    if (c == '\n' || c == '\t') {
+      out += c == '\n' ? "\\n" : "\\t";
+    } else {
+      out += c;
+    }
   }
   return out + "\"";
 }

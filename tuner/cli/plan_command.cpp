@@ -14,8 +14,11 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
-#include "tuner/planning/output/binding_limits.hpp"
+#include "tuner/cli/report_file.hpp"
+#include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
+#include "tuner/planning/output/ros_trajectory.hpp"
+#include "tuner/report/plan_recording.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -43,45 +46,48 @@ void show_limits(const std::vector<BindingLimit>& limits, const char* title) {
   fmt::print("{}{}\n", title, limits.empty() ? " nothing" : "");
   for (std::size_t i = 0; i < std::min(limits.size(), kShownLimits); ++i) {
     const BindingLimit& limit = limits[i];
-    fmt::print("  {} of {}: {:.3g} % of the knots, {:.3f} .. {:.3f} s\n", limit.limit, limit.part,
-               100.0 * limit.share, limit.first, limit.last);
+    fmt::print("  {}: {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
+               report::limit_words(limit.limit, limit.part), 100.0 * limit.share, limit.first, limit.last);
   }
   if (limits.size() > kShownLimits) fmt::print("  and {} more\n", limits.size() - kShownLimits);
 }
 
-/// What a solved plan has reached, in a sentence.
-std::string headline(const PlanTask& task, const PlannedTrajectory& planned) {
-  const double duration = planned.trajectory.durations.front();
-  if (!task.duration)
-    return fmt::format("{}: {:.4g} s is the least time found within the limits", task.name, duration);
-  return fmt::format("{}: solved over {:.4g} s", task.name, duration);
-}
+/// Beside the knots' own file: what is looked at, even in time and fine enough for smooth plots.
+constexpr int kMotionRows = 1001;
 
 void write_files(const Arguments& args, const PlanTask& task, const PlanProblem& problem,
-                 const PlannedTrajectory& planned, double seconds) {
+                 const PlannedTrajectory& planned, const std::vector<LimitUse>& uses, double seconds) {
   const RobotModel& robot = *problem.robot;
-  const bool path_coordinate = planned.trajectory.position.rows() > robot.n();
   write_text_file(args.folder + "/task.yaml", plan_task_yaml(task));
   write_text_file(args.folder + "/trajectory.csv", trajectory_csv(task, problem, planned.trajectory));
+  write_text_file(args.folder + "/motion.csv", motion_csv(task, problem, planned.trajectory, kMotionRows));
+  write_text_file(args.folder + "/limits.csv", limits_csv(uses));
   write_text_file(args.folder + "/columns.csv",
-                  columns_csv({{"trajectory.csv", trajectory_columns(robot, path_coordinate)}}));
+                  columns_csv({{"trajectory.csv", described(trajectory_columns(task, robot))},
+                               {"motion.csv", described(motion_columns(task, robot))},
+                               {"limits.csv", limits_columns()}}));
   write_text_file(
       args.folder + "/joint_trajectory.yaml",
       ros_trajectory(robot, planned.trajectory, args.ros == 1 ? RosVersion::kRos1 : RosVersion::kRos2,
                      {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
                       "Nothing here knows the arm's surroundings or its own links: run it slowly first."}));
-  const SequentialQuadraticProgress& last = planned.result.last;
   Provenance p;
   p.command = command_line();
   p.inputs = {task.source};
+  if (!task.start.rollout.empty()) p.inputs.push_back(task.start.rollout);
   add_inputs({task.scenario}, p.inputs);
   p.wall_seconds = seconds;
-  p.extra = {{"duration", fmt::format("{:.17g}", planned.trajectory.durations.front())},
-             {"violation", fmt::format("{:.3g}", last.violation)},
-             {"kkt_stationarity", fmt::format("{:.3g}", last.stationarity)},
-             {"kkt_complementarity", fmt::format("{:.3g}", last.complementarity)},
-             {"interior_point_steps", std::to_string(planned.interior_iterations)}};
+  p.extra = plan_entries(task, problem, planned, uses);
   write_text_file(args.folder + "/run.yaml", run_yaml(p));
+}
+
+/// The arm, the tool's path where the task has one, and the obstacles with the clearance that is kept.
+report::Scene scene_of_plan(const PlanTask& task) {
+  report::Scene scene = report::scene_of({task.scenario}, {{"plan", ".", ""}}, task.clearance);
+  report::SceneScenario& shown = scene.scenarios.front();
+  shown.name = task.name;
+  if (!tool_demands(task).path) shown.path = {};
+  return scene;
 }
 
 [[nodiscard]] int infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
@@ -100,8 +106,9 @@ int run(const Arguments& args) {
   const std::string folder = args.folder.empty() ? default_run_folder(task.name) : args.folder;
   refuse_used_folder(folder);  // before the work, not after it
   const auto began = std::chrono::steady_clock::now();
-  const PlanProblem problem = plan_problem(task);
   ProgressLine line;
+  line.show("first guess by inverse kinematics");
+  const PlanProblem problem = plan_problem(task);
   const PlannedTrajectory planned = solve_refining(
       problem.task, problem.grid, problem.guess, {}, [&](const SequentialQuadraticProgress& at) {
         line.show(fmt::format("{} knots, step {}: objective {:.6g}, violation {:.1e}, KKT residual {:.1e}",
@@ -128,8 +135,10 @@ int run(const Arguments& args) {
     case PlanStatus::kSolved:
       break;
   }
-  fmt::print("{}\n", headline(task, planned));
+  const std::vector<LimitUse> uses = limit_uses(task, problem, planned);
+  fmt::print("{}: {}\n", task.name, plan_headline(task, problem, planned));
   show_limits(binding_limits(planned), "held back by:");
+  if (const std::string between = between_words(uses); !between.empty()) fmt::print("{}\n", between);
   fmt::print(
       "{} knots, {} interior point steps on all grids, {:.2f} s; constraint violation {:.1e} of the limit, "
       "KKT "
@@ -139,8 +148,12 @@ int run(const Arguments& args) {
   Arguments out = args;
   out.folder = folder;
   make_run_folder(folder);
-  write_files(out, task, problem, planned, seconds);
-  fmt::print("wrote {}: trajectory.csv, joint_trajectory.yaml, task.yaml, columns.csv, run.yaml\n", folder);
+  write_files(out, task, problem, planned, uses, seconds);
+  const std::string report = add_report(folder, [&task] { return scene_of_plan(task); });
+  fmt::print(
+      "wrote {}: trajectory.csv, motion.csv, limits.csv, joint_trajectory.yaml, task.yaml, columns.csv, "
+      "run.yaml{}\n",
+      folder, report);
   return kDone;
 }
 
@@ -151,7 +164,8 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "plan", "Plan a trajectory offline: the least time or error that the arm's limits allow");
   command->add_option("TASK", args->task, "bundled task, or a task file")->required();
-  command->add_option("--out", args->folder, "new folder for trajectory.csv and joint_trajectory.yaml");
+  command->add_option("--out", args->folder,
+                      "new folder for trajectory.csv, joint_trajectory.yaml, report.html and the rest");
   command->add_option("--knots", args->knots, "time grid, in place of the task's")
       ->check(CLI::Range(4, 100000));
   command->add_option("--duration", args->duration, "fixed duration [s], in place of the task's")
@@ -163,10 +177,14 @@ void add_plan_command(CLI::App& app, int& exit_code) {
     return "Tasks: move (point to point), track (path and gaze, least error), switch (gaze to the next "
            "target), return "
            "(onto the\nmoving path), fastest (along the path's curve). Limits: joint positions, velocities "
-           "and torques of the "
-           "robot's file,\nand accelerations and jerks where the task gives some. Nothing here knows the "
-           "arm's surroundings "
-           "or its own links:\nrun a trajectory slowly first.\n\nBundled tasks:\n" +
+           "and torques of "
+           "the robot's file,\nand accelerations and jerks where the task gives some. Torque, tool path, "
+           "gaze and "
+           "distances are held at the knots; what\nthey do between them is printed, and in limits.csv. The "
+           "folder also has "
+           "motion.csv (the motion at even times) and\nreport.html with replay and limits. Nothing here "
+           "knows the arm's "
+           "surroundings or its own links: run a trajectory\nslowly first.\n\nBundled tasks:\n" +
            tasks() + "\nExample:\n  armtune plan ur10_switch --out runs/switch\n";
   });
   command->callback([args, &exit_code] { exit_code = run(*args); });

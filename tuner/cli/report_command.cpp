@@ -31,7 +31,9 @@ void add_report_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
       "report", "Make the report of a run again: one page with replay and plots, to open or send");
-  command->add_option("DIR", args->folder, "run folder of simulate, tune, pareto, robustness or compare")
+  command
+      ->add_option("DIR", args->folder,
+                   "folder of a run of simulate, tune, pareto, robustness, compare or plan")
       ->required();
   command->add_option("--out", args->path, "file to write (default: DIR/report.html)");
   command->footer(

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "core/control/state_machine.hpp"
 #include "tuner/report/buckets.hpp"
+#include "tuner/report/replay.hpp"
 
 namespace armtune::report {
 namespace {
@@ -28,8 +27,6 @@ constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
                                {"obstacle/distance", "clearance", "m"},
                                {"manipulability", "manipulability", "m^3"}};
 
-constexpr const char* kAxes[] = {"x", "y", "z"};
-
 std::string joint_column(const ArmJoint& joint, const char* what) {
   return "joint/" + joint.name + "/" + what;
 }
@@ -39,19 +36,6 @@ std::vector<double> torque_ratio(const CsvTable& rollout, const ArmJoint& joint)
   if (const auto ratio = rollout.find(joint_column(joint, "torque_ratio"))) return rollout.numbers(*ratio);
   std::vector<double> values = rollout.numbers(rollout.column(joint_column(joint, "torque")));
   for (double& value : values) value = std::abs(value) / joint.effort_limit;
-  return values;
-}
-
-/// An error's column; no value in the states that do not track it, where the file has zeros.
-std::vector<double> tracked(const CsvTable& rollout, std::size_t column, bool position) {
-  const std::size_t state = rollout.column("state");
-  std::vector<double> values = rollout.numbers(column);
-  for (std::size_t r = 0; r < values.size(); ++r) {
-    const auto now = static_cast<ControlState>(rollout.number(r, state));
-    const bool free =
-        now == ControlState::kLeaveSingularity || (position && now == ControlState::kAvoidObstacles);
-    if (free) values[r] = std::numeric_limits<double>::quiet_NaN();
-  }
   return values;
 }
 
@@ -91,95 +75,6 @@ void add_states(const CsvTable& rollout, const std::vector<double>& time, Run& r
     if (slerping) run.slerps.back().second = time[r];
     slerping = turns;
   }
-}
-
-/// Rows nearest to k dt, for every k up to the last row's time. time: rising, at least one.
-std::vector<std::size_t> sampled_rows(const std::vector<double>& time, double dt) {
-  std::vector<std::size_t> rows;
-  std::size_t r = 0;
-  const double end = time.back() - time.front();
-  for (std::size_t k = 0; static_cast<double>(k) * dt <= end * (1.0 + 1e-9); ++k) {
-    const double wanted = time.front() + static_cast<double>(k) * dt;
-    while (r + 1 < time.size() && std::abs(time[r + 1] - wanted) <= std::abs(time[r] - wanted)) ++r;
-    rows.push_back(r);
-  }
-  return rows;
-}
-
-std::vector<double> picked(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
-  std::vector<double> kept;
-  kept.reserve(rows.size());
-  for (const std::size_t r : rows) kept.push_back(values[r]);
-  return kept;
-}
-
-/// Largest value of the rows nearest to each of n samples: a peak between two of them is not missed.
-std::vector<double> peaks(const std::vector<double>& values, const std::vector<double>& time, double dt,
-                          std::size_t n) {
-  std::vector<double> largest(n, std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t r = 0; r < time.size(); ++r) {
-    const auto nearest = static_cast<std::size_t>(std::max(0L, std::lround((time[r] - time.front()) / dt)));
-    double& peak = largest[std::min(nearest, n - 1)];
-    peak = std::fmax(peak, values[r]);
-  }
-  return largest;
-}
-
-/// x, y, z of a column's vector at the rows.
-std::vector<Series> vector_series(const CsvTable& rollout, const std::string& name,
-                                  const std::vector<std::size_t>& rows) {
-  std::vector<Series> axes;
-  axes.reserve(3);
-  for (const char* axis : kAxes) {
-    axes.push_back(quantize(picked(rollout.numbers(rollout.column(name + "/" + axis)), rows)));
-  }
-  return axes;
-}
-
-Series error_norm(const CsvTable& rollout, const std::vector<std::size_t>& rows) {
-  std::vector<double> norms(rows.size(), 0.0);
-  for (const char* axis : kAxes) {
-    const std::size_t c = rollout.column(std::string("error/position/") + axis);
-    const auto values = tracked(rollout, c, true);
-    for (std::size_t i = 0; i < rows.size(); ++i) norms[i] = std::hypot(norms[i], values[rows[i]]);
-  }
-  return quantize(norms);
-}
-
-std::vector<Series> center_of(const HarmonicPath& obstacle, const std::vector<double>& times) {
-  std::vector<Series> axes;
-  axes.reserve(3);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    values.reserve(times.size());
-    for (const double t : times) values.push_back(obstacle.at(t).position[axis]);
-    axes.push_back(quantize(values));
-  }
-  return axes;
-}
-
-Replay replay_of(const CsvTable& rollout, const SceneScenario& scenario, const Arm& arm,
-                 const std::vector<double>& time, double rate) {
-  Replay replay;
-  const double row_step =
-      time.size() > 1 ? (time.back() - time.front()) / static_cast<double>(time.size() - 1) : 1.0;
-  replay.dt = std::max(1.0 / rate, row_step);
-  const auto rows = sampled_rows(time, replay.dt);
-  replay.n = rows.size();
-  for (const ArmJoint& joint : arm.joints) {
-    const auto column = [&](const char* what) {
-      return rollout.numbers(rollout.column(joint_column(joint, what)));
-    };
-    replay.q.push_back(quantize(picked(column("position"), rows)));
-    replay.velocity_ratio.push_back(quantize(peaks(column("velocity_ratio"), time, replay.dt, replay.n)));
-  }
-  replay.target = vector_series(rollout, "target/position", rows);
-  replay.tool = vector_series(rollout, "tool/position", rows);
-  replay.error = error_norm(rollout, rows);
-  const std::vector<double> times = picked(time, rows);
-  for (const HarmonicPath& obstacle : scenario.obstacles)
-    replay.obstacles.push_back(center_of(obstacle, times));
-  return replay;
 }
 
 }  // namespace

@@ -70,6 +70,26 @@ struct Run {
   Replay replay;
 };
 
+/// A limit of one joint or axis that a plan keeps; times from the plan's start [s].
+struct PlanLimit {
+  std::string limit;
+  std::string part;
+  std::string words;  ///< both
+  std::string unit;
+  double lower = 0.0;  ///< in `unit`
+  double upper = 0.0;
+  double from = 0.0;  ///< when it holds
+  double to = 0.0;
+  double at_knots = 0.0;  ///< largest share that is used
+  double between_knots = 0.0;
+  double active = 0.0;  ///< share of the knots at which it holds the plan back
+  double strength = 0.0;
+  std::vector<std::pair<double, double>> active_lower;
+  std::vector<std::pair<double, double>> active_upper;
+  std::string group;  ///< of the plot that it is drawn in
+  std::string column;
+};
+
 struct ReportScenario {
   std::string name;
   double duration = 0.0;
@@ -78,6 +98,7 @@ struct ReportScenario {
   std::size_t obstacles = 0;
   long arm = -1;  ///< index into ReportData::arms; -1: not known
   std::vector<Run> runs;
+  std::vector<PlanLimit> limits;  ///< of a plan alone
 };
 
 struct Evaluations {
@@ -155,6 +176,13 @@ struct Robustness {
   std::vector<std::pair<std::string, std::size_t>> broken;  ///< limit and samples that break it, most first
 };
 
+/// Beside its limits.
+struct Plan {
+  double start = 0.0;  ///< on its scenario's time [s]
+  std::string scenario;
+  std::vector<std::pair<std::string, std::string>> figures;  ///< name, value
+};
+
 struct Verdict {
   std::string sentence;
   std::vector<std::string> details;
@@ -176,6 +204,7 @@ struct ReportData {
   std::vector<YardstickRow> yardstick;
   std::optional<Front> front;
   std::optional<Robustness> robustness;
+  std::optional<Plan> plan;
   std::string command;
   std::vector<std::pair<std::string, std::string>> provenance;
   std::vector<std::string>

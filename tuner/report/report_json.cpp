@@ -1,29 +1,11 @@
-#include "core/control/state_machine.hpp"
 #include "tuner/report/arm_json.hpp"
-#include "tuner/report/base64.hpp"
-#include "tuner/report/json.hpp"
+#include "tuner/report/json_array.hpp"
 #include "tuner/report/report_data.hpp"
+#include "tuner/report/scenario_json.hpp"
 #include "tuner/report/yardstick_json.hpp"
 
 namespace armtune::report {
 namespace {
-
-/// key: [each of items, as `write` writes it].
-template <typename Items, typename Write>
-void array(Json& json, const char* key, const Items& items, Write write) {
-  json.key(key);
-  json.begin_array();
-  for (const auto& item : items) write(json, item);
-  json.end_array();
-}
-
-void write_series(Json& json, const Series& series) {
-  json.begin_object();
-  json.number("lo", series.lo);
-  json.number("hi", series.hi);
-  json.text("u16", base64_u16(series.steps));
-  json.end_object();
-}
 
 void write_optional(Json& json, const char* key, const std::optional<double>& value) {
   json.key(key);
@@ -49,84 +31,6 @@ void write_table(Json& json, const Table& table) {
   array(json, "rows", table.rows, write_row);
   json.texts("status", table.status);
   json.texts("reason", table.reason);
-  json.end_object();
-}
-
-void write_replay(Json& json, const Replay& replay) {
-  json.begin_object();
-  json.number("dt", replay.dt);
-  json.integer("n", static_cast<long>(replay.n));
-  array(json, "q", replay.q, write_series);
-  array(json, "target", replay.target, write_series);
-  array(json, "obstacles", replay.obstacles, [](Json& out, const std::vector<Series>& center) {
-    out.begin_array();
-    for (const Series& axis : center) write_series(out, axis);
-    out.end_array();
-  });
-  array(json, "tool", replay.tool, write_series);
-  json.key("error");
-  write_series(json, replay.error);
-  array(json, "velocity_ratio", replay.velocity_ratio, write_series);
-  json.end_object();
-}
-
-void write_run(Json& json, const Run& run) {
-  json.begin_object();
-  json.integer("set", static_cast<long>(run.set));
-  json.text("status", run.status);
-  json.text("reason", run.reason);
-  json.number("end", run.end);
-  array(json, "states", run.states, [](Json& out, const StateChange& change) {
-    out.begin_object();
-    out.number("t", change.time);
-    out.integer("state", change.state);
-    out.end_object();
-  });
-  array(json, "slerps", run.slerps, [](Json& out, const std::pair<double, double>& slerp) {
-    out.begin_array();
-    out.number(slerp.first);
-    out.number(slerp.second);
-    out.end_array();
-  });
-  json.key("time");
-  write_series(json, run.time);
-  array(json, "columns", run.columns, [](Json& out, const PlotColumn& column) {
-    out.begin_object();
-    out.text("name", column.name);
-    out.text("group", column.group);
-    out.text("unit", column.unit);
-    out.key("series");
-    write_series(out, column.series);
-    out.end_object();
-  });
-  json.key("replay");
-  write_replay(json, run.replay);
-  json.end_object();
-}
-
-void write_scenario(Json& json, const ReportScenario& scenario) {
-  json.begin_object();
-  json.text("name", scenario.name);
-  json.number("duration", scenario.duration);
-  array(json, "path", scenario.path, [](Json& out, const Vec3& p) {
-    out.begin_array();
-    for (int axis = 0; axis < 3; ++axis) out.number(p[axis]);
-    out.end_array();
-  });
-  json.number("influence_radius", scenario.influence_radius);
-  json.key("obstacles");
-  json.begin_array();
-  for (std::size_t i = 0; i < scenario.obstacles; ++i) {
-    json.begin_object();
-    json.key("body_radius");
-    json.null();  // no scenario has one yet
-    json.end_object();
-  }
-  json.end_array();
-  json.texts("states", {name(ControlState::kLeaveSingularity), name(ControlState::kReturnToTrajectory),
-                        name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles)});
-  json.integer("robot", scenario.arm);
-  array(json, "runs", scenario.runs, write_run);
   json.end_object();
 }
 
@@ -233,6 +137,23 @@ void write_robustness(Json& json, const Robustness& r) {
   json.end_object();
 }
 
+void write_pairs(Json& json, const char* key, const std::vector<std::pair<std::string, std::string>>& pairs) {
+  array(json, key, pairs, [](Json& out, const std::pair<std::string, std::string>& entry) {
+    out.begin_array();
+    out.text(entry.first);
+    out.text(entry.second);
+    out.end_array();
+  });
+}
+
+void write_plan(Json& json, const Plan& plan) {
+  json.begin_object();
+  json.number("start", plan.start);
+  json.text("scenario", plan.scenario);
+  write_pairs(json, "figures", plan.figures);
+  json.end_object();
+}
+
 }  // namespace
 
 std::string report_json(const ReportData& data) {
@@ -273,15 +194,14 @@ std::string report_json(const ReportData& data) {
     json.key("robustness");
     write_robustness(json, *data.robustness);
   }
+  if (data.plan) {
+    json.key("plan");
+    write_plan(json, *data.plan);
+  }
   json.key("provenance");
   json.begin_object();
   json.text("command", data.command);
-  array(json, "entries", data.provenance, [](Json& out, const std::pair<std::string, std::string>& entry) {
-    out.begin_array();
-    out.text(entry.first);
-    out.text(entry.second);
-    out.end_array();
-  });
+  write_pairs(json, "entries", data.provenance);
   json.end_object();
   json.end_object();
   return json.take();

@@ -37,6 +37,8 @@ const char* name(RunKind kind) {
       return "robustness";
     case RunKind::kCompare:
       return "compare";
+    case RunKind::kPlan:
+      return "plan";
   }
   return "";
 }
@@ -55,10 +57,11 @@ RunKind kind_of(const std::string& folder) {
   if (has("comparison.csv")) return RunKind::kCompare;
   if (has("evaluations.csv")) return RunKind::kTune;
   if (has("errors.csv")) return RunKind::kSimulate;
-  throw InputError(
-      folder +
-      ": holds none of errors.csv, evaluations.csv, pareto.csv, samples.csv and comparison.csv; give the "
-      "folder of a run of simulate, tune, pareto, robustness or compare");
+  if (has("motion.csv")) return RunKind::kPlan;
+  throw InputError(folder +
+                   ": holds none of errors.csv, evaluations.csv, pareto.csv, samples.csv, comparison.csv and "
+                   "motion.csv; give "
+                   "the folder of a run of simulate, tune, pareto, robustness, compare or plan");
 }
 
 }  // namespace armtune::report

@@ -5,7 +5,7 @@
 
 namespace armtune::report {
 
-enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare };
+enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare, kPlan };
 
 /// "simulate", "tune" ...: the command.
 const char* name(RunKind kind);

@@ -8,10 +8,12 @@
 
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tuner/report/plan_report.hpp"
 #include "tuner/report/provenance.hpp"
 #include "tuner/report/recording.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/report/tables.hpp"
+#include "tuner/report/title.hpp"
 #include "tuner/report/verdict.hpp"
 #include "tuner/study/study.hpp"
 
@@ -91,11 +93,7 @@ class Assembly {
 
   std::string title() const {
     const std::string study = entry("study");
-    const std::string what = study.empty() ? std::string() : stem(study);
-    const std::string name = (fs::path(folder_) / ".").lexically_normal().parent_path().filename().string();
-    const bool told = name.empty() || name == "." || name == what || name == report::name(data_.kind);
-    return fmt::format("{}{}{}", report::name(data_.kind), what.empty() ? "" : " " + what,
-                       told ? "" : fmt::format(" ({})", name));
+    return page_title(report::name(data_.kind), study.empty() ? study : stem(study), folder_);
   }
 
   void read_scene_or_guess() {
@@ -158,9 +156,10 @@ class Assembly {
   }
 
   const SceneScenario* scenario(const std::string& name) const {
-    const auto found = std::find_if(scene_.scenarios.begin(), scene_.scenarios.end(),
-                                    [&name](const SceneScenario& s) { return s.name == name; });
-    return found == scene_.scenarios.end() ? nullptr : &*found;
+    for (const SceneScenario& s : scene_.scenarios) {
+      if (s.name == name) return &s;
+    }
+    return nullptr;
   }
 
   /// Names of the scenarios: the scene's, else the tables'.
@@ -294,7 +293,8 @@ class Assembly {
 }  // namespace
 
 ReportData report_of(const std::string& folder, std::size_t recording_bytes) {
-  return Assembly(folder, recording_bytes).make();
+  return kind_of(folder) == RunKind::kPlan ? plan_report_of(folder, recording_bytes)
+                                           : Assembly(folder, recording_bytes).make();
 }
 
 }  // namespace armtune::report

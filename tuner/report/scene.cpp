@@ -40,6 +40,8 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
       return {{"gains", ".", "errors.csv"}};
     case RunKind::kRobustness:
       return {{"gains", "nominal", "nominal/errors.csv"}};
+    case RunKind::kPlan:
+      return {{"plan", ".", ""}};
     case RunKind::kCompare:
       break;
   }

@@ -263,6 +263,8 @@ Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
       return of_robustness(data);
     case RunKind::kCompare:
       return of_compare(data);
+    case RunKind::kPlan:  // has a verdict of its own: plan_report.cpp
+      break;
   }
   return {};
 }

@@ -1,6 +1,6 @@
 // The arm itself is in the picture, and moves: not floor, target, trail or obstacles in its place.
 import { bringIntoView, openPage, settle } from "../browser.mjs";
-import { passes, seconds, STAGE } from "./replay.mjs";
+import { passes, seconds, STAGE, stepScale } from "./replay.mjs";
 import { hasReplay, tabsOf, variant } from "./variant.mjs";
 
 /** Portion of the picture; an arm takes several percent of it, its shadow as much. */
@@ -49,7 +49,7 @@ export async function checkArm({ browser, file, folder, data, expect, pictures }
     expect(seen > SEEN, `scenario ${i + 1}: the arm is in the picture (${(100 * seen).toFixed(1)} % of it)`);
     const [started, play] = [await seconds(page), page.locator(".panel:not([hidden]) .play")];
     await play.click();
-    await passes(page, started + 0.5);
+    await passes(page, started + 0.5 * (await stepScale(page)));
     await play.click();
     await settle(page, 50);
     const moved = await pictures.difference(before, await page.locator(STAGE).screenshot());

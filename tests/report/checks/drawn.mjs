@@ -63,6 +63,7 @@ export async function checkDrawn({ page, data, expect }) {
     ["sensitivity", "sensitivity"],
     ["robustness", "robustness"],
     ["margins", "margins"],
+    ["plan", "plan"],
     ["provenance", "provenance"],
   ]) {
     const there = data[part] !== undefined && (!Array.isArray(data[part]) || data[part].length > 0);

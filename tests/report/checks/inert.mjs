@@ -25,7 +25,14 @@ function withMarkup(data) {
     for (const row of table.rows) row.words += IMAGE;
   }
   if (changed.judged !== undefined) changed.judged.measure += SCRIPT;
+  for (const figure of changed.plan?.figures ?? []) figure[1] += SCRIPT;
+  if (changed.plan !== undefined) changed.plan.scenario += IMAGE;
   for (const scenario of changed.scenarios) {
+    for (const limit of scenario.limits ?? []) {
+      limit.column = renamed(limit.column);
+      limit.part = renamed(limit.part);
+      limit.words = `${renamed(limit.words)}${IMAGE}`;
+    }
     scenario.name = `${IMAGE}${scenario.name}`;
     scenario.states = scenario.states.map((name) => `${name}${SCRIPT}`);
     for (const run of scenario.runs) {

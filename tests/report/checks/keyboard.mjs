@@ -1,6 +1,6 @@
 // All that a mouse can do, keys can.
 import { bringIntoView, settle } from "../browser.mjs";
-import { passes } from "./replay.mjs";
+import { passes, stepScale } from "./replay.mjs";
 import { hasReplay, tabsOf } from "./variant.mjs";
 
 /** Tab from the top of the page on; what got the focus, and whether it showed. */
@@ -52,7 +52,7 @@ export async function checkKeyboard({ page, expect, data }) {
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
   const right = await clock();
-  expect(Math.abs(right - begin - 0.2) < 0.011, "arrows move the time");
+  expect(Math.abs(right - begin - 0.2 * (await stepScale(page))) < 0.011, "arrows move the time");
   await page.keyboard.press("ArrowLeft");
   expect((await clock()) < right, "and back");
   await page.keyboard.press(" ");

@@ -9,10 +9,8 @@
 #include "core/common/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/trajectory/gaze.hpp"
-#include "sim/scenario/data_files.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
-#include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune {
@@ -282,34 +280,6 @@ TEST(PlanTaskFile, SaysWhatIsWrong) {
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {jerk: [1, 1, 0, 1, 1, 1]}\n"),
               HasSubstr("must be > 0"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nsmothness: 1\n"), HasSubstr("smoothness"));
-}
-
-TEST(PlanTaskFile, WrittenOutItReadsBackTheSame) {
-  for (const std::string& name : bundled_names("tasks")) {
-    const PlanTask task = load_plan_task(name);
-    const test::TemporaryFolder folder;
-    const std::string path = folder.path() + "/" + name + ".yaml";
-    std::ofstream(path) << plan_task_yaml(task);
-    EXPECT_EQ(plan_task_yaml(load_plan_task(path)), plan_task_yaml(task)) << name;
-  }
-}
-
-TEST(RosTrajectory, HasEveryKnotOnceAndTimesFromItsStart) {
-  PlanTask task = load_plan_task("ur10_move");
-  task.at = 7.0;
-  task.knots = 12;
-  const Planned plan(task);
-  const std::string text =
-      ros_trajectory(*plan.problem.robot, plan.planned.trajectory, RosVersion::kRos2, {"one line"});
-  EXPECT_THAT(text, testing::StartsWith("# one line\njoint_names:\n  - shoulder_pan_joint\n"));
-  EXPECT_THAT(text, HasSubstr("time_from_start: {sec: 0, nanosec: 0}"));
-  std::size_t points = 0;
-  for (std::size_t at = text.find("  - positions:"); at != std::string::npos;
-       at = text.find("  - positions:", at + 1))
-    ++points;
-  EXPECT_EQ(points, plan.planned.trajectory.time.size());
-  EXPECT_THAT(ros_trajectory(*plan.problem.robot, plan.planned.trajectory, RosVersion::kRos1, {}),
-              HasSubstr("{secs: 0, nsecs: 0}"));
 }
 
 }  // namespace

@@ -10,39 +10,61 @@ namespace {
 constexpr double kActive = 1e-5;         // relative distance from a bound that counts as none
 constexpr double kLeastStrength = 1e-4;  // of the strongest limit's
 
+/// Every knot at which a limit is active, and at which of its bounds.
+struct Activity {
+  std::map<int, bool> upper;
+  double strength = 0.0;
+};
+
+std::vector<Stretch> stretches_of(const Activity& activity, const std::vector<double>& time) {
+  std::vector<Stretch> found;
+  int before = -2;
+  for (const auto& [knot, upper] : activity.upper) {
+    const double t = time[static_cast<std::size_t>(knot)];
+    if (knot != before + 1 || found.back().upper != upper) found.push_back({t, t, upper});
+    found.back().to = t;
+    before = knot;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
   TrajectoryProgram& program = *planned.program;
+  const std::vector<double>& time = planned.trajectory.time;
   Eigen::VectorXd residual, row;
   program.evaluate(planned.result.z, residual, row);
-  std::map<std::pair<std::string, std::string>, std::pair<BindingLimit, int>> found;
+  std::map<std::pair<std::string, std::string>, Activity> found;
   for (Eigen::Index i = 0; i < row.size(); ++i) {
     if (program.bounds.lower[i] == program.bounds.upper[i]) continue;
     const double y = planned.result.multipliers[i];
-    const double bound = y > 0.0 ? program.bounds.upper[i] : program.bounds.lower[i];
-    if (!(std::abs(row[i] - bound) <= kActive * std::max(1.0, std::abs(bound))) &&
-        !(row[i] > program.bounds.upper[i]) && !(row[i] < program.bounds.lower[i]))
-      continue;
+    const bool above = row[i] > program.bounds.upper[i];
+    const bool below = row[i] < program.bounds.lower[i];
+    const bool upper = above || (!below && y > 0.0);
+    const double bound = upper ? program.bounds.upper[i] : program.bounds.lower[i];
+    if (!(std::abs(row[i] - bound) <= kActive * std::max(1.0, std::abs(bound))) && !above && !below) continue;
     const RowMeaning meaning = program.meaning(i);
     if (meaning.part.empty()) continue;  // how short a phase may be is no limit of the arm
-    auto& [limit, count] = found[{meaning.limit, meaning.part}];
-    const double time = planned.trajectory.time[static_cast<std::size_t>(meaning.knot)];
-    if (count++ == 0) {
-      limit.limit = meaning.limit;
-      limit.part = meaning.part;
-      limit.first = time;
-    }
-    limit.last = time;
-    limit.strength += std::abs(y);
+    // A velocity limit has two rows at a knot; they count once.
+    Activity& activity = found[{meaning.limit, meaning.part}];
+    activity.upper.insert_or_assign(meaning.knot, upper);
+    activity.strength += std::abs(y);
   }
   std::vector<BindingLimit> limits;
+  limits.reserve(found.size());
   double strongest = 0.0;
-  for (auto& [key, value] : found) {
-    value.first.share =
-        static_cast<double>(value.second) / static_cast<double>(planned.trajectory.time.size());
-    strongest = std::max(strongest, value.first.strength);
-    limits.push_back(value.first);
+  for (const auto& [key, activity] : found) {
+    BindingLimit limit;
+    limit.limit = key.first;
+    limit.part = key.second;
+    limit.share = static_cast<double>(activity.upper.size()) / static_cast<double>(time.size());
+    limit.stretches = stretches_of(activity, time);
+    limit.first = limit.stretches.front().from;
+    limit.last = limit.stretches.back().to;
+    limit.strength = activity.strength;
+    strongest = std::max(strongest, limit.strength);
+    limits.push_back(std::move(limit));
   }
   std::erase_if(limits, [&](const BindingLimit& l) { return l.strength < kLeastStrength * strongest; });
   std::sort(limits.begin(), limits.end(),

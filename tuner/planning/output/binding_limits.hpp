@@ -5,6 +5,13 @@
 
 namespace armtune {
 
+/// A limit is active from its first to its last knot without a gap [s].
+struct Stretch {
+  double from = 0.0;
+  double to = 0.0;
+  bool upper = true;  ///< which of its two bounds
+};
+
 /// A limit of one joint or axis that holds the motion back.
 struct BindingLimit {
   std::string limit;   ///< "velocity", "torque", "gaze"...
@@ -12,7 +19,8 @@ struct BindingLimit {
   double share = 0.0;  ///< of the knots at which it is active
   double first = 0.0;  ///< s, of the first and the last of them
   double last = 0.0;
-  double strength = 0.0;  ///< sum of its multipliers: seconds, or cost, per unit of relief
+  double strength = 0.0;           ///< sum of its multipliers: seconds, or cost, per unit of relief
+  std::vector<Stretch> stretches;  ///< in order of time
 };
 
 /// The limits that are active, the strongest first. What a task asks for (start, goal, path) is none.

@@ -1,106 +1,95 @@
 #include "tuner/planning/output/plan_files.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "core/robot/dynamics.hpp"
-#include "core/trajectory/gaze.hpp"
 #include "sim/csv/cell.hpp"
 
 namespace armtune {
 namespace {
 
-std::string list(const Eigen::MatrixXd& values, Eigen::Index n, Eigen::Index column) {
-  std::string text = "[";
-  for (Eigen::Index i = 0; i < n; ++i) text += (i == 0 ? "" : ", ") + cell(values(i, column));
-  return text + "]";
+std::string header(const std::vector<PlanColumn>& columns) {
+  std::string text;
+  for (const PlanColumn& column : columns) text += (text.empty() ? "" : ",") + column.name;
+  return text + '\n';
+}
+
+void add_row(const std::vector<PlanColumn>& columns, const PlanSample& at, std::string& text) {
+  for (std::size_t c = 0; c < columns.size(); ++c) text += (c == 0 ? "" : ",") + cell(columns[c].value(at));
+  text += '\n';
+}
+
+/// In quotes: names may hold commas.
+std::string text_cell(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string bound(double value) {
+  return std::isfinite(value) ? cell(value) : std::string();
+}
+
+/// "8.01:8.05 8.2:8.21", of one bound.
+std::string stretches(const LimitUse& use, bool upper) {
+  std::string text;
+  for (const Stretch& stretch : use.stretches) {
+    if (stretch.upper == upper)
+      text += (text.empty() ? "" : " ") + cell(stretch.from) + ":" + cell(stretch.to);
+  }
+  return text;
 }
 
 }  // namespace
 
-std::vector<Column> trajectory_columns(const RobotModel& robot, bool path_coordinate) {
-  std::vector<Column> columns;
-  const auto add = [&](const std::string& name, const std::string& unit, const std::string& meaning) {
-    columns.push_back({name, unit, meaning, {}});
-  };
-  add("time", "s", "time of the scenario");
-  for (const char* axis : {"x", "y", "z"})
-    add(std::string("tool/position/") + axis, "m", std::string("tool in the base frame, ") + axis);
-  for (const char* part : {"w", "x", "y", "z"})
-    add(std::string("tool/orientation/") + part, "1",
-        std::string("tool in the base frame, quaternion ") + part);
-  add("gaze/angle", "rad", "angle between tool z and the line to the target");
-  for (int i = 0; i < robot.n(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const bool turns = robot.chain.motion[k] == JointMotion::kRevolute;
-    const std::string length = turns ? "rad" : "m";
-    const std::string tree = "joint/" + robot.joints[k].name + "/";
-    add(tree + "position", length, "joint position");
-    add(tree + "velocity", length + "/s", "joint velocity");
-    add(tree + "acceleration", length + "/s^2", "joint acceleration, linear between rows");
-    add(tree + "torque", turns ? "N m" : "N", "torque of the inverse dynamics");
-    add(tree + "velocity_ratio", "1", "|velocity| over its limit");
-    add(tree + "torque_ratio", "1", "|torque| over its limit");
-  }
-  if (path_coordinate) add("path/coordinate", "s", "how far along the path, in the path's own time");
-  return columns;
-}
-
 std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory) {
-  const RobotModel& robot = *problem.robot;
-  const int n = robot.n();
-  const bool path_coordinate = trajectory.position.rows() > n;
+  const std::vector<PlanColumn> columns = trajectory_columns(task, *problem.robot);
+  std::string text = header(columns);
+  PlanSampler sampler(task, problem, trajectory);
+  for (Eigen::Index k = 0; k < trajectory.position.cols(); ++k) add_row(columns, sampler.at_knot(k), text);
+  return text;
+}
+
+std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory,
+                       int rows) {
+  const std::vector<PlanColumn> columns = motion_columns(task, *problem.robot);
+  std::string text = header(columns);
+  PlanSampler sampler(task, problem, trajectory);
+  const double start = trajectory.time.front();
+  const double duration = trajectory.time.back() - start;
+  for (int row = 0; row < rows; ++row)
+    add_row(columns, sampler.at(start + duration * row / (rows - 1)), text);
+  return text;
+}
+
+std::string limits_csv(const std::vector<LimitUse>& uses) {
   std::string text;
-  for (const Column& column : trajectory_columns(robot, path_coordinate))
-    text += (text.empty() ? "" : ",") + column.name;
+  for (const Column& column : limits_columns()) text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
-  const MovingPoint target = active_target(task.scenario);
-  Poses poses;
-  JointVector tau;
-  for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const JointVector q = trajectory.position.col(column).head(n);
-    const JointVector qd = trajectory.velocity.col(column).head(n);
-    const JointVector qdd = trajectory.acceleration.col(column).head(n);
-    forward_kinematics(robot.chain, q, poses);
-    inverse_dynamics(robot.chain, poses, qd, qdd, tau);
-    text += cell(trajectory.time[k]);
-    for (int i = 0; i < 3; ++i) text += "," + cell(poses.p_0T[i]);
-    const Eigen::Quaterniond orientation(poses.R_0T);
-    for (const double part : {orientation.w(), orientation.x(), orientation.y(), orientation.z()})
-      text += "," + cell(part);
-    text += "," + cell(gaze_angle(poses.R_0T, poses.p_0T, target(trajectory.time[k]).position));
-    for (int i = 0; i < n; ++i) {
-      const JointLimits& limits = robot.joints[static_cast<std::size_t>(i)].limits;
-      for (const double value :
-           {q[i], qd[i], qdd[i], tau[i], std::abs(qd[i]) / limits.velocity, std::abs(tau[i]) / limits.effort})
-        text += "," + cell(value);
-    }
-    if (path_coordinate) text += "," + cell(trajectory.position(n, column));
-    text += '\n';
+  for (const LimitUse& use : uses) {
+    text += text_cell(use.limit) + "," + text_cell(use.part) + "," + text_cell(use.unit) + "," +
+            bound(use.lower) + "," + bound(use.upper) + "," + cell(use.from) + "," + cell(use.to) + "," +
+            cell(use.at_knots) + "," +
+            // A limit at one knot alone has nothing between knots.
+            (use.from < use.to ? cell(use.between) : "") + "," + cell(use.share) + "," + cell(use.strength) +
+            "," + stretches(use, false) + "," + stretches(use, true) + "\n";
   }
   return text;
 }
 
-std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory, RosVersion version,
-                           const std::vector<std::string>& header) {
-  std::string text;
-  for (const std::string& line : header) text += "# " + line + "\n";
-  text += "joint_names:\n";
-  for (const std::string& joint : joint_names(robot)) text += "  - " + joint + "\n";
-  text += "points:\n";
-  const bool two = version == RosVersion::kRos2;
-  for (std::size_t k = 0; k < trajectory.time.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
-    const long long nanoseconds = std::llround((trajectory.time[k] - trajectory.time.front()) * 1e9);
-    text += "  - positions: " + list(trajectory.position, robot.n(), column) + "\n";
-    text += "    velocities: " + list(trajectory.velocity, robot.n(), column) + "\n";
-    text += "    accelerations: " + list(trajectory.acceleration, robot.n(), column) + "\n";
-    text += fmt::format("    time_from_start: {{{}: {}, {}: {}}}\n", two ? "sec" : "secs",
-                        nanoseconds / 1'000'000'000, two ? "nanosec" : "nsecs", nanoseconds % 1'000'000'000);
-  }
-  return text;
+std::vector<Column> limits_columns() {
+  return {{"limit", "", "what is limited", {}},
+          {"part", "", "joint or axis", {}},
+          {"unit", "", "of lower and upper", {}},
+          {"lower", "", "the task's lower limit, empty: none", {}},
+          {"upper", "", "the task's upper limit, empty: none", {}},
+          {"from", "s", "begin of the time in which it holds", {}},
+          {"to", "s", "end of that time", {}},
+          {"at_knots", "1", "largest share of the limit that is used at a knot: 1 at the limit", {}},
+          {"between_knots", "1", "the same between the knots, where the program does not look", {}},
+          {"active", "1", "share of the knots at which the limit holds the motion back", {}},
+          {"strength", "", "sum of its multipliers: seconds, or cost, per unit of relief", {}},
+          {"active_lower", "s", "stretches FROM:TO at the lower limit", {}},
+          {"active_upper", "s", "stretches FROM:TO at the upper limit", {}}};
 }
 
 }  // namespace armtune

@@ -1,24 +1,23 @@
 #pragma once
-// A planned motion as files: CSV, and a trajectory that ROS controllers take.
+// A planned motion as CSV.
 
 #include <string>
 #include <vector>
 
-#include "sim/rollout/columns.hpp"
-#include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/planning/output/limit_use.hpp"
+#include "tuner/planning/output/plan_columns.hpp"
 
 namespace armtune {
-
-/// Names, units and meanings of the columns of trajectory.csv.
-std::vector<Column> trajectory_columns(const RobotModel& robot, bool path_coordinate);
 
 /// Text of trajectory.csv: a row a knot, every limit's ratio beside its value.
 std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
 
-enum class RosVersion { kRos1, kRos2 };
+/// Text of motion.csv: the same motion at `rows` (>= 2) even times from its start to its end.
+std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory,
+                       int rows);
 
-/// trajectory_msgs/JointTrajectory as YAML, for `ros2 topic pub` or `rostopic pub`: times from its own start.
-std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory, RosVersion version,
-                           const std::vector<std::string>& header);
+/// Text of limits.csv: a row for every limit.
+std::string limits_csv(const std::vector<LimitUse>& uses);
+std::vector<Column> limits_columns();
 
 }  // namespace armtune

@@ -11,6 +11,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
+#include "sim/yaml/quoted.hpp"
 
 namespace armtune {
 namespace {
@@ -141,9 +142,11 @@ PlanTask load_plan_task(const std::string& name_or_path) {
 }
 
 std::string plan_task_yaml(const PlanTask& task) {
-  std::string text = fmt::format("description: '{}'\ntask: {}\nscenario: {}\nat: {}\n", task.description,
-                                 name(task.kind), portable_reference(task.scenario.source), cell(task.at));
-  if (!task.start.rollout.empty()) text += fmt::format("start: {{rollout: {}}}\n", task.start.rollout);
+  std::string text =
+      fmt::format("description: {}\ntask: {}\nscenario: {}\nat: {}\n", yaml::quoted(task.description),
+                  name(task.kind), yaml::quoted(portable_reference(task.scenario.source)), cell(task.at));
+  if (!task.start.rollout.empty())
+    text += fmt::format("start: {{rollout: {}}}\n", yaml::quoted(portable_reference(task.start.rollout)));
   if (task.start.position.size() > 0) {
     text += "start:\n  position: " + list(task.start.position) + "\n";
     if (task.start.velocity.size() > 0) text += "  velocity: " + list(task.start.velocity) + "\n";

@@ -3,6 +3,10 @@
 // that is shown. Any string is data and is shown as it is: markup in a name is never run. A part that is left
 // out leaves its section out.
 
+import type { Plan, PlanLimit } from "./plan_data";
+
+export type { Plan, PlanLimit };
+
 /** One column, thinned and quantised. `u16`: base64 of little-endian uint16, 0..65534 linear from lo to hi,
  * 65535 = no value (not finite). lo = hi for a constant. */
 export interface Series {
@@ -96,7 +100,8 @@ export type Group =
   | "torque_ratio"
   | "theta"
   | "clearance"
-  | "manipulability";
+  | "manipulability"
+  | `${"joint" | "slide"}_${"position" | "velocity" | "acceleration" | "jerk" | "torque"}`;
 
 export interface Column {
   /** As in rollout_*.csv, such as error/position/x or joint/elbow_joint/velocity_ratio. */
@@ -159,6 +164,8 @@ export interface Scenario {
   robot: number;
   /** At most one per set. */
   runs: Run[];
+  /** Of a plan, the strongest first. */
+  limits?: PlanLimit[];
 }
 
 export interface Evaluations {
@@ -269,7 +276,7 @@ export interface Robustness {
 
 export interface ReportData {
   format: 1;
-  kind: "tune" | "simulate" | "pareto" | "robustness" | "compare";
+  kind: "tune" | "simulate" | "pareto" | "robustness" | "compare" | "plan";
   title: string;
   verdict: { sentence: string; details: string[] };
   /** Names of the gain sets; index 0 is the reference, the last is the result. */
@@ -286,5 +293,6 @@ export interface ReportData {
   yardstick?: YardstickEvent[];
   front?: Front;
   robustness?: Robustness;
+  plan?: Plan;
   provenance: { command: string; entries: [string, string][] };
 }

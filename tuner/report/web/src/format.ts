@@ -65,9 +65,9 @@ export function changeOf(
   return after < before === (better === "lower") ? "better" : "worse";
 }
 
-/** As wide at 9.98 as at 10.02: the clock of the replay must not jump. */
-export function formatTime(seconds: number): string {
-  return `${seconds.toFixed(2)} s`;
+/** As wide at 9.98 as at 10.02: the clock of the replay must not jump. A short whole has milliseconds. */
+export function formatTime(seconds: number, whole = 10): string {
+  return `${seconds.toFixed(whole < 2 ? 3 : 2)} s`;
 }
 
 export function formatPercent(portion: number, digits = 1): string {

@@ -5,6 +5,7 @@ import { convergenceSection } from "./sections/convergence";
 import { frontSection } from "./sections/front";
 import { gainsSection } from "./sections/gains";
 import { marginsSection } from "./sections/margins";
+import { planSection } from "./sections/plan";
 import { provenanceSection } from "./sections/provenance";
 import { robustnessSection } from "./sections/robustness";
 import { scenariosSection } from "./sections/scenarios";
@@ -37,6 +38,7 @@ function show(data: ReportData): void {
     verdictSection(data),
     tablesSection(data),
     frontSection(data),
+    planSection(data),
     scenariosSection(data),
     convergenceSection(data),
     gainsSection(data),

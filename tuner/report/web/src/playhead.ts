@@ -2,22 +2,37 @@
 
 type Listener = (time: number) => void;
 
+/** Of the clock's own. */
+export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
+
+/** A motion of less than three seconds is over before an eye has followed it: the speed at which it takes as long. */
+export function speedFor(duration: number): number {
+  const LONG_ENOUGH = 3;  // s
+  const slow = SPEEDS.filter((speed) => speed <= 1 && duration / speed >= LONG_ENOUGH);
+  return slow.length > 0 ? Math.max(...slow) : Math.min(...SPEEDS);
+}
+
 export class Playhead {
   private now = 0;
   private running = false;
-  private rate = 1;
+  private rate: number;
   private before = 0;
   private frame = 0;
   private readonly listeners = new Set<Listener>();
   private readonly playListeners = new Set<(playing: boolean) => void>();
 
-  constructor(readonly duration: number) {}
+  constructor(readonly duration: number) {
+    this.rate = speedFor(duration);
+  }
 
   get time(): number {
     return this.now;
   }
   get playing(): boolean {
     return this.running;
+  }
+  get speed(): number {
+    return this.rate;
   }
   set speed(rate: number) {
     this.rate = rate;

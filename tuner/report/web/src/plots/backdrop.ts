@@ -12,6 +12,13 @@ export interface Line {
   value: number;
   label: string;
   axis?: "x" | "y";
+  /** Of a y line: where it begins and ends on x; all across without. */
+  from?: number;
+  to?: number;
+  /** The page's colour of limits without. */
+  colour?: string;
+  /** Drawn through and thick. */
+  thick?: boolean;
 }
 
 export function drawBands(u: uPlot, bands: Band[]): void {
@@ -28,14 +35,19 @@ export function drawBands(u: uPlot, bands: Band[]): void {
   ctx.restore();
 }
 
+/** px: a stretch that is shorter is still seen. */
+const SHORTEST = 3;
+
 /** Those at values of x, and of y. */
 export function drawLines(u: uPlot, ofX: Line[], ofY: Line[]): void {
   const { ctx, bbox } = u;
   const scale = devicePixelRatio;
   ctx.save();
-  ctx.strokeStyle = ctx.fillStyle = cssColor("limit");
-  ctx.lineWidth = scale;
-  ctx.setLineDash([6 * scale, 4 * scale]);
+  const set = (colour: string | undefined, thick: boolean) => {
+    ctx.strokeStyle = ctx.fillStyle = colour ?? cssColor("limit");
+    ctx.lineWidth = (thick ? 3.5 : 1) * scale;
+    ctx.setLineDash(thick ? [] : [6 * scale, 4 * scale]);
+  };
   ctx.font = `${11 * scale}px system-ui, sans-serif`;
   const [right, bottom] = [bbox.left + bbox.width, bbox.top + bbox.height];
   const stroke = (x0: number, y0: number, x1: number, y1: number) => {
@@ -44,14 +56,24 @@ export function drawLines(u: uPlot, ofX: Line[], ofY: Line[]): void {
     ctx.lineTo(x1, y1);
     ctx.stroke();
   };
-  for (const { value, label } of ofY) {
+  const place = (x: number | undefined, without: number) =>
+    x === undefined ? without : Math.min(Math.max(u.valToPos(x, "x", true), bbox.left), right);
+  for (const { value, label, from, to, colour, thick } of ofY) {
     const y = u.valToPos(value, "y", true);
     if (y < bbox.top || y > bottom) continue;
-    stroke(bbox.left, y, right, y);
+    const begin = place(from, bbox.left);
+    const end = place(to, right);
+    // Out of view to one side.
+    if (begin === end && from !== to) continue;
+    set(colour, thick === true);
+    const room = thick === true ? Math.max(0, SHORTEST * scale - (end - begin)) / 2 : 0;
+    stroke(begin - room, y, end + room, y);
+    if (label === "") continue;
     ctx.textAlign = "right";
     ctx.textBaseline = y - bbox.top > 18 * scale ? "bottom" : "top";
-    ctx.fillText(label, right - 4 * scale, y + (ctx.textBaseline === "top" ? 3 : -2) * scale);
+    ctx.fillText(label, end - 4 * scale, y + (ctx.textBaseline === "top" ? 3 : -2) * scale);
   }
+  set(undefined, false);
   for (const { value, label } of ofX) {
     const x = u.valToPos(value, "x", true);
     if (x < bbox.left || x > right) continue;

@@ -32,7 +32,7 @@ export interface ChartOptions {
   x: number[];
   series: ChartSeries[];
   /** Dashed lines that stay in view, such as a limit: at a value of y, or of x. */
-  lines?: Line[];
+  lines?: Line[] | (() => Line[]);
   bands?: () => Band[];
   yLog?: boolean;
   /** Values the y axis always shows. */
@@ -239,7 +239,8 @@ export class Chart {
   }
 
   private linesOf(axis: "x" | "y"): Line[] {
-    return (this.options.lines ?? []).filter((line) => (line.axis ?? "y") === axis);
+    const lines = this.options.lines ?? [];
+    return (typeof lines === "function" ? lines() : lines).filter((line) => (line.axis ?? "y") === axis);
   }
 
   private drawMarks(u: uPlot, index: number): void {

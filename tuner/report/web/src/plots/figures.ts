@@ -13,6 +13,25 @@ export interface Figure {
 const none = () => [];
 const limit = () => [{ value: 1, label: "limit" }];
 
+/** A plan's joints: those that turn, and those that slide, have plots of their own, since units differ. */
+const OF_PLANS: Figure[] = (["joint", "slide"] as const).flatMap((kind) => {
+  const whose = kind === "joint" ? "Joint" : "Sliding joint";
+  const figure = (quantity: "position" | "velocity" | "acceleration" | "jerk" | "torque", axis: string, plural: string): Figure => ({
+    group: `${kind}_${quantity}`,
+    title: `${whose} ${plural}`,
+    axis,
+    fromZero: false,
+    lines: none,
+  });
+  return [
+    figure("position", "position", "positions"),
+    figure("velocity", "velocity", "velocities"),
+    figure("acceleration", "acceleration", "accelerations"),
+    figure("jerk", "jerk", "jerks"),
+    kind === "joint" ? figure("torque", "torque", "torques") : figure("torque", "force", "forces"),
+  ];
+});
+
 export const FIGURES: Figure[] = [
   { group: "position", title: "Tool position", axis: "position", fromZero: false, lines: none },
   { group: "position_error", title: "Position error", axis: "error", fromZero: false, lines: none },
@@ -20,6 +39,7 @@ export const FIGURES: Figure[] = [
   { group: "linear_velocity_error", title: "Linear velocity error", axis: "error", fromZero: false, lines: none },
   { group: "angular_velocity_error", title: "Angular velocity error", axis: "error", fromZero: false, lines: none },
   { group: "gaze", title: "Gaze angle to the target", axis: "angle", fromZero: true, lines: none },
+  ...OF_PLANS,
   { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "velocity / limit", fromZero: true, lines: limit },
   { group: "torque_ratio", title: "Joint torques over their limits", axis: "torque / limit", fromZero: true, lines: limit },
   { group: "theta", title: "Distance of theta’s torque from the true one", axis: "torque", fromZero: true, lines: none },
@@ -29,7 +49,7 @@ export const FIGURES: Figure[] = [
     axis: "distance",
     fromZero: true,
     lines: (scenario) =>
-      scenario.influence_radius > 0 ? [{ value: scenario.influence_radius, label: "influence radius" }] : [],
+      scenario.limits === undefined && scenario.influence_radius > 0 ? [{ value: scenario.influence_radius, label: "influence radius" }] : [],
   },
   { group: "manipulability", title: "Manipulability", axis: "manipulability", fromZero: true, lines: none },
 ];

@@ -11,6 +11,7 @@ import { alignRuns } from "./align";
 import type { Band } from "./backdrop";
 import { Chart, type ChartSeries } from "./chart";
 import type { Figure } from "./figures";
+import { farWords, limitLines } from "./limit_lines";
 import { formatReading, valueAt } from "./reading";
 import { largestSize, scaleUnit, type Scaled } from "./scale_unit";
 import { swatch } from "./swatch";
@@ -70,7 +71,12 @@ export class TimePlot {
       }
       runs.push({ time, columns: this.traces.slice(-columns.length).map((trace) => trace.values) });
     }
-    const scaled = (this.scaled = scaleUnit(this.traces[0]?.column.unit ?? "1", largestSize(runs.flatMap((run) => run.columns))));
+    const largest = largestSize(runs.flatMap((run) => run.columns));
+    const scaled = (this.scaled = scaleUnit(this.traces[0]?.column.unit ?? "1", largest));
+    const limits = (scenario.limits ?? []).filter((limit) => limit.group === figure.group);
+    const picture = (of: typeof limits) => limitLines(of, largest, scaled.factor, (column) => colourOf(column, this.names.indexOf(column)));
+    const drawn = limits.filter((limit) => this.names.includes(limit.column));
+    const unhidden = () => drawn.filter((limit) => !this.hidden.has(this.names.indexOf(limit.column)));
     const aligned = alignRuns(runs, scaled.factor);
     const legend = element("div", { class: "legend", role: "group", "aria-label": `Lines of ${figure.title}` });
     this.names.forEach((name, i) => legend.append(this.entry(name, i)));
@@ -92,12 +98,16 @@ export class TimePlot {
           ...lineOf(trace.run, result),
           ...(trace.column.name.startsWith("desired/") ? { dash: [1, 3], width: 1 } : {}),
         })),
-        lines: figure.lines(scenario).map((line) => ({ ...line, value: line.value * scaled.factor })),
+        lines: () => [
+          ...figure.lines(scenario).map((line) => ({ ...line, value: line.value * scaled.factor })),
+          ...picture(unhidden()).lines,
+        ],
         include: figure.fromZero ? [0] : [],
         bands,
         legend: () => this.exportLegend(),
       },
       legend,
+      farWords(picture(drawn).far),
     );
     this.followPointer();
     watchVisible(this.chart.root, (visible) => {

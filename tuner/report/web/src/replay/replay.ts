@@ -5,7 +5,7 @@ import { savePng, saveButtons } from "../export";
 import { fileName, formatTime, formatValue } from "../format";
 import { watchVisible } from "../lazy";
 import { rampGradient } from "../palette";
-import type { Playhead } from "../playhead";
+import { SPEEDS, type Playhead } from "../playhead";
 import { endOf, isOver } from "../runs";
 import { Meters } from "./meters";
 import { Recording } from "./recording";
@@ -17,8 +17,6 @@ function undrawnWords(undrawn: number): string {
   const these = undrawn === 1 ? "1 shape of the arm is" : `${undrawn} shapes of the arm are`;
   return `${these} not drawn: meshes that were not found, are of another kind, or too large.`;
 }
-
-const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
 
 export class Replay {
   readonly root: HTMLElement;
@@ -157,12 +155,12 @@ export class Replay {
     const clock = element("output", { class: "clock" });
     playhead.onTime((time) => {
       slider.value = String(time);
-      slider.setAttribute("aria-valuetext", formatTime(time));
-      clock.textContent = formatTime(time);
+      slider.setAttribute("aria-valuetext", formatTime(time, playhead.duration));
+      clock.textContent = formatTime(time, playhead.duration);
     });
     const speed = element("select", { "aria-label": "Speed" });
     for (const rate of SPEEDS) {
-      speed.append(element("option", { value: rate, selected: rate === 1 }, `× ${rate}`));
+      speed.append(element("option", { value: rate, selected: rate === playhead.speed }, `× ${rate}`));
     }
     speed.addEventListener("change", () => (playhead.speed = Number(speed.value)));
     const trail = element("select", { "aria-label": "Length of the tool's trail" });
@@ -208,6 +206,11 @@ export class Replay {
     );
   }
 
+  private obstacleWords(): string {
+    if (this.data.plan === undefined) return "obstacle and its influence";
+    return this.scenario.influence_radius > 0 ? "obstacle and the clearance from it" : "obstacle, of which the plan knows nothing";
+  }
+
   /** Of some run that can be shown. */
   private hasGhost(): boolean {
     const replayed = this.scenario.runs.filter((run) => run.replay.n > 0);
@@ -230,7 +233,7 @@ export class Replay {
       replays.some((replay) => replay.target.length > 0) && item("target", "target and line of sight"),
       replays.some((replay) => replay.target.length > 0) && item("gaze", "tool’s z axis"),
       this.hasGhost() && item("ghost", `${this.data.sets[0] ?? ""} (ghost)`),
-      replays.some((replay) => replay.obstacles.length > 0) && item("obstacle", "obstacle and its influence"),
+      replays.some((replay) => replay.obstacles.length > 0) && item("obstacle", this.obstacleWords()),
       item("hot", "joint above 80 % of its velocity limit"),
     );
   }

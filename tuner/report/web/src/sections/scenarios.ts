@@ -172,7 +172,8 @@ function steerByKeys(current: () => Panel | undefined): void {
       if (step === undefined || target.matches("select, input:not(.scrub), textarea, [role=tab], .scroll")) return;
       if (event.key.startsWith("Page") && !inReplay) return;
       playhead.pause();
-      playhead.seek(playhead.time + step);
+      // Finer in what is over within seconds.
+      playhead.seek(playhead.time + step * Math.min(1, playhead.duration / 5));
     }
     event.preventDefault();
   });

@@ -1,0 +1,120 @@
+// A task written into a plan's folder is the task that was planned.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "sim/scenario/data_files.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/planning/tasks/plan_task.hpp"
+
+namespace armtune {
+namespace {
+
+void expect_same(const JointVector& a, const JointVector& b, const char* what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  for (Eigen::Index i = 0; i < a.size(); ++i) EXPECT_EQ(a[i], b[i]) << what;
+}
+
+/// Every field but the name and the file, which are those of the file that is read.
+void expect_same(const PlanTask& a, const PlanTask& b) {
+  EXPECT_EQ(a.description, b.description);
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(std::filesystem::weakly_canonical(a.scenario.source),
+            std::filesystem::weakly_canonical(b.scenario.source));
+  EXPECT_EQ(a.at, b.at);
+  expect_same(a.start.position, b.start.position, "start position");
+  expect_same(a.start.velocity, b.start.velocity, "start velocity");
+  expect_same(a.start.acceleration, b.start.acceleration, "start acceleration");
+  EXPECT_EQ(a.start.rollout.empty(), b.start.rollout.empty());
+  if (!a.start.rollout.empty()) {
+    EXPECT_TRUE(std::filesystem::equivalent(a.start.rollout, b.start.rollout));
+  }
+  expect_same(a.goal, b.goal, "goal");
+  EXPECT_EQ(a.duration, b.duration);
+  EXPECT_EQ(a.hold, b.hold);
+  EXPECT_EQ(a.least_error, b.least_error);
+  EXPECT_EQ(a.path_tolerance, b.path_tolerance);
+  EXPECT_EQ(a.gaze_threshold, b.gaze_threshold);
+  EXPECT_EQ(a.end_gaze, b.end_gaze);
+  EXPECT_EQ(a.clearance, b.clearance);
+  EXPECT_EQ(a.limits.velocity, b.limits.velocity);
+  EXPECT_EQ(a.limits.effort, b.limits.effort);
+  expect_same(a.limits.acceleration, b.limits.acceleration, "acceleration limits");
+  expect_same(a.limits.jerk, b.limits.jerk, "jerk limits");
+  EXPECT_EQ(a.knots, b.knots);
+  EXPECT_EQ(a.smoothness, b.smoothness);
+}
+
+void expect_written_and_read(const PlanTask& task) {
+  const test::TemporaryFolder elsewhere;
+  const std::string path = elsewhere.write("task.yaml", plan_task_yaml(task));
+  const PlanTask again = load_plan_task(path);
+  expect_same(task, again);
+  EXPECT_EQ(plan_task_yaml(again), plan_task_yaml(task));
+}
+
+TEST(PlanTaskFile, EveryBundledTaskWrittenOutReadsBackTheSame) {
+  const std::vector<std::string> names = bundled_names("tasks");
+  EXPECT_GE(names.size(), 7U);
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    expect_written_and_read(load_plan_task(name));
+  }
+}
+
+TEST(PlanTaskFile, EveryKeyWrittenOutReadsBackTheSame) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("every.yaml", R"(
+description: |-
+  it's "quoted": with \ and # and a
+  second line
+task: move
+scenario: obstacle_pass
+at: 12.25
+start:
+  position: [-1.2, -1.4, -1.3, -1.6, 1.5, 0]
+  velocity: [0, 0.1, 0, 0, 0, 1e-3]
+  acceleration: [0, 0, 0.3, 0, 0, 0]
+goal: [1.2, -1.2, -1.4, -1.6, 1.5, 0.1]
+duration: 2.5
+hold: 0.7
+least_error: true
+path_tolerance: 2e-5
+gaze_threshold: 0.2
+end_gaze: true
+clearance: 0.3
+limits:
+  velocity: 0.9
+  effort: 0.8
+  acceleration: [10, 11, 12, 13, 14, 15]
+  jerk: [100, 101, 102, 103, 104, 105]
+knots: 77
+smoothness: 1e-8
+)");
+  const PlanTask task = load_plan_task(path);
+  EXPECT_EQ(task.description, "it's \"quoted\": with \\ and # and a\nsecond line");
+  EXPECT_EQ(task.limits.jerk.size(), 6);
+  expect_written_and_read(task);
+}
+
+TEST(PlanTaskFile, ARolloutBesideTheTaskIsFoundFromAnotherFolder) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "it's: a #folder/runs");
+  folder.write("it's: a #folder/runs/rollout_moving_target.csv", "time\n");
+  const std::string path = folder.write("it's: a #folder/task.yaml",
+                                        "task: return\nscenario: moving_target\nat: 10\n"
+                                        "start: {rollout: runs/../runs/rollout_moving_target.csv}\n");
+  expect_written_and_read(load_plan_task(path));
+}
+
+TEST(PlanTaskFile, AScenarioOfItsOwnIsFoundFromAnotherFolder) {
+  const test::TemporaryFolder folder;
+  folder.write("my: scenario.yaml", "base: moving_target\n");
+  const std::string path =
+      folder.write("task.yaml", "task: fastest\nscenario: 'my: scenario.yaml'\npath_tolerance: 0.002\n");
+  expect_written_and_read(load_plan_task(path));
+}
+
+}  // namespace
+}  // namespace armtune

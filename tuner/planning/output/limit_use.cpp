@@ -1,0 +1,179 @@
+#include "tuner/planning/output/limit_use.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+constexpr int kParts = 10;  // an interval is looked at in so many
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr const char* kDistance = "distance to ";
+
+/// A limit with what is measured against it.
+struct Measured {
+  LimitUse use;
+  Eigen::Index first = 0;  ///< knots between which it holds
+  Eigen::Index last = 0;
+  std::function<double(const PlanSample&)> value;  ///< in the limit's unit
+};
+
+/// Share of the room between the middle and a bound that is used; of a single bound the share of itself.
+double used(const LimitUse& limit, double value) {
+  if (!std::isfinite(limit.lower)) return value / limit.upper;
+  if (!std::isfinite(limit.upper)) return limit.lower / value;
+  const double middle = 0.5 * (limit.lower + limit.upper);
+  return std::abs(value - middle) / (0.5 * (limit.upper - limit.lower));
+}
+
+class Limits {
+ public:
+  Limits(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned)
+      : task_(task), robot_(*problem.robot), planned_(planned) {
+    last_ = planned.trajectory.position.cols() - 1;
+    add_coordinates();
+    for (const KnotTerm& term : planned.program->task().terms) {
+      if (!term.cost && term.lower < term.upper) add_term(term);
+    }
+  }
+
+  std::vector<Measured> take() { return std::move(found_); }
+
+ private:
+  void add(const std::string& limit, const std::string& part, const std::string& unit, double lower,
+           double upper, Eigen::Index first, Eigen::Index last,
+           std::function<double(const PlanSample&)> value) {
+    if (!std::isfinite(lower) && !std::isfinite(upper)) return;
+    Measured measured;
+    measured.use.limit = limit;
+    measured.use.part = part;
+    measured.use.unit = unit;
+    measured.use.lower = lower;
+    measured.use.upper = upper;
+    measured.use.from = planned_.trajectory.time[static_cast<std::size_t>(first)];
+    measured.use.to = planned_.trajectory.time[static_cast<std::size_t>(last)];
+    measured.first = first;
+    measured.last = last;
+    measured.value = std::move(value);
+    found_.push_back(std::move(measured));
+  }
+
+  bool turns(int i) const {
+    return robot_.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute;
+  }
+
+  void add_coordinates() {
+    const auto& coordinates = planned_.program->task().coordinates;
+    for (int i = 0; i < robot_.n(); ++i) {
+      const Coordinate& c = coordinates[static_cast<std::size_t>(i)];
+      const std::string length = turns(i) ? "rad" : "m";
+      add("position", c.name, length, c.lower, c.upper, 0, last_,
+          [i](const PlanSample& at) { return at.q[i]; });
+      add("velocity", c.name, length + "/s", c.lowest_velocity(), c.velocity, 0, last_,
+          [i](const PlanSample& at) { return at.qd[i]; });
+      add("acceleration", c.name, length + "/s^2", -c.acceleration, c.acceleration, 0, last_,
+          [i](const PlanSample& at) { return at.qdd[i]; });
+      add("jerk", c.name, length + "/s^3", -c.jerk, c.jerk, 0, last_,
+          [i](const PlanSample& at) { return at.jerk[i]; });
+    }
+  }
+
+  /// Of the program's terms the names and the knots; the values are computed anew.
+  void add_term(const KnotTerm& term) {
+    for (std::size_t row = 0; row < term.rows.size(); ++row) {
+      const std::string& part = term.rows[row];
+      if (term.name == "torque") {
+        const auto i = static_cast<int>(row);
+        const double limit = task_.limits.effort * robot_.joints[row].limits.effort;
+        add(term.name, part, turns(i) ? "N m" : "N", -limit, limit, term.first_knot, term.last_knot,
+            [i](const PlanSample& at) { return at.tau[i]; });
+      } else if (term.name == "tool path") {
+        const auto axis = static_cast<Eigen::Index>(row);
+        add(term.name, part, "m", -task_.path_tolerance, task_.path_tolerance, term.first_knot,
+            term.last_knot, [axis](const PlanSample& at) { return at.poses.p_0T[axis] - at.desired[axis]; });
+      } else if (term.name == "gaze") {
+        add(term.name, part, "rad", -kInfinity, task_.gaze_threshold, term.first_knot, term.last_knot,
+            [](const PlanSample& at) { return at.gaze; });
+      } else if (term.name.starts_with(kDistance)) {
+        add_distance(term, part);
+      }
+    }
+  }
+
+  void add_distance(const KnotTerm& term, const std::string& part) {
+    const std::string name = term.name.substr(std::string(kDistance).size());
+    const auto& obstacles = task_.scenario.obstacles;
+    const auto obstacle =
+        std::find_if(obstacles.begin(), obstacles.end(), [&](const NamedPath& o) { return o.name == name; });
+    const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
+                                    [&](const JointInfo& info) { return info.name == part; });
+    if (obstacle == obstacles.end() || joint == robot_.joints.end()) return;
+    const auto i = static_cast<std::size_t>(joint - robot_.joints.begin());
+    add(term.name, part, "m", task_.clearance, kInfinity, term.first_knot, term.last_knot,
+        [i, path = obstacle->path](const PlanSample& at) {
+          return (at.poses.p_0B[i] - path.at(at.time).position).norm();
+        });
+  }
+
+  const PlanTask& task_;
+  const RobotModel& robot_;
+  const PlannedTrajectory& planned_;
+  Eigen::Index last_ = 0;
+  std::vector<Measured> found_;
+};
+
+void measure(std::vector<Measured>& limits, PlanSampler& sampler, Eigen::Index last) {
+  for (Eigen::Index k = 0; k <= last; ++k) {
+    const PlanSample& knot = sampler.at_knot(k);
+    for (Measured& m : limits) {
+      if (k < m.first || k > m.last) continue;
+      m.use.at_knots = std::max(m.use.at_knots, used(m.use, m.value(knot)));
+    }
+    for (int part = 1; part < kParts && k < last; ++part) {
+      const PlanSample& at = sampler.within(k, static_cast<double>(part) / kParts);
+      for (Measured& m : limits) {
+        if (k < m.first || k + 1 > m.last) continue;
+        const double now = used(m.use, m.value(at));
+        if (now <= m.use.between) continue;
+        m.use.between = now;
+        m.use.between_time = at.time;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& problem,
+                                 const PlannedTrajectory& planned) {
+  std::vector<Measured> limits = Limits(task, problem, planned).take();
+  PlanSampler sampler(task, problem, planned.trajectory);
+  measure(limits, sampler, planned.trajectory.position.cols() - 1);
+  std::vector<LimitUse> uses;
+  uses.reserve(limits.size());
+  const std::vector<BindingLimit> binding = binding_limits(planned);
+  for (Measured& m : limits) {
+    for (const BindingLimit& b : binding) {
+      if (b.limit != m.use.limit || b.part != m.use.part) continue;
+      m.use.share = b.share;
+      m.use.strength = b.strength;
+      m.use.stretches = b.stretches;
+    }
+    uses.push_back(std::move(m.use));
+  }
+  std::stable_sort(uses.begin(), uses.end(),
+                   [](const LimitUse& a, const LimitUse& b) { return a.strength > b.strength; });
+  return uses;
+}
+
+WorstUse worst_between(const std::vector<LimitUse>& uses, const std::string& kind) {
+  WorstUse worst;
+  for (const LimitUse& use : uses) {
+    const bool is = use.limit == kind || use.limit.starts_with(kind + " ");
+    if (is && use.from < use.to && (worst.use == nullptr || use.between > worst.between))
+      worst = {&use, use.between};
+  }
+  return worst;
+}
+
+}  // namespace armtune

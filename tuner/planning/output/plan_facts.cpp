@@ -1,0 +1,104 @@
+#include "tuner/planning/output/plan_facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tuner/report/plan_recording.hpp"
+
+namespace armtune {
+namespace {
+
+/// What the program holds at the knots only.
+constexpr const char* kBetween[] = {"torque", "tool path", "gaze", "distance"};
+
+constexpr int kRows = 2000;  // that errors are measured at
+
+struct ToolErrors {
+  double path = 0.0;  ///< largest distance [m]
+  double gaze = 0.0;  ///< angle, root of the mean square [rad]
+};
+
+ToolErrors errors_of(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory) {
+  PlanSampler sampler(task, problem, trajectory);
+  ToolErrors errors;
+  const double start = trajectory.time.front();
+  const double duration = trajectory.time.back() - start;
+  for (int row = 0; row <= kRows; ++row) {
+    const PlanSample& at = sampler.at(start + duration * row / kRows);
+    errors.path = std::max(errors.path, (at.poses.p_0T - at.desired).norm());
+    errors.gaze += at.gaze * at.gaze / (kRows + 1);
+  }
+  errors.gaze = std::sqrt(errors.gaze);
+  return errors;
+}
+
+}  // namespace
+
+std::string plan_headline(const PlanTask& task, const PlanProblem& problem,
+                          const PlannedTrajectory& planned) {
+  const double duration = planned.trajectory.durations.front();
+  if (!task.duration) return fmt::format("{:.4g} s is the least time found within the limits", duration);
+  if (task.kind == PlanKind::kTrack || task.least_error) {
+    const ToolErrors errors = errors_of(task, problem, planned.trajectory);
+    return fmt::format(
+        "the least error found over {:.4g} s within the limits: tool at most {:.3g} mm off its path, gaze "
+        "{:.3g} mrad rms off its target",
+        duration, 1e3 * errors.path, 1e3 * errors.gaze);
+  }
+  return fmt::format("possible in {:.4g} s within the limits", duration);
+}
+
+std::string between_words(const std::vector<LimitUse>& uses) {
+  std::vector<std::string> parts;
+  for (const char* kind : kBetween) {
+    const WorstUse worst = worst_between(uses, kind);
+    if (worst.use == nullptr) continue;
+    const bool distance = std::string(kind) == "distance";
+    // Of a distance the share is limit over value.
+    parts.push_back(
+        distance ? fmt::format("{} at least {:.4f} of the clearance", worst.use->limit, 1.0 / worst.between)
+                 : fmt::format("{} at most {:.4f} of its limit",
+                               report::limit_words(worst.use->limit, worst.use->part), worst.between));
+  }
+  return parts.empty() ? std::string() : fmt::format("between the knots: {}", fmt::join(parts, ", "));
+}
+
+std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& task,
+                                                              const PlanProblem& problem,
+                                                              const PlannedTrajectory& planned,
+                                                              const std::vector<LimitUse>& uses) {
+  const SequentialQuadraticProgress& last = planned.result.last;
+  const Trajectory& trajectory = planned.trajectory;
+  std::vector<std::string> phases;
+  const auto& grid = planned.program->task().grid;
+  phases.reserve(grid.phases.size());
+  for (std::size_t p = 0; p < grid.phases.size(); ++p) {
+    phases.push_back(fmt::format("{} {:.6g} s", grid.phases[p].name, trajectory.durations[p]));
+  }
+  std::vector<std::pair<std::string, std::string>> entries = {
+      {"task", name(task.kind)},
+      {"scenario", task.scenario.name},
+      {"headline", plan_headline(task, problem, planned)},
+      {"duration", fmt::format("{:.17g}", trajectory.durations.front())},
+      {"phases", fmt::format("{}", fmt::join(phases, ", "))},
+      {"knots", std::to_string(trajectory.time.size())},
+      {"violation", fmt::format("{:.3g}", last.violation)},
+      {"kkt_stationarity", fmt::format("{:.3g}", last.stationarity)},
+      {"kkt_complementarity", fmt::format("{:.3g}", last.complementarity)},
+      {"interior_point_steps", std::to_string(planned.interior_iterations)}};
+  for (const char* kind : kBetween) {
+    const WorstUse worst = worst_between(uses, kind);
+    if (worst.use == nullptr) continue;
+    std::string key = fmt::format("between_knots_{}", kind);
+    std::replace(key.begin(), key.end(), ' ', '_');
+    entries.emplace_back(
+        key, fmt::format("{:.6g} of the limit, {} at {:.4f} s", worst.between,
+                         report::limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
+  }
+  return entries;
+}
+
+}  // namespace armtune

@@ -1,0 +1,51 @@
+#pragma once
+// The arm at one time of a plan: at a knot, or between two of them, where the motion is an exact cubic.
+
+#include "tuner/planning/tasks/plan_problem.hpp"
+
+namespace armtune {
+
+/// What a task says of the tool, beside the joints' limits.
+struct ToolDemands {
+  bool path = false;  ///< the tool is to be on a path
+  bool gaze = false;  ///< its z axis is to be at a target
+};
+ToolDemands tool_demands(const PlanTask& task);
+
+struct PlanSample {
+  double time = 0.0;             ///< of the scenario [s]
+  JointVector q, qd, qdd, jerk;  ///< (n) [rad, m and per s, s^2, s^3]; jerk: of the interval it lies in
+  JointVector tau;               ///< (n) by inverse dynamics [N m, N]
+  double s = 0.0, sd = 0.0, sdd = 0.0;  ///< path coordinate in the path's own time, where there is one [s]
+  Poses poses;                          ///< at q
+  Vec3 desired = Vec3::Zero();          ///< where the path has the tool [m]
+  Vec3 target = Vec3::Zero();           ///< where the gaze is to be [m]
+  double gaze = 0.0;                    ///< angle between tool z and the line to that target [rad]
+  double obstacle_distance = INFINITY;  ///< the least of a joint's origin, but the first's, to a centre [m]
+};
+
+class PlanSampler {
+ public:
+  /// Task, problem and trajectory must outlive it.
+  PlanSampler(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
+
+  /// At knot k as it stands in the trajectory; the jerk is that of the interval after it, of the last one
+  /// before.
+  const PlanSample& at_knot(Eigen::Index k);
+  /// Within interval k, at `part` (0 .. 1) of it.
+  const PlanSample& within(Eigen::Index k, double part);
+  /// At t [s], held at the ends outside.
+  const PlanSample& at(double t);
+
+ private:
+  void set(double time, const Eigen::VectorXd& position, const Eigen::VectorXd& velocity,
+           const Eigen::VectorXd& acceleration, Eigen::Index interval);
+
+  const PlanTask& task_;
+  const PlanProblem& problem_;
+  const Trajectory& trajectory_;
+  MovingPoint target_;
+  PlanSample sample_;
+};
+
+}  // namespace armtune

@@ -1,0 +1,156 @@
+#include "tuner/report/plan_recording.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "core/common/error.hpp"
+#include "tuner/report/buckets.hpp"
+#include "tuner/report/replay.hpp"
+
+namespace armtune::report {
+namespace {
+
+struct GroupOf {
+  const char* prefix;
+  const char* group;
+  const char* unit;
+};
+
+/// Of columns whose names begin so.
+constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
+                               {"desired/position/", "position", "m"},
+                               {"error/position/", "position_error", "m"},
+                               {"gaze/angle", "gaze", "rad"},
+                               {"obstacle/distance", "clearance", "m"}};
+
+/// What a joint does, with its unit where it turns and where it slides.
+struct Quantity {
+  const char* name;
+  const char* turning;
+  const char* sliding;
+};
+constexpr Quantity kQuantities[] = {{"position", "rad", "m"},
+                                    {"velocity", "rad/s", "m/s"},
+                                    {"acceleration", "rad/s^2", "m/s^2"},
+                                    {"jerk", "rad/s^3", "m/s^3"},
+                                    {"torque", "N m", "N"}};
+
+/// "joint_torque", "slide_torque": units differ, and so plots do.
+std::string joint_group(bool slides, const std::string& quantity) {
+  return (slides ? "slide_" : "joint_") + quantity;
+}
+
+bool slides(const Arm* arm, const std::string& joint) {
+  if (arm == nullptr) return false;
+  const auto found = std::find_if(arm->joints.begin(), arm->joints.end(),
+                                  [&joint](const ArmJoint& one) { return one.name == joint; });
+  return found != arm->joints.end() && found->prismatic;
+}
+
+/// Plot and column in which a limit is drawn.
+void place(PlanLimit& limit, const Arm* arm) {
+  if (limit.limit == "tool path") {
+    limit.group = "position_error";
+    limit.column = "error/position/" + limit.part;
+  } else if (limit.limit == "gaze") {
+    limit.group = "gaze";
+    limit.column = "gaze/angle";
+  } else if (limit.limit.starts_with("distance to ")) {
+    limit.group = "clearance";
+    limit.column = "obstacle/distance";
+  } else {
+    limit.group = joint_group(slides(arm, limit.part), limit.limit);
+    limit.column = "joint/" + limit.part + "/" + limit.limit;
+  }
+}
+
+/// "8.01:8.05 8.2:8.21", counted from `start`.
+std::vector<std::pair<double, double>> stretches(const std::string& text, double start) {
+  std::vector<std::pair<double, double>> found;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::size_t colon = word.find(':');
+    double ends[2] = {0.0, 0.0};
+    const char* const begin = word.data();
+    const char* const middle = begin + std::min(colon, word.size());
+    const char* const end = begin + word.size();
+    const bool first = std::from_chars(begin, middle, ends[0]).ptr == middle && middle != begin;
+    const bool second = middle != end && std::from_chars(middle + 1, end, ends[1]).ptr == end;
+    if (!first || !second)
+      throw InputError("limits.csv: '" + word + "' is no stretch of time; expected FROM:TO in seconds");
+    found.emplace_back(ends[0] - start, ends[1] - start);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string limit_words(const std::string& limit, const std::string& part) {
+  if (limit == "gaze") return limit;
+  return limit + (limit == "tool path" ? " along " : " of ") + part;
+}
+
+Run plan_run_of(const CsvTable& motion, const SceneScenario* scenario, const Arm* arm,
+                const Resolution& resolution) {
+  const std::vector<double> time = motion.numbers(motion.column("time"));
+  std::vector<double> from_start = time;
+  for (double& t : from_start) t -= time.front();
+  Run run;
+  if (!time.empty()) run.end = from_start.back();
+  const Buckets buckets(time.size(), resolution.buckets);
+  run.time = quantize(buckets.times(from_start));
+  const auto add = [&](std::size_t column, const std::string& group, const char* unit) {
+    run.columns.push_back(
+        {motion.header()[column], group, unit, quantize(buckets.extremes(motion.numbers(column)))});
+  };
+  for (const GroupOf& g : kGroups) {
+    for (std::size_t c = 0; c < motion.header().size(); ++c) {
+      if (motion.header()[c].starts_with(g.prefix)) add(c, g.group, g.unit);
+    }
+  }
+  const std::vector<std::string> joints = joints_of(motion);
+  for (const std::string& joint : joints) {
+    const bool sliding = slides(arm, joint);
+    for (const Quantity& quantity : kQuantities) {
+      const auto column = motion.find("joint/" + joint + "/" + quantity.name);
+      if (column)
+        add(*column, joint_group(sliding, quantity.name), sliding ? quantity.sliding : quantity.turning);
+    }
+    for (const char* ratio : {"velocity_ratio", "torque_ratio"}) {
+      add(motion.column("joint/" + joint + "/" + ratio), ratio, "1");
+    }
+  }
+  if (scenario != nullptr && arm != nullptr && !time.empty())
+    run.replay = replay_of(motion, *scenario, *arm, time, resolution.replay_rate);
+  return run;
+}
+
+std::vector<PlanLimit> plan_limits_of(const CsvTable& limits, const Arm* arm, double start) {
+  std::vector<PlanLimit> found;
+  found.reserve(limits.rows());
+  for (std::size_t r = 0; r < limits.rows(); ++r) {
+    const auto text = [&](const char* column) { return limits.text(r, limits.column(column)); };
+    const auto number = [&](const char* column) { return limits.number(r, limits.column(column)); };
+    PlanLimit limit;
+    limit.limit = text("limit");
+    limit.part = text("part");
+    limit.words = limit_words(limit.limit, limit.part);
+    limit.unit = text("unit");
+    limit.lower = number("lower");
+    limit.upper = number("upper");
+    limit.from = number("from") - start;
+    limit.to = number("to") - start;
+    limit.at_knots = number("at_knots");
+    limit.between_knots = number("between_knots");
+    limit.active = number("active");
+    limit.strength = number("strength");
+    limit.active_lower = stretches(text("active_lower"), start);
+    limit.active_upper = stretches(text("active_upper"), start);
+    place(limit, arm);
+    found.push_back(std::move(limit));
+  }
+  return found;
+}
+
+}  // namespace armtune::report

@@ -1,0 +1,14 @@
+#pragma once
+// The folder of `armtune plan` as the data of a page.
+
+#include <string>
+
+#include "tuner/report/report_data.hpp"
+
+namespace armtune::report {
+
+/// From motion.csv, limits.csv, scene.json and run.yaml. What of them is missing or cannot be understood is
+/// left out and said, as report_of does. recording_bytes: as there.
+ReportData plan_report_of(const std::string& folder, std::size_t recording_bytes);
+
+}  // namespace armtune::report

@@ -1,0 +1,92 @@
+// What holds a plan back, how far it uses every limit, and how well it was solved.
+import type { PlanLimit, ReportData } from "../data";
+import { breakable, element, type Child } from "../dom";
+import { formatNumber, formatPercent, withUnit } from "../format";
+import { boundWords } from "../plots/limit_lines";
+import { section, type Section } from "./section";
+
+/** Of a limit's share: four digits past the point tell what is at it from what is a little beyond. */
+const share = (value: number | null) => (value === null ? "–" : formatPercent(value, 2));
+
+/** "0.0152 to 0.1358 s", and how many more. */
+export function stretchWords(limit: Pick<PlanLimit, "active_lower" | "active_upper">): string {
+  const MOST = 3;
+  const all = [...limit.active_lower, ...limit.active_upper].sort((a, b) => a[0] - b[0]);
+  const told = all.slice(0, MOST).map(([from, to]) => (from === to ? `at ${from.toFixed(3)}` : `${from.toFixed(3)} to ${to.toFixed(3)}`));
+  const more = all.length > MOST ? ` and ${all.length - MOST} more` : "";
+  return told.length === 0 ? "" : `${told.join(", ")} s${more}`;
+}
+
+/** Those that hold the plan back, the strongest first. */
+export function binding(limits: PlanLimit[]): PlanLimit[] {
+  return limits.filter((limit) => limit.strength > 0).sort((a, b) => b.strength - a.strength);
+}
+
+function table(label: string, head: [string, boolean][], rows: Child[][]): HTMLElement {
+  const top = element("tr");
+  for (const [name, number] of head) top.append(element("th", { scope: "col", class: number && "number" }, name));
+  const body = element("tbody");
+  for (const row of rows) {
+    const line = element("tr");
+    row.forEach((cell, i) => line.append(element(i === 0 ? "th" : "td", i === 0 ? { scope: "row" } : { class: (head[i]?.[1] ?? false) && "number" }, cell)));
+    body.append(line);
+  }
+  return element(
+    "div",
+    { class: "scroll", tabindex: 0, role: "region", "aria-label": label },
+    element("table", {}, element("thead", {}, top), body),
+  );
+}
+
+const nameOf = (limit: PlanLimit) => breakable(limit.words);
+
+function bindingTable(limits: PlanLimit[]): HTMLElement {
+  const strongest = limits[0]?.strength ?? 1;
+  return table(
+    "What holds the plan back",
+    [["limit", false], ["value", true], ["holds it back", true], ["when", false], ["weight", true]],
+    limits.map((limit) => [
+      nameOf(limit),
+      boundWords(limit),
+      `${formatPercent(limit.active)} of the knots`,
+      stretchWords(limit),
+      formatPercent(limit.strength / strongest),
+    ]),
+  );
+}
+
+function allTable(limits: PlanLimit[]): HTMLElement {
+  return table(
+    "Every limit",
+    [["limit", false], ["value", true], ["used at knots", true], ["between knots", true]],
+    limits.map((limit) => [nameOf(limit), boundWords(limit), share(limit.at_knots), share(limit.between_knots)]),
+  );
+}
+
+export function planSection(data: ReportData): Section | null {
+  const { plan } = data;
+  if (plan === undefined) return null;
+  const limits = data.scenarios[0]?.limits ?? [];
+  const active = binding(limits);
+  const figures = element("dl", { class: "figures" });
+  for (const [name, value] of plan.figures) figures.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
+  return section(
+    "plan",
+    "Limits",
+    "What holds it back",
+    active.length > 0
+      ? bindingTable(active)
+      : element("p", { class: "note" }, "No limit is active: none of them would make the plan better if it were wider."),
+    active.length > 0 &&
+      element("p", { class: "note" }, "Weight: how much the plan would gain if the limit were a little wider, to the first of them."),
+    element(
+      "details",
+      {},
+      element("summary", {}, "Every limit, at the knots and between them"),
+      element("p", { class: "note" }, "Limits hold at the knots; those of velocity and acceleration between them as well."),
+      allTable(limits),
+    ),
+    figures,
+    element("p", { class: "note" }, `0 s here is ${withUnit(formatNumber(plan.start, 6), "s")} of the scenario ${plan.scenario}.`),
+  );
+}
