@@ -1,4 +1,4 @@
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/common/error.hpp"
 
-namespace armtune::report {
+namespace armtune {
 namespace {
 
 struct Cell {
@@ -60,7 +60,7 @@ class CellReader {
 
 CsvTable CsvTable::read(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be read; the report is made from it");
+  if (!file) throw InputError(path + ": cannot be read; give a CSV file that is there");
   return parse({std::istreambuf_iterator<char>(file), {}}, path);
 }
 
@@ -133,4 +133,4 @@ std::vector<double> CsvTable::numbers(std::size_t column) const {
   return values;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune
