@@ -39,7 +39,7 @@ int Scenario::periods() const {
 }
 
 bool Scenario::has_task() const {
-  return !planned || planned->end() < start_time + (periods() - 0.5) * control_period;
+  return !planned || start_time + (periods() - 1) * control_period >= planned->end();
 }
 
 bool Scenario::switches_target() const {

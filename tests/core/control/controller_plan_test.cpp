@@ -141,16 +141,16 @@ double largest_difference(double h, double period) {
 TEST(ControllerPlan, AQuinticFollowedAsAPlanIsLeaveSingularitysButForKnotsAndHalfAPeriod) {
   // Largest jerk of 0.3 rad in 0.5 s: 60 * 0.3 / 0.5^3 = 144 rad/s^3.
   const double jerk = 144.0;
-  for (const double period : {2e-3, 2e-4}) {
+  for (const double period : {2e-3, 5e-4}) {
     const double difference = largest_difference(2e-4, period);
     EXPECT_LT(difference, 1.02 * jerk * period / 2.0);
     EXPECT_GT(difference, 0.9 * jerk * period / 2.0);
   }
   // The interpolation's share is of second order in the distance of the knots.
-  const double tiny = 2e-5;
-  const double coarse = largest_difference(2e-2, tiny);
-  EXPECT_LT(coarse, 0.5);
-  EXPECT_NEAR(largest_difference(1e-2, tiny), 0.25 * coarse, 0.05 * coarse);
+  const double tiny = 5e-4;
+  const double coarse = largest_difference(5e-2, tiny);
+  EXPECT_LT(coarse, 3.0);
+  EXPECT_NEAR(largest_difference(2.5e-2, tiny), 0.25 * coarse, 0.05 * coarse);
 }
 
 TEST(ControllerPlan, AnObstacleInterruptsItForGood) {

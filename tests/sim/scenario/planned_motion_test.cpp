@@ -121,10 +121,13 @@ TEST_F(PlannedMotion, AScenarioBeginsWithItAndLastsAsLongUnlessItSaysOtherwise) 
   EXPECT_EQ(scenario("").start_time, 0.0);
 
   // Not a whole number of periods: the last one is whole.
-  plan_.duration = 0.301;
-  plan_.step = 0.001;
+  plan_.duration = 0.3002;
+  plan_.step = 0.0001;
   write(csv());
-  EXPECT_EQ(scenario("planned: plan.csv\nduration: planned\n").periods(), 151);
+  const Scenario odd = scenario("planned: plan.csv\nduration: planned\n");
+  EXPECT_EQ(odd.periods(), 151);
+  EXPECT_FALSE(odd.has_task());
+  EXPECT_TRUE(scenario("planned: plan.csv\nduration: 0.304\n").has_task());
 }
 
 TEST_F(PlannedMotion, AScenarioOfItsOwnNeedsNeitherDurationNorStart) {
