@@ -16,6 +16,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/plan_files.hpp"
+#include "tuner/planning/output/scenario_file.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -70,6 +71,7 @@ void write_files(const Arguments& args, const PlanTask& task, const PlanProblem&
       ros_trajectory(robot, planned.trajectory, args.ros == 1 ? RosVersion::kRos1 : RosVersion::kRos2,
                      {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
                       "Nothing here knows the arm's surroundings or its own links: run it slowly first."}));
+  write_text_file(args.folder + "/" + planned_scenario_name(task), planned_scenario_yaml(task));
   const SequentialQuadraticProgress& last = planned.result.last;
   Provenance p;
   p.command = command_line();
@@ -141,6 +143,7 @@ int run(const Arguments& args) {
   make_run_folder(folder);
   write_files(out, task, problem, planned, seconds);
   fmt::print("wrote {}: trajectory.csv, joint_trajectory.yaml, task.yaml, columns.csv, run.yaml\n", folder);
+  fmt::print("armtune simulate {}/{} follows it\n", folder, planned_scenario_name(task));
   return kDone;
 }
 
@@ -167,7 +170,9 @@ void add_plan_command(CLI::App& app, int& exit_code) {
            "robot's file,\nand accelerations and jerks where the task gives some. Nothing here knows the "
            "arm's surroundings "
            "or its own links:\nrun a trajectory slowly first.\n\nBundled tasks:\n" +
-           tasks() + "\nExample:\n  armtune plan ur10_switch --out runs/switch\n";
+           tasks() +
+           "\nExample, and the plan followed in simulation:\n  armtune plan ur10_switch --out runs/switch\n"
+           "  armtune simulate runs/switch/planned_ur10_switch.yaml\n";
   });
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

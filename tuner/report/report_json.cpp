@@ -74,6 +74,7 @@ void write_run(Json& json, const Run& run) {
   json.integer("set", static_cast<long>(run.set));
   json.text("status", run.status);
   json.text("reason", run.reason);
+  json.number("start", run.start);
   json.number("end", run.end);
   array(json, "states", run.states, [](Json& out, const StateChange& change) {
     out.begin_object();
@@ -123,7 +124,8 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
   }
   json.end_array();
   json.texts("states", {name(ControlState::kLeaveSingularity), name(ControlState::kReturnToTrajectory),
-                        name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles)});
+                        name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles),
+                        name(ControlState::kFollowPlan)});
   json.integer("robot", scenario.arm);
   array(json, "runs", scenario.runs, write_run);
   json.end_object();
