@@ -88,7 +88,7 @@ std::vector<NamedPath> read_targets(const yaml::Node& node) {
 
 /// A file's path, from the folder of the file that names it, which may be a base of the scenario's.
 std::string path_in(const yaml::Node& node) {
-  const std::string path = node.as_string();
+  std::string path = node.as_string();
   if (path.starts_with('/')) return path;
   return (std::filesystem::path(folder_of(node.file())) / path).lexically_normal().string();
 }
