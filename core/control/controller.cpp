@@ -40,6 +40,7 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
   const Chain& chain = model_->chain;
   if (!started_) {
     started_ = true;
+    out_.state = first_state(scene.plan != nullptr);
     q_start_ = measured.q;
     task_goal_.start(goal_);
   }
@@ -56,17 +57,21 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
                               .return_finished = time - lag_ - return_start_ >= return_.duration(),
                               .obstacle_distance = out_.obstacle_distance,
                               .influence_radius = gains_.obstacleInfluenceRadius,
-                              .release_radius = gains_.release_radius});
+                              .release_radius = gains_.release_radius,
+                              .plan_finished = scene.plan == nullptr || time >= scene.plan->end()});
   if (state != out_.state) {
     out_.state = state;
     enter_state(scene, time);
   }
   if (state == ControlState::kLeaveSingularity) {
     follow_joint_trajectory(measured, scene, time);
+  } else if (state == ControlState::kFollowPlan) {
+    follow_plan(measured, scene, time);
   } else {
     follow_task(measured, scene, time);
   }
-  if (gains_.velocity_margin > 0.0) keep_pace(scene, time);
+  // A plan keeps its own velocity limits, and what it meets (a moving path, a target) waits for nobody.
+  if (gains_.velocity_margin > 0.0 && state != ControlState::kFollowPlan) keep_pace(scene, time);
   torque(measured, scene);
   // Integral and theta stand still while a joint is saturated: its error is not the law's doing.
   if (!out_.saturated) {
@@ -80,7 +85,7 @@ void Controller::enter_state(const Scene& scene, double time) {
   integral_.setZero();
   if (out_.state != ControlState::kReturnToTrajectory) return;
   // Start from the measured position and velocity and the last reference's acceleration, which is zero at
-  // the end of leaveSingularity's quintic and in avoidObstacles.
+  // the end of leaveSingularity's quintic and in avoidObstacles, and the plan's at the end of followPlan.
   const MotionPoint<Vec3> start{poses_.p_0T, twist_.head<3>(), out_.desired.acceleration};
   return_ = return_trajectory(start, *scene.path, time, gains_.trajectoryDurationErrorGain);
   if (gains_.velocity_margin > 0.0) {
@@ -105,6 +110,20 @@ void Controller::follow_joint_trajectory(const JointState& measured, const Scene
   joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,
                          out_.reference);
   Kd_ = gains_.joint_space_gains_d;
+  out_.slerping = false;
+  out_.errors = {};
+}
+
+void Controller::follow_plan(const JointState& measured, const Scene& scene, double time) {
+  out_.planned = scene.plan->at(time);
+  // The torque is held over the period: its acceleration is the period's mean, not that of its beginning.
+  out_.planned.acceleration = scene.plan->mean_acceleration(time, period_);
+  joint_space_references(out_.planned, gains_.joint_space_gains_p, measured.q, measured.qd, out_.reference);
+  Kd_ = gains_.joint_space_gains_d;
+  // The tool's acceleration on the plan: what a return that comes next starts with.
+  tool_jacobian_derivative(model_->chain, poses_, J_, measured.qd, J_dot_);
+  const Vec6 tool_acceleration = J_ * out_.planned.acceleration + J_dot_ * measured.qd;
+  out_.desired = {poses_.p_0T, twist_.head<3>(), tool_acceleration.head<3>()};
   out_.slerping = false;
   out_.errors = {};
 }
@@ -191,7 +210,9 @@ void Controller::torque(const JointState& measured, const Scene& scene) {
   } else {
     scratch_.setZero(chain.n);
   }
-  if (avoiding || gains_.velocity_barrier_gain > 0.0) {
+  // The barrier is for torques that no planner has weighed: to a plan near its limits it would be a brake.
+  const bool barred = gains_.velocity_barrier_gain > 0.0 && out_.state != ControlState::kFollowPlan;
+  if (avoiding || barred) {
     add_behind_barrier(measured.qd, velocity_limits_, gains_.velocity_barrier_start,
                        gains_.velocity_barrier_gain, Kd_, scratch_, out_.commanded);
   }

@@ -13,6 +13,7 @@
 #include "core/control/task_goal.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/joint_spline.hpp"
 #include "core/trajectory/return_trajectory.hpp"
 
 namespace armtune {
@@ -28,6 +29,9 @@ struct Scene {
   const HarmonicPath* path = nullptr;  ///< the tool's path, on the simulation's own time
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< the active gaze target [m]
   std::span<const Vec3> obstacles;                                     ///< obstacle centres [m]
+  /// Joint motion to begin with, on the simulation's own time; null: leaveSingularity. The same in every
+  /// period.
+  const JointSpline* plan = nullptr;
 };
 
 /// Everything a recorder wants to see of one period.
@@ -37,11 +41,12 @@ struct ControlOutput {
   bool saturated = false;
   ControlState state = ControlState::kLeaveSingularity;
   bool slerping = false;
-  MotionPoint<Vec3> desired;      ///< linear reference (the tool's own position in avoidObstacles)
-  OrientationPoint desired_gaze;  ///< orientation reference; identity in leaveSingularity
-  CartesianErrors errors;         ///< as the law saw them; zero in leaveSingularity
-  JointReference reference;       ///< qr', qr''
-  JointVector S;                  ///< q' - qr'
+  MotionPoint<Vec3> desired;         ///< linear reference (the tool's own position in avoidObstacles)
+  OrientationPoint desired_gaze;     ///< orientation reference; identity before a state tracks one
+  CartesianErrors errors;            ///< as the law saw them; zero in states that track joints
+  MotionPoint<JointVector> planned;  ///< qd, qd', qd'' of followPlan; empty if it never was
+  JointReference reference;          ///< qr', qr''
+  JointVector S;                     ///< q' - qr'
   double manipulability = 0.0;
   bool damped = false;
   double obstacle_distance = 0.0;  ///< [m], infinite without obstacles
@@ -66,6 +71,7 @@ class Controller {
  private:
   void enter_state(const Scene& scene, double time);
   void follow_joint_trajectory(const JointState& measured, const Scene& scene, double time);
+  void follow_plan(const JointState& measured, const Scene& scene, double time);
   void follow_task(const JointState& measured, const Scene& scene, double time);
   MotionPoint<Vec3> desired_motion(const Scene& scene, double time) const;
   std::optional<GazeControl::SpeedBound> speed_bound() const;

@@ -1,5 +1,6 @@
 #pragma once
-// Joint space references of leaveSingularity: a quintic from the start pose to the goal, with
+// Joint space references: of leaveSingularity, for a quintic from the start pose to the goal, and of
+// followPlan, for a planned trajectory:
 //   qr' = qd' - Kp (q - qd),   qr'' = qd'' - Kp (q' - qd').
 
 #include "core/common/types.hpp"

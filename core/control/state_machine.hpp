@@ -1,9 +1,15 @@
 #pragma once
-// The controller's four states and the one pure function that moves between them.
+// The controller's states and the pure functions that move between them.
 
 namespace armtune {
 
-enum class ControlState { kLeaveSingularity, kReturnToTrajectory, kFollowTrajectory, kAvoidObstacles };
+enum class ControlState {
+  kLeaveSingularity,
+  kReturnToTrajectory,
+  kFollowTrajectory,
+  kAvoidObstacles,
+  kFollowPlan
+};
 
 constexpr const char* name(ControlState state) {
   switch (state) {
@@ -15,8 +21,20 @@ constexpr const char* name(ControlState state) {
       return "followTrajectory";
     case ControlState::kAvoidObstacles:
       return "avoidObstacles";
+    case ControlState::kFollowPlan:
+      return "followPlan";
   }
   return "";
+}
+
+/// The state of the first period. planned: a joint trajectory is there to be followed.
+constexpr ControlState first_state(bool planned) {
+  return planned ? ControlState::kFollowPlan : ControlState::kLeaveSingularity;
+}
+
+/// States whose reference is a joint motion: they track neither a position of the tool nor a gaze.
+constexpr bool tracks_joints(ControlState state) {
+  return state == ControlState::kLeaveSingularity || state == ControlState::kFollowPlan;
 }
 
 struct TransitionInput {
@@ -25,10 +43,12 @@ struct TransitionInput {
   double obstacle_distance = 0.0;          ///< closest joint origin to obstacle centre [m], infinite if none
   double influence_radius = 0.0;           ///< r_o [m]
   double release_radius = 0.0;             ///< >= r_o [m]
+  bool plan_finished = false;              ///< the planned trajectory is over
 };
 
 /// State of this period from that of the last one. leaveSingularity is not interrupted: the Cartesian law
-/// that avoidObstacles needs cannot be used near the start pose's singularity.
+/// that avoidObstacles needs cannot be used near the start pose's singularity. followPlan is, and not taken
+/// up again: pushed aside, the arm is not where the plan has it, and the plan's time has gone on.
 constexpr ControlState next_state(ControlState state, const TransitionInput& in) {
   if (state == ControlState::kLeaveSingularity) {
     return in.joint_trajectory_finished ? ControlState::kReturnToTrajectory : state;
@@ -37,6 +57,7 @@ constexpr ControlState next_state(ControlState state, const TransitionInput& in)
     return in.obstacle_distance < in.release_radius ? state : ControlState::kReturnToTrajectory;
   }
   if (in.obstacle_distance < in.influence_radius) return ControlState::kAvoidObstacles;
+  if (state == ControlState::kFollowPlan && in.plan_finished) return ControlState::kReturnToTrajectory;
   if (state == ControlState::kReturnToTrajectory && in.return_finished) {
     return ControlState::kFollowTrajectory;
   }

@@ -65,11 +65,15 @@ void MetricAccumulator::add(const Observation& o) {
     entered_ = o.time;
   }
   add_limits(o);
-  const bool switched = !first_ && o.target != target_;
+  const bool switched = (!first_ || from_before_) && o.target != target_;
   target_ = o.target;
   first_ = false;
   if (state_ == ControlState::kLeaveSingularity) return;
 
+  if (state_ == ControlState::kFollowPlan) {
+    const JointVector& planned = o.control->planned.position;
+    for (int i = 0; i < model_.n(); ++i) joint_error_.add((*o.q)[i] - planned[i]);
+  }
   gaze_.add(o.gaze_angle);
   gaze_rate_.add(gaze_rate_error(o));
   compensation_.add(o.compensation_error);
@@ -150,6 +154,8 @@ double MetricAccumulator::so_far(Metric m) const {
       return min_margin_ < kInfinity ? min_margin_ : NAN;
     case Metric::kJointEffortMaxRatio:
       return max_effort_ratio_;
+    case Metric::kJointErrorMax:
+      return joint_error_.max();
     case Metric::kObstacleMinClearance:
       return min_clearance_ < kInfinity ? min_clearance_ : NAN;
     default:
@@ -172,6 +178,7 @@ Metrics MetricAccumulator::result(double end) {
   m[Metric::kGazeRateErrorRms] = gaze_rate_.rms();
   m[Metric::kReacquisitionTime] = reacquisition_.longest(end);
   m[Metric::kJointVelocityMaxRatioTime] = max_ratio_time_;
+  m[Metric::kJointErrorRms] = joint_error_.rms();
   m[Metric::kEffortRateRms] = effort_rate_.rms();
   m[Metric::kCompensationErrorRms] = compensation_.rms();
   m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;

@@ -50,6 +50,13 @@ class MetricAccumulator {
   /// threshold: slerpAngularErrorThreshold [rad]; period [s].
   MetricAccumulator(const RobotModel& model, double threshold, double period);
 
+  /// The target that was active before the first period, where that is not the start of all: a switch in the
+  /// first period counts.
+  void look_from(std::size_t target) {
+    target_ = target;
+    from_before_ = true;
+  }
+
   void add(const Observation& o);
   /// Value that a metric of which only_worsens() holds has by now; NaN before it has one, and for all others.
   double so_far(Metric m) const;
@@ -69,10 +76,12 @@ class MetricAccumulator {
   ControlState state_ = ControlState::kLeaveSingularity;
   double entered_ = 0.0;
   bool first_ = true;
+  bool from_before_ = false;  ///< target_ is known before the first period
   std::size_t target_ = 0;
 
   Spread position_axis_[3], orientation_axis_[3];
   Spread position_, orientation_, linear_velocity_, angular_velocity_;
+  Spread joint_error_;
   Spread gaze_, gaze_rate_, effort_rate_, compensation_;
   Reacquisition reacquisition_;
   long periods_outside_ = 0;

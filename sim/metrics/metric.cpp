@@ -2,8 +2,9 @@
 
 namespace armtune {
 
-// Tracking errors count in followTrajectory from 1 s after it was entered, outside a slerp; gaze and
-// compensation count always after leaveSingularity; limits count always. All from the plant's true state.
+// Tracking errors count in followTrajectory from 1 s after it was entered, outside a slerp; joint errors in
+// followPlan; gaze and compensation count always after leaveSingularity, followPlan included; limits count
+// always. All from the plant's true state.
 const std::array<MetricField, kMetricCount>& metric_fields() {
   static constexpr std::array<MetricField, kMetricCount> fields{{
       {"error/position/x/max", "m", "largest position error in x",
@@ -52,6 +53,10 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "smallest distance of any joint to a position limit; negative: passed"},
       {"joint_effort/max_ratio", "1", "largest torque over its limit",
        "largest commanded |torque| over its limit, before saturation"},
+      {"joint_error/rms", "rad", "RMS joint error",
+       "RMS of q - qd over joints and time while a planned trajectory is followed; empty without one"},
+      {"joint_error/max", "rad", "largest joint error",
+       "largest |q - qd| of any joint while a planned trajectory is followed"},
       {"effort_rate/rms", "N m/s", "RMS torque rate",
        "RMS over time of the norm of the change per second of the torque sent, after saturation"},
       {"obstacle/min_clearance", "m", "smallest obstacle clearance",
@@ -112,6 +117,7 @@ bool only_worsens(Metric m) {
     case Metric::kJointVelocityMaxRatio:
     case Metric::kJointPositionMinMargin:
     case Metric::kJointEffortMaxRatio:
+    case Metric::kJointErrorMax:
     case Metric::kObstacleMinClearance:
       return true;
     default:

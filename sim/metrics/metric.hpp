@@ -37,6 +37,8 @@ enum class Metric : std::size_t {
   kJointVelocityMaxRatioTime,
   kJointPositionMinMargin,
   kJointEffortMaxRatio,
+  kJointErrorRms,
+  kJointErrorMax,
   kEffortRateRms,
   kObstacleMinClearance,
   kCompensationErrorRms,

@@ -20,8 +20,25 @@ bool applies(Metric metric, const Scenario& scenario) {
     case Metric::kJointPositionMinMargin:
       return has_position_limits(*scenario.robot);
     case Metric::kReacquisitionTime:
-      return scenario.targets.size() > 1 && scenario.switch_every > 0.0 &&
-             scenario.switch_every < scenario.duration;
+      return scenario.switches_target();
+    case Metric::kJointErrorRms:
+    case Metric::kJointErrorMax:
+      return scenario.planned != nullptr;
+    case Metric::kPositionXMax:
+    case Metric::kPositionYMax:
+    case Metric::kPositionZMax:
+    case Metric::kPositionRms:
+    case Metric::kPositionMax:
+    case Metric::kOrientationXMax:
+    case Metric::kOrientationYMax:
+    case Metric::kOrientationZMax:
+    case Metric::kOrientationRms:
+    case Metric::kOrientationMax:
+    case Metric::kLinearVelocityRms:
+    case Metric::kLinearVelocityMax:
+    case Metric::kAngularVelocityRms:
+    case Metric::kAngularVelocityMax:
+      return scenario.has_task();
     case Metric::kResponseRiseTime:
     case Metric::kResponseOvershoot:
     case Metric::kResponseSettlingTime:

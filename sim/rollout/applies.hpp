@@ -8,7 +8,8 @@
 namespace armtune {
 
 /// False for clearance without obstacles, position margins of joints without limits, reacquisition without a
-/// switch, and responses without the stimulus they answer to.
+/// switch, responses without the stimulus they answer to, joint errors without a planned motion, and the
+/// tool's where nothing comes after that.
 bool applies(Metric metric, const Scenario& scenario);
 
 }  // namespace armtune

@@ -49,14 +49,27 @@ void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool
        Over::kLargest});
 }
 
+/// Where the plan has a joint; no value in states that do not follow it.
+void add_planned(std::vector<Column>& columns, const std::string& joint, int i, bool revolute) {
+  const std::string tree = "joint/" + joint + "/";
+  const auto planned = [i](const Observation& o) {
+    return o.control->state == ControlState::kFollowPlan ? o.control->planned.position[i] : NAN;
+  };
+  const char* length = revolute ? "rad" : "m";
+  columns.push_back({tree + "planned", length, "joint position of the plan, while it is followed", planned});
+  columns.push_back({tree + "error", length, "true joint position less the plan's",
+                     [i, planned](const Observation& o) { return (*o.q)[i] - planned(o); }});
+}
+
 }  // namespace
 
 std::vector<Column> rollout_columns(const Scenario& scenario) {
   std::vector<Column> columns;
   columns.push_back({"time", "s", "simulated time", [](const Observation& o) { return o.time; }});
-  columns.push_back({"state", "1",
-                     "0 leaveSingularity, 1 returnToTrajectory, 2 followTrajectory, 3 avoidObstacles",
-                     [](const Observation& o) { return static_cast<double>(o.control->state); }});
+  columns.push_back(
+      {"state", "1",
+       "0 leaveSingularity, 1 returnToTrajectory, 2 followTrajectory, 3 avoidObstacles, 4 followPlan",
+       [](const Observation& o) { return static_cast<double>(o.control->state); }});
   columns.push_back({"slerping", "1", "1 while a slerp runs",
                      [](const Observation& o) { return o.control->slerping ? 1.0 : 0.0; }});
   add_vector(columns, "tool/position", "m", "tool in the base frame",
@@ -65,7 +78,8 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
                  [](const Observation& o) { return Eigen::Quaterniond(o.poses->R_0T); });
   add_vector(columns, "desired/position", "m", "desired tool position (the tool's own where none is tracked)",
              [](const Observation& o) { return o.control->desired.position; });
-  add_quaternion(columns, "desired/orientation", "desired orientation (identity in leaveSingularity)",
+  add_quaternion(columns, "desired/orientation",
+                 "desired orientation (identity in leaveSingularity and followPlan)",
                  [](const Observation& o) { return o.control->desired_gaze.orientation; });
   add_vector(columns, "error/position", "m", "position error, zero in states that track no position",
              [](const Observation& o) -> Vec3 { return o.error.head<3>(); });
@@ -81,6 +95,10 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
     const auto k = static_cast<std::size_t>(i);
     add_joint(columns, scenario.robot->joints[k], i,
               scenario.robot->chain.motion[k] == JointMotion::kRevolute);
+    if (scenario.planned) {
+      add_planned(columns, scenario.robot->joints[k].name, i,
+                  scenario.robot->chain.motion[k] == JointMotion::kRevolute);
+    }
   }
   columns.push_back({"target/index", "1", "active target, from 0",
                      [](const Observation& o) { return static_cast<double>(o.target); }});

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/robot/theta.hpp"
@@ -58,11 +59,13 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   TargetCamera camera(scenario_);
   TorqueDelay delay(scenario_.robot->n(), scenario_.plant.torque_delay_periods);
   MetricAccumulator metrics(*scenario_.robot, gains.slerpAngularErrorThreshold, period);
+  if (scenario_.planned)
+    metrics.look_from(scenario_.active_target(std::max(0.0, scenario_.start_time - period)));
   TrueState truth(*scenario_.robot, theta_true_);
   JointState measured;
   std::vector<Vec3> centers(scenario_.obstacles.size());
   HarmonicPath path = scenario_.path;
-  Scene scene{&path, {}, centers};
+  Scene scene{&path, {}, centers, scenario_.planned.get()};
   const std::optional<Stimulus>& stimulus = scenario_.stimulus;
   std::optional<StimulusResponse> response;
   if (stimulus) response.emplace(scenario_);
@@ -71,11 +74,13 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   o.q = &plant_->q();
   o.qd = &plant_->qd();
 
-  plant_->set_state(scenario_.start_position, JointVector::Zero(scenario_.robot->n()));
+  const JointVector at_rest = JointVector::Zero(scenario_.robot->n());
+  plant_->set_state(scenario_.start_position,
+                    scenario_.start_velocity.size() > 0 ? scenario_.start_velocity : at_rest);
   RolloutResult result;
   int k = 0;
   for (; k < periods; ++k) {
-    const double time = k * period;
+    const double time = scenario_.start_time + k * period;
     sensors.measure(plant_->q(), plant_->qd(), measured);
     o.time = time;
     o.target = scenario_.active_target(time);
@@ -122,9 +127,10 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
     }
   }
   result.end_time = k * period;
-  result.metrics = metrics.result(result.end_time);
+  result.metrics = metrics.result(scenario_.start_time + result.end_time);
   if (response) response->write(result.metrics);
-  if (result.status == RolloutStatus::kCompleted && !(result.metrics[Metric::kSamples] > 0.0)) {
+  if (result.status == RolloutStatus::kCompleted && !scenario_.planned &&
+      !(result.metrics[Metric::kSamples] > 0.0)) {
     result.status = RolloutStatus::kNoSamples;
     result.reason = fmt::format(
         "no period of {} s counted as tracking: followTrajectory was never held for "

@@ -18,7 +18,7 @@ enum class RolloutStatus {
   kCompleted,
   kDiverged,    ///< the state left every sensible range, or the engine gave up
   kHopeless,    ///< it passed one of its end limits, beyond repair
-  kNoSamples,   ///< it ran to the end, but no period counted as tracking
+  kNoSamples,   ///< it ran to the end without a planned motion, but no period counted as tracking
   kInterrupted  ///< the caller asked it to stop
 };
 

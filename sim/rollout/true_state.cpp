@@ -21,7 +21,7 @@ void TrueState::track_errors(Observation& o) const {
   o.gaze_angle = turn.norm();
   o.error.setZero();
   o.error_rate.setZero();
-  if (control.state == ControlState::kLeaveSingularity) return;
+  if (tracks_joints(control.state)) return;
   if (control.state != ControlState::kAvoidObstacles) {
     o.error.head<3>() = poses_.p_0T - control.desired.position;
     o.error_rate.head<3>() = o.twist.head<3>() - control.desired.velocity;

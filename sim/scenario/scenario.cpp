@@ -1,5 +1,6 @@
 #include "sim/scenario/scenario.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/robot/theta.hpp"
@@ -35,6 +36,19 @@ void apply_factors(const PlantConditions& plant, Chain& chain) {
 
 int Scenario::periods() const {
   return static_cast<int>(std::llround(duration / control_period));
+}
+
+bool Scenario::has_task() const {
+  return !planned || start_time + (periods() - 1) * control_period >= planned->end();
+}
+
+bool Scenario::switches_target() const {
+  // A planned motion can begin with the switch: what was before counts.
+  const std::size_t before = active_target(std::max(0.0, start_time - control_period));
+  for (int k = 0; k < periods(); ++k) {
+    if (active_target(start_time + k * control_period) != before) return true;
+  }
+  return false;
 }
 
 std::size_t Scenario::active_target(double t) const {

@@ -10,6 +10,7 @@
 
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/joint_spline.hpp"
 #include "sim/scenario/stimulus.hpp"
 
 namespace armtune {
@@ -52,10 +53,13 @@ struct Scenario {
   std::string source;               ///< file
   std::vector<std::string> inputs;  ///< every file it was read from: bases, robot, URDF
   std::shared_ptr<const RobotModel> robot;
-  double duration = 0.0;        ///< [s]
+  double start_time = 0.0;      ///< what the clock begins with [s]: 0, or the planned motion's beginning
+  double duration = 0.0;        ///< from then on [s]
   double control_period = 0.0;  ///< [s]
   JointVector start_position;   ///< [rad, m]
-  HarmonicPath path;            ///< of the tool, base frame
+  JointVector start_velocity;   ///< the planned motion's; empty: at rest
+  std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
+  HarmonicPath path;                           ///< of the tool, base frame
   std::vector<NamedPath> targets;
   double switch_every = 0.0;     ///< targets take turns [s]; 0: always the first
   std::optional<Camera> camera;  ///< none: the controller knows the targets' motion
@@ -66,6 +70,10 @@ struct Scenario {
   std::uint64_t seed = 1;  ///< of the noise
 
   int periods() const;
+  /// Whether the controller comes to its own task: not where a planned motion lasts to the end.
+  bool has_task() const;
+  /// Whether the targets take turns in the course of it, its first period included.
+  bool switches_target() const;
   /// Index of the target that is active at t [s].
   std::size_t active_target(double t) const;
 };

@@ -9,6 +9,7 @@
 
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/random_targets.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -22,6 +23,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxBaseFiles = 16;
 constexpr double kMaxPeriods = 1e8;
+constexpr double kRounding = 1e-6;  // of a period: a plan of so many whole ones takes no further one
 constexpr long kMostRandomTargets = 1000;
 
 Vec3 read_vec3(const yaml::Node& node) {
@@ -84,6 +86,13 @@ std::vector<NamedPath> read_targets(const yaml::Node& node) {
   return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
 }
 
+/// A file's path, from the folder of the file that names it, which may be a base of the scenario's.
+std::string path_in(const yaml::Node& node) {
+  std::string path = node.as_string();
+  if (path.starts_with('/')) return path;
+  return (std::filesystem::path(folder_of(node.file())) / path).lexically_normal().string();
+}
+
 ThetaStart read_theta_start(const yaml::Node& node) {
   yaml::MapReader map(node);
   ThetaStart start;
@@ -92,11 +101,7 @@ ThetaStart read_theta_start(const yaml::Node& node) {
     node.fail("give one of: model_scale (0: nothing known, 1: the model) and file");
   }
   if (has_file) {
-    start.file = map.required("file").as_string();
-    // From the file that says so, which may be a base of the scenario's.
-    if (!start.file.starts_with('/')) {
-      start.file = (std::filesystem::path(folder_of(node.file())) / start.file).lexically_normal().string();
-    }
+    start.file = path_in(map.required("file"));
   }
   start.model_scale = map.number_in("model_scale", 0.0, 0.0, 10.0);
   map.finish();
@@ -172,15 +177,45 @@ yaml::Node parse_with_base(const std::string& path, std::vector<std::string>& fi
   return yaml::overlay(layers);
 }
 
-void check_start(const Scenario& scenario, const yaml::Node& node) {
+void read_start(const yaml::Node& node, Scenario& scenario) {
+  scenario.start_position = yaml::joint_values(node, joint_names(*scenario.robot));
   for (int i = 0; i < scenario.robot->n(); ++i) {
     const JointInfo& joint = scenario.robot->joints[static_cast<std::size_t>(i)];
-    const double q = scenario.start_position[i];
+    double& q = scenario.start_position[i];
+    if (scenario.robot->chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute)
+      q *= M_PI / 180.0;
     if (joint.limits.has_position && (q < joint.limits.lower || q > joint.limits.upper)) {
       node.fail(fmt::format("{} starts at {:.6g} (in rad or m), outside its limits {:.6g} .. {:.6g}",
                             joint.name, q, joint.limits.lower, joint.limits.upper));
     }
   }
+}
+
+/// The planned motion, whose beginning is the scenario's.
+void read_planned(const yaml::Node& node, Scenario& scenario) {
+  const std::string path = path_in(node);
+  scenario.planned = std::make_shared<const JointSpline>(load_planned_motion(path, *scenario.robot));
+  scenario.inputs.push_back(path);
+  scenario.start_time = scenario.planned->begin();
+  scenario.start_position = scenario.planned->knots().front().position;
+  scenario.start_velocity = scenario.planned->knots().front().velocity;
+}
+
+/// A number, or `planned`: as long as the planned motion, in whole periods. node: null where the key is
+/// absent.
+double read_duration(const yaml::Node* node, const Scenario& scenario) {
+  const bool as_planned = node == nullptr || node->is_word("planned");
+  if (as_planned && !scenario.planned) node->fail("there is no planned trajectory; give seconds");
+  const double period = scenario.control_period;
+  const double duration =
+      as_planned
+          ? std::ceil((scenario.planned->end() - scenario.planned->begin()) / period - kRounding) * period
+          : node->as_number();
+  if (duration >= period && duration <= kMaxPeriods * period) return duration;
+  const std::string message = fmt::format("{} s; it must lie between one and {:.0e} control periods of {} s",
+                                          duration, kMaxPeriods, period);
+  if (node == nullptr) throw InputError(scenario.source + ": the planned trajectory takes " + message);
+  node->fail(message);
 }
 
 }  // namespace
@@ -207,21 +242,14 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (scenario.control_period < 1e-5 || scenario.control_period > 0.1) {
     period.fail(fmt::format("{} s; it must lie in 1e-5 .. 0.1", scenario.control_period));
   }
-  const yaml::Node& duration = map.required("duration");
-  scenario.duration = duration.as_number();
-  if (scenario.duration < scenario.control_period ||
-      scenario.duration > kMaxPeriods * scenario.control_period) {
-    duration.fail(fmt::format("{} s; it must lie between one and {:.0e} control periods of {} s",
-                              scenario.duration, kMaxPeriods, scenario.control_period));
+  if (const yaml::Node* planned = map.optional("planned")) {
+    read_planned(*planned, scenario);
+    scenario.duration = read_duration(map.optional("duration"), scenario);
+    map.ignore("start_position_deg");  // a base's: the plan has its own
+  } else {
+    scenario.duration = read_duration(&map.required("duration"), scenario);
+    read_start(map.required("start_position_deg"), scenario);
   }
-  const yaml::Node& start = map.required("start_position_deg");
-  scenario.start_position = yaml::joint_values(start, joints);
-  for (int i = 0; i < scenario.robot->n(); ++i) {
-    if (scenario.robot->chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) {
-      scenario.start_position[i] *= M_PI / 180.0;
-    }
-  }
-  check_start(scenario, start);
   yaml::MapReader tool_path(map.required("path"));
   scenario.path = read_path(tool_path);
   tool_path.finish();
@@ -233,6 +261,9 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_named_paths(*obstacles);
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
+    if (scenario.planned)
+      stimulus->fail(
+          "a planned trajectory is followed first, and answers to no stimulus; take one of them away");
     scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
     if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.size() > 1 &&
         scenario.switch_every > 0.0) {

@@ -71,6 +71,32 @@ TEST(Plan, WritesATrajectoryAndSaysWhatHoldsItBack) {
   EXPECT_EQ(run_program({"plan", "ur10_switch", "--out", out}).exit_code, 2);
 }
 
+TEST(Plan, LeavesAScenarioThatFollowsIt) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(run_program({"plan", "ur10_switch", "--knots", "60", "--out", folder / "plan"}).exit_code, 0);
+  const std::string scenario = folder / "plan/planned_ur10_switch.yaml";
+  const Finished followed = run_program({"simulate", scenario, "--out", folder / "run"});
+  EXPECT_EQ(followed.exit_code, 0) << followed.err;
+  EXPECT_THAT(followed.out, AllOf(HasSubstr("joint_error/max [rad]"), HasSubstr("reacquisition/time")));
+  const test::Csv errors = test::read_csv(folder / "run/errors.csv");
+  EXPECT_EQ(errors.at(0, "scenario"), "planned_ur10_switch");
+  EXPECT_EQ(errors.at(0, "status"), "completed");
+  EXPECT_LT(std::stod(errors.at(0, "joint_error/max")), 1e-3);
+  const test::Csv rollout = test::read_csv(folder / "run/rollout_planned_ur10_switch.csv");
+  EXPECT_EQ(rollout.at(0, "time"), "8");
+  EXPECT_EQ(rollout.at(0, "state"), "4");
+  // What it was made from is on record: also the plan.
+  EXPECT_THAT(test::read_text(folder / "run/run.yaml"), HasSubstr("trajectory.csv"));
+
+  // A plan that is not one any more is refused by line and column.
+  std::string plan = test::read_text(folder / "plan/trajectory.csv");
+  plan.resize(plan.rfind('\n', plan.size() - 2) + 1);
+  std::ofstream(folder / "plan/trajectory.csv") << plan << "9,1\n";
+  const Finished refused = run_program({"simulate", scenario});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("trajectory.csv:"), HasSubstr("cells")));
+}
+
 TEST(Plan, AnInfeasibleTaskEndsWithThreeAndNamesTheLimitInTheWay) {
   const test::TemporaryFolder folder;
   const std::string out = folder / "move";

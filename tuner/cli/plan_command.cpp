@@ -18,6 +18,7 @@
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
+#include "tuner/planning/output/scenario_file.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -71,6 +72,7 @@ void write_files(const Arguments& args, const PlanTask& task, const PlanProblem&
       ros_trajectory(robot, planned.trajectory, args.ros == 1 ? RosVersion::kRos1 : RosVersion::kRos2,
                      {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
                       "Nothing here knows the arm's surroundings or its own links: run it slowly first."}));
+  write_text_file(args.folder + "/" + planned_scenario_name(task), planned_scenario_yaml(task));
   Provenance p;
   p.command = command_line();
   p.inputs = {task.source};
@@ -152,8 +154,9 @@ int run(const Arguments& args) {
   const std::string report = add_report(folder, [&task] { return scene_of_plan(task); });
   fmt::print(
       "wrote {}: trajectory.csv, motion.csv, limits.csv, joint_trajectory.yaml, task.yaml, columns.csv, "
-      "run.yaml{}\n",
-      folder, report);
+      "run.yaml, {}{}\n",
+      folder, planned_scenario_name(task), report);
+  fmt::print("armtune simulate {}/{} follows it\n", folder, planned_scenario_name(task));
   return kDone;
 }
 
@@ -185,7 +188,9 @@ void add_plan_command(CLI::App& app, int& exit_code) {
            "motion.csv (the motion at even times) and\nreport.html with replay and limits. Nothing here "
            "knows the arm's "
            "surroundings or its own links: run a trajectory\nslowly first.\n\nBundled tasks:\n" +
-           tasks() + "\nExample:\n  armtune plan ur10_switch --out runs/switch\n";
+           tasks() +
+           "\nExample, and the plan followed in simulation:\n  armtune plan ur10_switch --out runs/switch\n"
+           "  armtune simulate runs/switch/planned_ur10_switch.yaml\n";
   });
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

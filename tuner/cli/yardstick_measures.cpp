@@ -30,7 +30,7 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
     const Gains set = gains(scenario);
     options.gaze_threshold = set.slerpAngularErrorThreshold;
     options.clearance = scenario.obstacles.empty() ? 0.0 : set.obstacleInfluenceRadius;
-    const auto rollout = report::CsvTable::read(folder + "/rollout_" + scenario.name + ".csv");
+    const auto rollout = CsvTable::read(folder + "/rollout_" + scenario.name + ".csv");
     const std::vector<Event> events = events_of(rollout, scenario, options.gaze_threshold);
     if (events.empty()) fmt::print("{}: no switch, return or whole lap\n", scenario.name);
     for (const Event& event : events) pending.push_back({&scenario, event, options});
@@ -40,8 +40,7 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
 
 /// As the report has it.
 void tell(const Measure& measure) {
-  const auto rows =
-      report::yardstick_of({report::CsvTable::parse(yardstick_csv({measure}), "yardstick.csv")});
+  const auto rows = report::yardstick_of({CsvTable::parse(yardstick_csv({measure}), "yardstick.csv")});
   fmt::print("  {} at {:.4g} s: {}\n", rows.front().event, rows.front().time, rows.front().words);
 }
 

@@ -58,6 +58,10 @@ void add_columns(const CsvTable& rollout, const Arm* arm, const Buckets& buckets
     const std::string ratio = joint_column(joint, "velocity_ratio");
     add(ratio, "velocity_ratio", "1", rollout.numbers(rollout.column(ratio)));
     add(joint_column(joint, "torque_ratio"), "torque_ratio", "1", torque_ratio(rollout, joint));
+    // Of scenarios with a plan.
+    const std::string error = joint_column(joint, "error");
+    if (const auto c = rollout.find(error))
+      add(error, "joint_error", joint.prismatic ? "m" : "rad", rollout.numbers(*c));
   }
 }
 
@@ -110,11 +114,14 @@ Run run_of(const CsvTable& rollout, const SceneScenario* scenario, const Arm* ar
            const Resolution& resolution) {
   Run run;
   const std::vector<double> time = rollout.numbers(rollout.column("time"));
-  if (!time.empty()) run.end = time.back();
+  if (!time.empty()) run.start = time.front();
+  std::vector<double> since = time;
+  for (double& t : since) t -= run.start;
+  if (!since.empty()) run.end = since.back();
   const Buckets buckets(time.size(), resolution.buckets);
-  run.time = quantize(buckets.times(time));
+  run.time = quantize(buckets.times(since));
   add_columns(rollout, arm, buckets, run);
-  add_states(rollout, time, run);
+  add_states(rollout, since, run);
   if (scenario != nullptr && arm != nullptr && !time.empty()) {
     run.replay = replay_of(rollout, *scenario, *arm, time, resolution.replay_rate);
   }

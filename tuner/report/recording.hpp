@@ -1,7 +1,7 @@
 #pragma once
 // A rollout's CSV as plots and a replay show it.
 
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/scene.hpp"
 

@@ -87,8 +87,7 @@ std::vector<double> tracked(const CsvTable& rollout, std::size_t column, bool po
   if (!state) return values;
   for (std::size_t r = 0; r < values.size(); ++r) {
     const auto now = static_cast<ControlState>(rollout.number(r, *state));
-    const bool free =
-        now == ControlState::kLeaveSingularity || (position && now == ControlState::kAvoidObstacles);
+    const bool free = tracks_joints(now) || (position && now == ControlState::kAvoidObstacles);
     if (free) values[r] = std::numeric_limits<double>::quiet_NaN();
   }
   return values;

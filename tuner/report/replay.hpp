@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/scene.hpp"
 

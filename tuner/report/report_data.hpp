@@ -62,6 +62,7 @@ struct Run {
   std::size_t set = 0;
   std::string status;
   std::string reason;  ///< when, where and why it ended, of what did not complete
+  double start = 0.0;  ///< what the scenario's clock began with [s]; all times below are since then
   double end = 0.0;    ///< [s]
   std::vector<StateChange> states;
   std::vector<std::pair<double, double>> slerps;  ///< begin and end [s]

@@ -113,7 +113,8 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
   }
   json.end_array();
   json.texts("states", {name(ControlState::kLeaveSingularity), name(ControlState::kReturnToTrajectory),
-                        name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles)});
+                        name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles),
+                        name(ControlState::kFollowPlan)});
   json.integer("robot", scenario.arm);
   array(json, "runs", scenario.runs, write_run);
   if (!scenario.limits.empty()) array(json, "limits", scenario.limits, write_limit);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/csv/csv_table.hpp"
 #include "tuner/report/arm_json.hpp"
-#include "tuner/report/csv_table.hpp"
 #include "tuner/report/json.hpp"
 
 namespace armtune::report {

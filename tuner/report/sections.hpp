@@ -1,7 +1,7 @@
 #pragma once
 // Parts of a page, each from one file of a run folder.
 
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/study_facts.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Gain sets side by side, scenario by scenario, from their errors.csv.
 
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"
 
 namespace armtune::report {

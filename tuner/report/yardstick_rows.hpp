@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 
 namespace armtune::report {
 

@@ -13,6 +13,7 @@ constexpr ControlState kLeave = ControlState::kLeaveSingularity;
 constexpr ControlState kReturn = ControlState::kReturnToTrajectory;
 constexpr ControlState kFollow = ControlState::kFollowTrajectory;
 constexpr ControlState kAvoid = ControlState::kAvoidObstacles;
+constexpr ControlState kPlan = ControlState::kFollowPlan;
 
 constexpr double kInfluence = 0.3;
 constexpr double kRelease = 0.4;
@@ -52,6 +53,34 @@ TEST(NextState, FollowsTheTableOfAllStatesAndInputs) {
   }
 }
 
+TEST(NextState, APlanEndsByItselfOrAtAnObstacleAndIsNotTakenUpAgain) {
+  for (const bool others : {false, true}) {  // what other states wait for
+    const auto from = [&](ControlState state, double distance, bool finished) {
+      return next_state(state, {others, others, distance, kInfluence, kRelease, finished});
+    };
+    EXPECT_EQ(from(kPlan, kFar, false), kPlan);
+    EXPECT_EQ(from(kPlan, kBetween, false), kPlan);
+    EXPECT_EQ(from(kPlan, kInfluence, false), kPlan);
+    EXPECT_EQ(from(kPlan, kNear, false), kAvoid);
+    EXPECT_EQ(from(kPlan, kFar, true), kReturn);
+    EXPECT_EQ(from(kPlan, kNear, true), kAvoid);
+    for (const ControlState other : {kLeave, kReturn, kFollow, kAvoid}) {
+      for (const double distance : {kNear, kBetween, kFar}) {
+        EXPECT_EQ(from(other, distance, false), from(other, distance, true)) << name(other);
+        EXPECT_NE(from(other, distance, false), kPlan) << name(other);
+      }
+    }
+  }
+  EXPECT_EQ(first_state(true), kPlan);
+  EXPECT_EQ(first_state(false), kLeave);
+}
+
+TEST(TracksJoints, HoldsOfTheStatesWithAJointMotionForAReference) {
+  for (const ControlState state : {kLeave, kPlan}) EXPECT_TRUE(tracks_joints(state)) << name(state);
+  for (const ControlState state : {kReturn, kFollow, kAvoid})
+    EXPECT_FALSE(tracks_joints(state)) << name(state);
+}
+
 TEST(NextState, BordersBelongToTheOutside) {
   EXPECT_EQ(next_state(kFollow, {true, true, kInfluence, kInfluence, kRelease}), kFollow);
   EXPECT_EQ(next_state(kAvoid, {true, true, kRelease, kInfluence, kRelease}), kReturn);
@@ -69,11 +98,12 @@ TEST(NextState, WithoutObstaclesAvoidanceIsNeverEntered) {
   EXPECT_EQ(next_state(kAvoid, {true, true, none, kInfluence, kRelease}), kReturn);
 }
 
-TEST(ControlStateName, IsThePublishedOne) {
+TEST(ControlStateName, IsThePublishedOneWhereThereIsOne) {
   EXPECT_EQ(std::string(name(kLeave)), "leaveSingularity");
   EXPECT_EQ(std::string(name(kReturn)), "returnToTrajectory");
   EXPECT_EQ(std::string(name(kFollow)), "followTrajectory");
   EXPECT_EQ(std::string(name(kAvoid)), "avoidObstacles");
+  EXPECT_EQ(std::string(name(kPlan)), "followPlan");
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr double kAvoiding = 3.0;
 
 /// A rollout of the scenario in which the arm stands still on the path's start, with the states and gaze
 /// angles given, a row every 0.1 s.
-report::CsvTable table_of(const Scenario& scenario, const std::vector<double>& state,
-                          const std::vector<double>& gaze) {
+CsvTable table_of(const Scenario& scenario, const std::vector<double>& state,
+                  const std::vector<double>& gaze) {
   std::string text = "time,state,gaze/angle,tool/position/x,tool/position/y,tool/position/z";
   for (const std::string& joint : joint_names(*scenario.robot))
     text += ",joint/" + joint + "/position,joint/" + joint + "/velocity";
@@ -39,7 +39,7 @@ report::CsvTable table_of(const Scenario& scenario, const std::vector<double>& s
     for (int i = 0; i < scenario.robot->n(); ++i) text += "," + cell(0.1 * i) + ",0.5";
     text += "\n";
   }
-  return report::CsvTable::parse(text, "rollout.csv");
+  return CsvTable::parse(text, "rollout.csv");
 }
 
 std::vector<Event> of_kind(std::vector<Event> events, EventKind kind) {
@@ -53,8 +53,7 @@ std::vector<Event> simulated(const Scenario& scenario, const Gains& gains, int s
   Recorder recorder(scenario, stride);
   Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) { return recorder(o); });
   recorder.write_csv(folder / "rollout.csv");
-  return events_of(report::CsvTable::read(folder / "rollout.csv"), scenario,
-                   gains.slerpAngularErrorThreshold);
+  return events_of(CsvTable::read(folder / "rollout.csv"), scenario, gains.slerpAngularErrorThreshold);
 }
 
 TEST(Events, ASwitchIsReachedWhenTheGazeIsUnderItsThresholdForGood) {
@@ -146,7 +145,7 @@ TEST(Events, DistanceFromThePathCountsAsLongAsASwitchsPlanLasts) {
   for (std::size_t k = 80; k < 90; ++k) gaze[k] = 0.5;  // reached after 1 s
   const auto error_with = [&](std::size_t far) {
     // The row `far` is 0.05 m from the path, in x.
-    report::CsvTable plain = table_of(scenario, std::vector<double>(200, kFollow), gaze);
+    CsvTable plain = table_of(scenario, std::vector<double>(200, kFollow), gaze);
     std::string text;
     for (const std::string& column : plain.header()) text += (text.empty() ? "" : ",") + column;
     text += "\n";
@@ -157,7 +156,7 @@ TEST(Events, DistanceFromThePathCountsAsLongAsASwitchsPlanLasts) {
       }
       text += "\n";
     }
-    return of_kind(events_of(report::CsvTable::parse(text, "far.csv"), scenario, 0.15), EventKind::kSwitch)
+    return of_kind(events_of(CsvTable::parse(text, "far.csv"), scenario, 0.15), EventKind::kSwitch)
         .front()
         .path_error;
   };
@@ -372,7 +371,7 @@ TEST(Yardstick, WritesARowAnEventAndLeavesEmptyWhatThereIsNot) {
   EXPECT_THAT(text, HasSubstr("\ns,switch,8,,0.5,,s,not before the next switch,velocity of "
                               "elbow_joint,0.325,solved\n"));
   // Every column is declared, and no row has another number of them.
-  const auto table = report::CsvTable::parse(text, "yardstick.csv");
+  const auto table = CsvTable::parse(text, "yardstick.csv");
   EXPECT_EQ(table.rows(), 3U);
   EXPECT_EQ(table.header().size(), yardstick_columns().size());
 }

@@ -162,6 +162,30 @@ TEST(Recording, PlotsHaveEveryGroupWithExtremesOfTheWholeColumn) {
   }
 }
 
+TEST(Recording, ARunThatBeginsWithAPlanCountsItsTimeFromThereAndShowsJointErrors) {
+  Scenario scenario = test::scenario_of("moving_target", 0.2);
+  const int n = scenario.robot->n();
+  const JointVector zero = JointVector::Zero(n);
+  const MotionPoint<JointVector> still{scenario.start_position, zero, zero};
+  scenario.planned = std::make_shared<const JointSpline>(std::vector{8.0, 9.0},
+                                                         std::vector<MotionPoint<JointVector>>{still, still});
+  scenario.start_time = 8.0;
+  const Gains gains = test::published_gains(scenario);
+  const Scene scene = scene_of({scenario}, {{"gains", ".", "errors.csv"}}, gains.obstacleInfluenceRadius);
+  const CsvTable table = test::recording_of(scenario, gains, 5);
+  const auto run = run_of(table, &scene.scenarios.front(), &scene.arms.front(), {});
+  EXPECT_EQ(run.start, 8.0);
+  EXPECT_NEAR(run.end, 0.19, 1e-9);
+  EXPECT_EQ(run.time.lo, 0.0);
+  ASSERT_EQ(run.states.size(), 1U);
+  EXPECT_EQ(run.states[0].time, 0.0);
+  EXPECT_EQ(run.states[0].state, static_cast<int>(ControlState::kFollowPlan));
+  EXPECT_EQ(std::count_if(run.columns.begin(), run.columns.end(),
+                          [](const PlotColumn& c) { return c.group == "joint_error"; }),
+            n);
+  EXPECT_EQ(run.replay.target[0].at(0), table.number(0, table.column("target/position/x")));
+}
+
 /// The recording without the columns whose names end so, as an older armtune wrote it.
 CsvTable without(const std::string& ending) {
   const CsvTable& table = recorded().table;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "sim/csv/csv_table.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/tasks/tool_motion.hpp"
-#include "tuner/report/csv_table.hpp"
 
 namespace armtune {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kLeadIn = 3.0;  // s on the path before the start: the inverse 
 
 /// The row of a rollout nearest to the plan's start.
 StartState row_of(const PlanTask& task, const RobotModel& robot) {
-  const auto table = report::CsvTable::read(task.start.rollout);
+  const auto table = CsvTable::read(task.start.rollout);
   const std::vector<double> time = table.numbers(table.column("time"));
   std::size_t row = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {

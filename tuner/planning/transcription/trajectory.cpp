@@ -1,6 +1,9 @@
 #include "tuner/planning/transcription/trajectory.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/trajectory/linear_acceleration.hpp"
 
 namespace armtune {
 
@@ -11,14 +14,11 @@ TrajectoryPoint point_at(const Trajectory& trajectory, double t) {
   const auto k = static_cast<Eigen::Index>(next - time.begin()) - 1;
   const double h = time[static_cast<std::size_t>(k) + 1] - time[static_cast<std::size_t>(k)];
   const double s = t - time[static_cast<std::size_t>(k)];
-  const Eigen::VectorXd a0 = trajectory.acceleration.col(k);
-  const Eigen::VectorXd jerk = (trajectory.acceleration.col(k + 1) - a0) / h;
-  TrajectoryPoint point;
-  point.acceleration = a0 + s * jerk;
-  point.velocity = trajectory.velocity.col(k) + s * (a0 + s / 2.0 * jerk);
-  point.position =
-      trajectory.position.col(k) + s * (trajectory.velocity.col(k) + s / 2.0 * (a0 + s / 3.0 * jerk));
-  return point;
+  const MotionPoint<Eigen::VectorXd> start{trajectory.position.col(k), trajectory.velocity.col(k),
+                                           trajectory.acceleration.col(k)};
+  const Eigen::VectorXd end_acceleration = trajectory.acceleration.col(k + 1);
+  MotionPoint<Eigen::VectorXd> point = linear_acceleration(start, end_acceleration, h, s);
+  return {std::move(point.position), std::move(point.velocity), std::move(point.acceleration)};
 }
 
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid) {

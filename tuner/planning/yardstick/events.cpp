@@ -13,7 +13,7 @@ struct Columns {
   std::vector<double> time, state, gaze;
   std::vector<std::vector<double>> position, velocity, tool;
 
-  Columns(const report::CsvTable& table, const RobotModel& robot)
+  Columns(const CsvTable& table, const RobotModel& robot)
       : time(table.numbers(table.column("time"))),
         state(table.numbers(table.column("state"))),
         gaze(table.numbers(table.column("gaze/angle"))) {
@@ -170,8 +170,7 @@ std::string words(EventOutcome outcome) {
   return {};
 }
 
-std::vector<Event> events_of(const report::CsvTable& rollout, const Scenario& scenario,
-                             double gaze_threshold) {
+std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold) {
   std::vector<Event> events;
   if (rollout.rows() < 2) return events;
   const Columns columns(rollout, *scenario.robot);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/csv/csv_table.hpp"
 #include "sim/scenario/scenario.hpp"
-#include "tuner/report/csv_table.hpp"
 
 namespace armtune {
 
@@ -50,7 +50,6 @@ inline constexpr double kSwitchHold = 0.5;
 /// In order of time. rollout: rollout_<scenario>.csv, in whose rows times are counted; gaze_threshold: below
 /// it a target counts as acquired [rad]. Events that begin while the path is not followed are left out, and
 /// so are turns that are not whole. Throws InputError if a column is missing.
-std::vector<Event> events_of(const report::CsvTable& rollout, const Scenario& scenario,
-                             double gaze_threshold);
+std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold);
 
 }  // namespace armtune

@@ -1,10 +1,10 @@
 #pragma once
 // A short recorded rollout with obstacles, made once.
 
+#include "sim/csv/csv_table.hpp"
 #include "sim/rollout/recorder.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
-#include "tuner/report/csv_table.hpp"
 #include "tuner/report/scene.hpp"
 
 namespace armtune::test {
@@ -13,19 +13,19 @@ struct Recorded {
   Scenario scenario;
   Gains gains;
   report::Scene scene;
-  report::CsvTable table;
+  CsvTable table;
 
   const report::Arm& arm() const { return scene.arms.front(); }
   const report::SceneScenario& shown() const { return scene.scenarios.front(); }
 };
 
 /// A rollout as its CSV has it, a row every `stride` periods of 2 ms.
-inline report::CsvTable recording_of(const Scenario& scenario, const Gains& gains, int stride) {
+inline CsvTable recording_of(const Scenario& scenario, const Gains& gains, int stride) {
   Recorder recorder(scenario, stride);
   Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) { return recorder(o); });
   const TemporaryFolder folder;
   recorder.write_csv(folder / "rollout.csv");
-  return report::CsvTable::read(folder / "rollout.csv");
+  return CsvTable::read(folder / "rollout.csv");
 }
 
 /// 8 s of obstacle_pass, a row each 10 ms.

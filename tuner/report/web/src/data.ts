@@ -98,6 +98,7 @@ export type Group =
   | "gaze"
   | "velocity_ratio"
   | "torque_ratio"
+  | "joint_error"
   | "theta"
   | "clearance"
   | "manipulability"
@@ -136,6 +137,9 @@ export interface Run {
   status: string;
   /** When, where and why it ended, of what did not complete. */
   reason: string;
+  /** What the scenario's clock began with, s: 0, or the time at which a planned trajectory begins. All other times
+   * of the run are since then. */
+  start: number;
   /** When it ended, s: before the scenario's duration, unless it completed. */
   end: number;
   /** Changes, in order; state: index into the scenario's `states`. */

@@ -1,10 +1,17 @@
 // How long runs last, and how they end.
 import type { Run, Scenario } from "./data";
+import { formatNumber } from "./format";
 
 /** s: when the last of a scenario's runs ended. Where none got off the ground, the scenario's duration: time needs a range. */
 export function lastEnd(scenario: Pick<Scenario, "duration" | "runs">): number {
   const end = Math.max(0, ...scenario.runs.map((run) => run.end).filter(Number.isFinite));
   return end > 0 ? Math.min(end, scenario.duration) : scenario.duration;
+}
+
+/** Of a time axis: what its zero is, where the scenario's clock does not begin there. */
+export function timeLabel(runs: Pick<Run, "start">[]): string {
+  const start = Math.max(0, ...runs.map((run) => run.start));
+  return start > 0 ? `time since ${formatNumber(start, 6)} s [s]` : "time [s]";
 }
 
 /** Whether the run has ended before its scenario did, and the time is not before that. */

@@ -52,7 +52,7 @@ test("bands end with the run", () => {
   const constant = { lo: 0, hi: 0, u16: "" };
   const replay = { dt: 1, n: 0, q: [], target: [], obstacles: [], tool: [], error: constant, velocity_ratio: [] };
   const run = {
-    set: 0, status: "diverged", reason: "", end: 4, time: constant, columns: [], replay,
+    set: 0, status: "diverged", reason: "", start: 0, end: 4, time: constant, columns: [], replay,
     states: [{ t: 0, state: 1 }, { t: 1, state: 0 }, { t: 3, state: 1 }],
     slerps: [[3, 9]] as [number, number][],
   };

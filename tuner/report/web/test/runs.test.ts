@@ -1,12 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Replay, Run } from "../src/data";
-import { endOf, isOver, lastEnd, noReplay, openingTime } from "../src/runs";
+import { endOf, isOver, lastEnd, noReplay, openingTime, timeLabel } from "../src/runs";
 
 function run(end: number, status = "completed", reason = ""): Run {
   const constant = { lo: 0, hi: 0, u16: "" };
   const replay: Replay = { dt: 0.04, n: 2, q: [], target: [], obstacles: [], tool: [], error: constant, velocity_ratio: [] };
-  return { set: 0, status, reason, end, states: [], slerps: [], time: constant, columns: [], replay };
+  return { set: 0, status, reason, start: 0, end, states: [], slerps: [], time: constant, columns: [], replay };
 }
 
 test("time ends with the last of the runs, not with the scenario", () => {
@@ -31,6 +31,12 @@ test("a reader starts within the run that is shown", () => {
     assert.ok(opening >= 0 && opening <= end, `${opening} of ${end}`);
   }
   assert.ok(openingTime(undefined, 10) <= 10);
+});
+
+test("a time axis says where a clock does not begin at zero", () => {
+  assert.equal(timeLabel([run(10)]), "time [s]");
+  assert.equal(timeLabel([]), "time [s]");
+  assert.equal(timeLabel([{ start: 8.25 }]), "time since 8.25 s [s]");
 });
 
 test("an end is said with its time and its reason, or else its status", () => {

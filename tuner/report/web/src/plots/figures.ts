@@ -38,6 +38,7 @@ export const FIGURES: Figure[] = [
   { group: "orientation_error", title: "Orientation error", axis: "error", fromZero: false, lines: none },
   { group: "linear_velocity_error", title: "Linear velocity error", axis: "error", fromZero: false, lines: none },
   { group: "angular_velocity_error", title: "Angular velocity error", axis: "error", fromZero: false, lines: none },
+  { group: "joint_error", title: "Joint error beside the planned trajectory", axis: "error", fromZero: false, lines: none },
   { group: "gaze", title: "Gaze angle to the target", axis: "angle", fromZero: true, lines: none },
   ...OF_PLANS,
   { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "velocity / limit", fromZero: true, lines: limit },

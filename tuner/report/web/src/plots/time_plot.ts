@@ -7,6 +7,7 @@ import { fileName, formatUnit, shortName } from "../format";
 import { watchVisible } from "../lazy";
 import { axisColour, seriesColour } from "../palette";
 import type { Playhead } from "../playhead";
+import { timeLabel } from "../runs";
 import { alignRuns } from "./align";
 import type { Band } from "./backdrop";
 import { Chart, type ChartSeries } from "./chart";
@@ -85,7 +86,7 @@ export class TimePlot {
       {
         title: figure.title,
         file: fileName(scenario.name, figure.group),
-        xLabel: "time [s]",
+        xLabel: timeLabel(scenario.runs),
         yLabel: `${figure.axis} [${formatUnit(scaled.unit) || "1"}]`,
         height: 190,
         x: aligned.x,

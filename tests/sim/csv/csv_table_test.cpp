@@ -1,4 +1,4 @@
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "sim/csv/error_report.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune::report {
+namespace armtune {
 namespace {
 
 using test::refusal;
@@ -64,4 +64,4 @@ TEST(CsvTable, NamesFileLineAndColumnOfWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune

@@ -1,12 +1,12 @@
 #pragma once
-// A CSV file of a run folder read back, by the names of its columns.
+// A CSV file read back, by the names of its columns.
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace armtune::report {
+namespace armtune {
 
 class CsvTable {
  public:
@@ -39,4 +39,4 @@ class CsvTable {
   std::size_t rows_ = 0;
 };
 
-}  // namespace armtune::report
+}  // namespace armtune

@@ -1,4 +1,4 @@
-#include "tuner/report/csv_table.hpp"
+#include "sim/csv/csv_table.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 #include "core/common/error.hpp"
 
-namespace armtune::report {
+namespace armtune {
 namespace {
 
 struct Cell {
@@ -135,4 +135,4 @@ std::vector<double> CsvTable::numbers(std::size_t column) const {
   return values;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune

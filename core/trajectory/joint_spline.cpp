@@ -1,0 +1,43 @@
+#include "core/trajectory/joint_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/common/error.hpp"
+#include "core/trajectory/linear_acceleration.hpp"
+
+namespace armtune {
+
+JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots)
+    : time_(std::move(time)), knots_(std::move(knots)) {
+  if (time_.size() < 2 || time_.size() != knots_.size()) {
+    throw InputError(
+        fmt::format("a joint motion has {} times and {} knots; give at least two, as many of each",
+                    time_.size(), knots_.size()));
+  }
+  for (std::size_t k = 1; k < time_.size(); ++k) {
+    if (time_[k] > time_[k - 1]) continue;
+    throw InputError(
+        fmt::format("knot {} of a joint motion is at {} s, the one before at {} s; times must rise", k,
+                    time_[k], time_[k - 1]));
+  }
+}
+
+MotionPoint<JointVector> JointSpline::at(double t) const {
+  const double inside = std::clamp(t, begin(), end());
+  const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, inside);
+  const auto k = static_cast<std::size_t>(next - time_.begin()) - 1;
+  return linear_acceleration(knots_[k], knots_[k + 1].acceleration, time_[k + 1] - time_[k],
+                             inside - time_[k]);
+}
+
+JointVector JointSpline::mean_acceleration(double t, double dt) const {
+  const double from = std::max(t, begin());
+  const double to = std::min(t + dt, end());
+  if (!(to > from)) return at(t).acceleration;
+  return (at(to).velocity - at(from).velocity) / (to - from);
+}
+
+}  // namespace armtune

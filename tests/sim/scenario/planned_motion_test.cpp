@@ -1,0 +1,172 @@
+#include "sim/scenario/planned_motion.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/planned.hpp"
+
+namespace armtune {
+namespace {
+
+using test::refusal;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class PlannedMotion : public testing::Test {
+ protected:
+  PlannedMotion() {
+    plan_.start = JointVector::Constant(6, -0.5);
+    plan_.goal = JointVector::Constant(6, 0.7);
+  }
+  std::string csv() const { return test::plan_csv(*robot_, plan_); }
+  std::string write(const std::string& text) const { return folder_.write("plan.csv", text); }
+
+  /// Three rows at rest, one joint's cell replaced.
+  std::string refused(int row, int column, const std::string& value) const {
+    std::string text = test::plan_header(*robot_);
+    const JointVector zero = JointVector::Zero(6);
+    for (int r = 0; r < 3; ++r) {
+      std::string line = test::plan_row(8.0 + 0.01 * r, {zero, zero, zero});
+      if (r == row) {
+        std::size_t begin = 0;
+        for (int c = 0; c < column; ++c) begin = line.find(',', begin) + 1;
+        line.replace(begin, line.find_first_of(",\n", begin) - begin, value);
+      }
+      text += line;
+    }
+    const std::string path = write(text);
+    return refusal([&] { load_planned_motion(path, *robot_); });
+  }
+  Scenario scenario(const std::string& keys) const {
+    return load_scenario(folder_.write("own.yaml", "base: moving_target\n" + keys));
+  }
+
+  test::TemporaryFolder folder_;
+  std::shared_ptr<const RobotModel> robot_ = load_robot("ur10");
+  test::QuinticPlan plan_;
+};
+
+TEST_F(PlannedMotion, ReadsEveryKnotToTheBitWhereverItsColumnsStand) {
+  const JointSpline plan = load_planned_motion(write(csv()), *robot_);
+  EXPECT_EQ(plan.time().size(), 401U);
+  EXPECT_EQ(plan.begin(), 8.0);
+  EXPECT_EQ(plan.end(), 10.0);
+  EXPECT_EQ(plan.knots().front().position, plan_.start);
+  EXPECT_LT((plan.at(9.0).position - plan_.at(9.0).position).norm(),
+            1e-4);  // accelerations linear over 5 ms: 2e-6 s^2 of jerk
+
+  // Joints in reverse, something else in front.
+  RobotModel reversed = *robot_;
+  std::reverse(reversed.joints.begin(), reversed.joints.end());
+  test::QuinticPlan other = plan_;
+  other.start = plan_.start.reverse();
+  other.goal = plan_.goal.reverse();
+  const JointSpline same = load_planned_motion(write(test::plan_csv(reversed, other)), *robot_);
+  for (std::size_t k = 0; k < plan.knots().size(); ++k) {
+    EXPECT_EQ(plan.knots()[k].position, same.knots()[k].position);
+    EXPECT_EQ(plan.knots()[k].velocity, same.knots()[k].velocity);
+    EXPECT_EQ(plan.knots()[k].acceleration, same.knots()[k].acceleration);
+  }
+}
+
+TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
+  EXPECT_THAT(refused(1, 0, "8"), AllOf(HasSubstr("plan.csv:3: time 8 s does not rise"), HasSubstr("later")));
+  EXPECT_THAT(refused(0, 0, "-1"), AllOf(HasSubstr("plan.csv:2: time is -1 s"), HasSubstr("shift")));
+  EXPECT_THAT(refused(2, 3, "nan"),
+              AllOf(HasSubstr("plan.csv:4"), HasSubstr("joint/shoulder_pan_joint/acceleration"),
+                    HasSubstr("no finite number")));
+  EXPECT_THAT(refused(2, 1, ""), HasSubstr("no finite number"));
+  EXPECT_THAT(refused(1, 2, "fast"), AllOf(HasSubstr("plan.csv:3"), HasSubstr("'fast'")));
+  EXPECT_THAT(refused(0, 7, "4"), AllOf(HasSubstr("plan.csv:2: joint/elbow_joint/position is 4"),
+                                        HasSubstr("-3.14159 .. 3.14159")));
+  EXPECT_THAT(refused(1, 4, "2e-5"), AllOf(HasSubstr("plan.csv:3: joint/shoulder_lift_joint/position"),
+                                           HasSubstr("at most 1e-05"), HasSubstr("more rows")));
+  EXPECT_THAT(refused(1, 5, "2e-4"),
+              AllOf(HasSubstr("shoulder_lift_joint/velocity"), HasSubstr("at most 0.0001")));
+  EXPECT_EQ(refused(1, 4, "5e-6"), "nothing was refused") << "rounding to six digits is no jump";
+}
+
+TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
+  EXPECT_THAT(refusal([&] { load_planned_motion(folder_ / "none.csv", *robot_); }),
+              HasSubstr("cannot be read"));
+  const std::string text = csv();
+  const std::string one_row = text.substr(0, text.find('\n', text.find('\n') + 1) + 1);
+  EXPECT_THAT(refusal([&] { load_planned_motion(write(one_row), *robot_); }), HasSubstr("at least two"));
+  std::string no_elbow = text;
+  no_elbow.replace(text.find("elbow_joint/velocity"), 5, "ankle");
+  EXPECT_THAT(refusal([&] { load_planned_motion(write(no_elbow), *robot_); }),
+              AllOf(HasSubstr("plan.csv:1"), HasSubstr("joint/elbow_joint/velocity")));
+}
+
+TEST_F(PlannedMotion, AScenarioBeginsWithItAndLastsAsLongUnlessItSaysOtherwise) {
+  write(csv());
+  const Scenario s = scenario("planned: plan.csv\nduration: planned\n");
+  EXPECT_EQ(s.start_time, 8.0);
+  EXPECT_EQ(s.start_position, plan_.start);
+  EXPECT_TRUE(s.start_velocity.isZero(0.0));
+  EXPECT_EQ(s.periods(), 1000);
+  EXPECT_FALSE(s.has_task());
+  EXPECT_THAT(s.inputs, testing::Contains(folder_ / "plan.csv"));
+
+  const Scenario longer = scenario("planned: plan.csv\nduration: 5\n");
+  EXPECT_EQ(longer.duration, 5.0);
+  EXPECT_TRUE(longer.has_task());
+  EXPECT_EQ(scenario("planned: plan.csv\n").duration, 40.0) << "the base's";
+  EXPECT_TRUE(scenario("").has_task());
+  EXPECT_EQ(scenario("").start_time, 0.0);
+
+  // Not a whole number of periods: the last one is whole.
+  plan_.duration = 0.3002;
+  plan_.step = 0.0001;
+  write(csv());
+  const Scenario odd = scenario("planned: plan.csv\nduration: planned\n");
+  EXPECT_EQ(odd.periods(), 151);
+  EXPECT_FALSE(odd.has_task());
+  EXPECT_TRUE(scenario("planned: plan.csv\nduration: 0.304\n").has_task());
+}
+
+TEST_F(PlannedMotion, AScenarioOfItsOwnNeedsNeitherDurationNorStart) {
+  write(csv());
+  const std::string own = folder_.write(
+      "whole.yaml",
+      "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\npath: {center: [-0.65, 0.04, 0.5]}\n"
+      "targets: [{name: red, center: [-0.6, 0, 0]}]\ntheta_start: {model_scale: 1}\n");
+  EXPECT_EQ(load_scenario(own).periods(), 1000);
+}
+
+TEST_F(PlannedMotion, ASwitchOfTargetsAtItsBeginningIsOne) {
+  write(csv());
+  const auto switching = [&](const std::string& keys) {
+    return load_scenario(folder_.write("own.yaml",
+                                       "base: target_switch\nplanned: plan.csv\nduration: planned\n" + keys))
+        .switches_target();
+  };
+  EXPECT_TRUE(switching(""));
+  EXPECT_TRUE(switching("switch_every: 9\n"));
+  EXPECT_FALSE(switching("switch_every: 7\n"));
+  EXPECT_FALSE(switching("switch_every: 0\n"));
+}
+
+TEST_F(PlannedMotion, WhatDoesNotGoWithItIsRefused) {
+  write(csv());
+  EXPECT_THAT(refusal([&] {
+                scenario("planned: plan.csv\nstimulus: {on: path, step: {offset: [0, 0, 0.1], at: 9}}\n");
+              }),
+              AllOf(HasSubstr("own.yaml"), HasSubstr("stimulus")));
+  EXPECT_THAT(refusal([&] { scenario("duration: planned\n"); }),
+              AllOf(HasSubstr("own.yaml:2"), HasSubstr("no planned trajectory")));
+  EXPECT_THAT(refusal([&] { scenario("planned: other.csv\n"); }), HasSubstr("other.csv"));
+  plan_.duration = 1e-3;
+  plan_.step = 5e-4;
+  plan_.goal = plan_.start;
+  write(csv());
+  EXPECT_EQ(scenario("planned: plan.csv\nduration: planned\n").periods(), 1);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,23 @@
+#include "tuner/planning/output/scenario_file.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/scenario/data_files.hpp"
+#include "sim/yaml/quoted.hpp"
+
+namespace armtune {
+
+std::string planned_scenario_name(const PlanTask& task) {
+  return "planned_" + task.name + ".yaml";
+}
+
+std::string planned_scenario_yaml(const PlanTask& task) {
+  return fmt::format(
+      "base: {}\ndescription: {}\nplanned: trajectory.csv\nduration: planned   # or seconds: what is left "
+      "goes to the "
+      "scenario's own path\ntheta_start: {{model_scale: 1}}\n",
+      yaml::quoted(portable_reference(task.scenario.source)),
+      yaml::quoted(fmt::format("the plan of {}, followed by the joint space law", task.name)));
+}
+
+}  // namespace armtune
