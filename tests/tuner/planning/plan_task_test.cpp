@@ -13,6 +13,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/plan_files.hpp"
+#include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune {
