@@ -183,7 +183,7 @@ TEST(TrajectoryProgram, NamesEveryRow) {
   EXPECT_EQ(found["torque"], 6 * 8);
   EXPECT_EQ(found["tool path"], 4 * 3 + 3 + 5 * 3);
   EXPECT_EQ(found["gaze"], 4);
-  EXPECT_EQ(found["distance to ball"], 5 * 8);
+  EXPECT_EQ(found["distance to ball"], (5 + 1) * 8);  // the first joint stays; the tool counts
   EXPECT_EQ(found["duration of phase first"], 1);
 }
 

@@ -11,6 +11,7 @@ namespace {
 // Where rounding lets it come no nearer, a solution that is near enough will do.
 constexpr double kProgress = 0.9;
 constexpr int kPatience = 8;
+constexpr int kPatienceFarAway = 25;
 constexpr double kNearEnough = 30.0;  // x the tolerances
 
 }  // namespace
@@ -37,8 +38,9 @@ InteriorPointResult InteriorPoint::solve(const QuadraticProgram& program, const 
       best = worst;
       best_iteration = result.iterations;
     }
-    const bool stalled = result.iterations - best_iteration >= kPatience;
-    result.solved = worst <= (stalled ? kNearEnough : 1.0);
+    const bool near = worst <= kNearEnough;
+    const bool stalled = result.iterations - best_iteration >= (near ? kPatience : kPatienceFarAway);
+    result.solved = worst <= 1.0 || (stalled && near);
     if (result.solved || stalled || result.iterations == options.max_iterations || !std::isfinite(worst))
       break;
     if (options.go_on && !options.go_on()) {

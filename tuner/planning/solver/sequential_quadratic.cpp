@@ -21,7 +21,8 @@ constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
 constexpr double kSmallestDamping = 1e-7;  // steps along which nothing changes stay short
-constexpr double kWorth = 1e3;             // violation that a decrease of 1 may cost
+constexpr double kTighter = 1e-2;
+constexpr double kWorth = 1e3;  // violation that a decrease of 1 may cost
 
 double violation(const RowBounds& bounds, Index i, double value) {
   if (std::isnan(value)) return INFINITY;
@@ -79,6 +80,7 @@ class Solver {
           break;
         }
         price_ *= kPriceFactor;
+        error_ = INFINITY;
         quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
         filter_.clear();
         mu = 1.0;
@@ -152,12 +154,14 @@ class Solver {
     InteriorPointOptions interior;
     interior.go_on = go_on;
     // As exact as the outer iteration can use it.
-    error_ = std::min(error_, std::max({now.stationarity, now.violation, now.complementarity}));
-    const double exact = std::clamp(kSubproblemPart * error_, kSubproblemLast, kSubproblemFirst);
-    interior.stationarity = exact * options_.stationarity;
-    interior.complementarity = exact * options_.complementarity;
-    interior.infeasibility = exact * options_.violation;
+    // What stays violated at its price is no error any more: then the step is.
+    const double violated = now.iteration == 0 ? now.violation : std::min(now.violation, now.step);
+    error_ = std::min(error_, std::max({now.stationarity, violated, now.complementarity}));
     for (;;) {
+      const double exact = std::clamp(kSubproblemPart * error_, kSubproblemLast, kSubproblemFirst);
+      interior.stationarity = exact * options_.stationarity;
+      interior.complementarity = exact * options_.complementarity;
+      interior.infeasibility = exact * options_.violation;
       quadratic_.damping = now.damping * program_.metric;
       bound_steps(row_);
       interior.start_mu = mu;
@@ -176,6 +180,7 @@ class Solver {
         const Judged before = judge(z, residual_, row_);
         const Judged model = modelled(z, p);
         if (now.iteration == 0) largest_allowed_ = std::max(0.3, 2.0 * before.largest);
+        largest_allowed_ = std::max(largest_allowed_, 2.0 * model.largest);  // at this price no less will do
         for (int halving = 0; halving <= kHalvings; ++halving) {
           const double alpha = std::ldexp(1.0, -halving);
           VectorXd next = z + alpha * p;
@@ -200,6 +205,7 @@ class Solver {
         mu = 1.0;
       }
       if (now.damping >= kLargestDamping) return false;
+      error_ *= kTighter;  // the step may have been too rough
       now.damping = std::max(now.damping, 1e-6) * 10.0;
     }
   }
