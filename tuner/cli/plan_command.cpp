@@ -19,6 +19,7 @@
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
 #include "tuner/planning/output/scenario_file.hpp"
+#include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -93,9 +94,7 @@ report::Scene scene_of_plan(const PlanTask& task) {
 }
 
 [[nodiscard]] int infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
-  const WorstViolation worst = worst_violation(planned);
-  fmt::print("{}: infeasible: {} of {} is missed by {:.3g} at {:.3f} s\n", task.name, worst.meaning.limit,
-             worst.meaning.part, worst.violation, worst.time);
+  fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
   show_limits(binding_limits(planned), "in the way:");
   fmt::print("Give it more time, wider limits or tolerances, or another start; no trajectory was written.\n");
   return kNoFeasiblePoint;
@@ -128,17 +127,19 @@ int run(const Arguments& args) {
     case PlanStatus::kInfeasible:
       return infeasible(task, planned);
     case PlanStatus::kStalled:
-      fmt::print(
-          stderr,
-          "{}: no solution after {} steps: violation {:.1e}, KKT residual {:.1e}; give fewer knots, more "
-          "smoothness or a start closer to the path\n",
-          task.name, last.iteration, last.violation, std::max(last.stationarity, last.complementarity));
+      fmt::print(stderr,
+                 "{}: no solution after {} steps: violation {:.1e} ({}), KKT residual {:.1e}; give fewer "
+                 "knots, more "
+                 "smoothness or a start closer to the path\n",
+                 task.name, last.iteration, last.violation, sentence(worst_violation(planned)),
+                 std::max(last.stationarity, last.complementarity));
       return kFailed;
     case PlanStatus::kSolved:
       break;
   }
   const std::vector<LimitUse> uses = limit_uses(task, problem, planned);
   fmt::print("{}: {}\n", task.name, plan_headline(task, problem, planned));
+  for (const std::string& note : plan_notes(task, problem, planned)) fmt::print("{}\n", note);
   show_limits(binding_limits(planned), "held back by:");
   if (const std::string between = between_words(uses); !between.empty()) fmt::print("{}\n", between);
   fmt::print(
@@ -170,7 +171,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->folder,
                       "new folder for trajectory.csv, joint_trajectory.yaml, report.html and the rest");
   command->add_option("--knots", args->knots, "time grid, in place of the task's")
-      ->check(CLI::Range(4, 100000));
+      ->check(CLI::Range(12, 100000));
   command->add_option("--duration", args->duration, "fixed duration [s], in place of the task's")
       ->check(CLI::Range(1e-3, 1e4));
   command->add_option("--ros", args->ros, "joint_trajectory.yaml for ROS 1 or 2")

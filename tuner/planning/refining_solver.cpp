@@ -38,7 +38,7 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
     if (!last) {
       here.stationarity = std::max(options.stationarity, 1e-3);
       here.violation = std::max(options.violation, 1e-4);
-      here.complementarity = std::max(options.complementarity, 1e-4);
+      here.complementarity = std::max(options.complementarity, 1e-5);
     }
     y.resize(0);
     if (planned.program && planned.result.status == PlanStatus::kSolved) {

@@ -37,8 +37,8 @@ struct Move {
     task.duration_cost = 1.0;
     task.smoothness = smoothness;
     const auto zero = rest_of_acceleration ? one(0.0) : VectorXd();
-    task.terms.push_back(given_state("start", {"x"}, 0, {one(0.0), one(0.0), zero}));
-    task.terms.push_back(given_state("end", {"x"}, grid.intervals(), {one(1.0), one(0.0), zero}));
+    task.terms.push_back(given_state("start", {"x"}, {"m"}, 0, {one(0.0), one(0.0), zero}));
+    task.terms.push_back(given_state("end", {"x"}, {"m"}, grid.intervals(), {one(1.0), one(0.0), zero}));
     return task;
   }
   PlannedTrajectory solved() const {
@@ -140,7 +140,7 @@ TEST(KnownSolutions, AStartAboveTheVelocityLimitIsInfeasible) {
   move.acceleration = 10.0;
   const auto task = [&](const TimeGrid& grid) {
     TrajectoryTask moving = move.on(grid);
-    moving.terms[0] = given_state("start", {"x"}, 0, {one(0.0), one(1.0), VectorXd()});
+    moving.terms[0] = given_state("start", {"x"}, {"m"}, 0, {one(0.0), one(1.0), VectorXd()});
     return moving;
   };
   TimeGrid grid;

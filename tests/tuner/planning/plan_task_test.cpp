@@ -11,6 +11,7 @@
 #include "core/trajectory/gaze.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
+#include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune {
@@ -272,7 +273,7 @@ TEST(PlanTaskFile, SaysWhatIsWrong) {
   EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 9\n"),
               AllOf(HasSubstr("task.yaml:3"), HasSubstr("every 8 s")));
   EXPECT_THAT(message_of("task: return\nscenario: moving_target\n"), HasSubstr("needs a start"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("4 .. 100000"));
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("12 .. 100000"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nclearance: 0.3\n"),
               HasSubstr("no obstacles"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {velocity: 2}\n"),

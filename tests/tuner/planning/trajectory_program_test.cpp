@@ -51,7 +51,7 @@ TrajectoryTask everything(const RobotModel& arm) {
   const HarmonicPath path = circle(Vec3(0.4, 0.1, 0.5), 0.2, 1.1);
   const HarmonicPath target = circle(Vec3(0.6, -0.3, 0.0), 0.3, 0.7);
   task.terms = {
-      given_state("start", joint_names(arm), 0,
+      given_state("start", joint_names(arm), position_units(arm), 0,
                   {VectorXd::Constant(arm.n(), 0.1), VectorXd::Constant(arm.n(), 0.2), VectorXd()}),
       torque_limits(arm, {0, last}, 0.9),
       tool_on_path(arm, {1, 4}, path, 0.01),
@@ -60,7 +60,7 @@ TrajectoryTask everything(const RobotModel& arm) {
       tool_path_cost(arm, {0, last}, path, 30.0),
       gaze_within(arm, {4, last}, target, 0.15),
       gaze_cost(arm, {0, last}, target, 20.0),
-      clear_of(arm, {0, last}, "ball", circle(Vec3(0.2, 0.2, 0.8), 0.1, 2.0), 0.2, 1),
+      clear_of(arm, {0, last}, "ball", circle(Vec3(0.2, 0.2, 0.8), 0.1, 2.0), 0.2),
       tool_on_curve(
           arm, {2, 6},
           [](double at) {
@@ -183,7 +183,7 @@ TEST(TrajectoryProgram, NamesEveryRow) {
   EXPECT_EQ(found["torque"], 6 * 8);
   EXPECT_EQ(found["tool path"], 4 * 3 + 3 + 5 * 3);
   EXPECT_EQ(found["gaze"], 4);
-  EXPECT_EQ(found["distance to ball"], 5 * 8);
+  EXPECT_EQ(found["distance to ball"], (5 + 1) * 8);  // the first joint stays; the tool counts
   EXPECT_EQ(found["duration of phase first"], 1);
 }
 

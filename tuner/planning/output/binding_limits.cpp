@@ -72,18 +72,4 @@ std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
   return limits;
 }
 
-WorstViolation worst_violation(const PlannedTrajectory& planned) {
-  TrajectoryProgram& program = *planned.program;
-  Eigen::VectorXd residual, row;
-  program.evaluate(planned.result.z, residual, row);
-  const Eigen::VectorXd violation =
-      (program.bounds.lower - row).cwiseMax(row - program.bounds.upper).cwiseMax(0.0);
-  Eigen::Index worst = 0;
-  WorstViolation found;
-  found.violation = violation.maxCoeff(&worst);
-  found.meaning = program.meaning(worst);
-  found.time = planned.trajectory.time[static_cast<std::size_t>(found.meaning.knot)];
-  return found;
-}
-
 }  // namespace armtune

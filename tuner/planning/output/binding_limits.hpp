@@ -26,12 +26,4 @@ struct BindingLimit {
 /// The limits that are active, the strongest first. What a task asks for (start, goal, path) is none.
 std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned);
 
-/// The row that is violated most.
-struct WorstViolation {
-  RowMeaning meaning;
-  double time = 0.0;
-  double violation = 0.0;  ///< relative to the limit; of an equation in its own unit
-};
-WorstViolation worst_violation(const PlannedTrajectory& planned);
-
 }  // namespace armtune

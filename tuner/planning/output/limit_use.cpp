@@ -105,13 +105,14 @@ class Limits {
     const auto& obstacles = task_.scenario.obstacles;
     const auto obstacle =
         std::find_if(obstacles.begin(), obstacles.end(), [&](const NamedPath& o) { return o.name == name; });
+    if (obstacle == obstacles.end()) return;
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&](const JointInfo& info) { return info.name == part; });
-    if (obstacle == obstacles.end() || joint == robot_.joints.end()) return;
+    const bool tool = joint == robot_.joints.end();
     const auto i = static_cast<std::size_t>(joint - robot_.joints.begin());
     add(term.name, part, "m", task_.clearance, kInfinity, term.first_knot, term.last_knot,
-        [i, path = obstacle->path](const PlanSample& at) {
-          return (at.poses.p_0B[i] - path.at(at.time).position).norm();
+        [i, tool, path = obstacle->path](const PlanSample& at) {
+          return ((tool ? at.poses.p_0T : at.poses.p_0B[i]) - path.at(at.time).position).norm();
         });
   }
 

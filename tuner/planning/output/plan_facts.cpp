@@ -14,7 +14,9 @@ namespace {
 /// What the program holds at the knots only.
 constexpr const char* kBetween[] = {"torque", "tool path", "gaze", "distance"};
 
-constexpr int kRows = 2000;  // that errors are measured at
+constexpr double kTellingSmoothness = 1e-3;  // of the duration
+constexpr double kSwitchRoom = 1e-6;         // s
+constexpr int kRows = 2000;                  // that errors are measured at
 
 struct ToolErrors {
   double path = 0.0;  ///< largest distance [m]
@@ -48,7 +50,26 @@ std::string plan_headline(const PlanTask& task, const PlanProblem& problem,
         "{:.3g} mrad rms off its target",
         duration, 1e3 * errors.path, 1e3 * errors.gaze);
   }
-  return fmt::format("possible in {:.4g} s within the limits", duration);
+  return fmt::format("the smoothest motion found over {:.4g} s within the limits", duration);
+}
+
+std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& problem,
+                                    const PlannedTrajectory& planned) {
+  std::vector<std::string> notes;
+  const Trajectory& trajectory = planned.trajectory;
+  const double duration = trajectory.durations.front();
+  const double smoothness = planned.result.last.objective - duration;
+  if (!task.duration && smoothness > kTellingSmoothness * duration)
+    notes.push_back(
+        fmt::format("smoothness counts as much as {:.2g} s beside the duration: a smaller `smoothness` than "
+                    "{:.2g} may find a shorter one",
+                    smoothness, task.smoothness));
+  if (trajectory.time.back() > problem.target_until + kSwitchRoom)
+    notes.push_back(fmt::format(
+        "it ends at {:.4g} s, after the targets' next switch at {:.4g} s: the gaze stays with the "
+        "target it is for",
+        trajectory.time.back(), problem.target_until));
+  return notes;
 }
 
 std::string between_words(const std::vector<LimitUse>& uses) {
@@ -86,6 +107,7 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
       {"phases", fmt::format("{}", fmt::join(phases, ", "))},
       {"knots", std::to_string(trajectory.time.size())},
       {"violation", fmt::format("{:.3g}", last.violation)},
+      {"objective", fmt::format("{:.9g}", last.objective)},
       {"kkt_stationarity", fmt::format("{:.3g}", last.stationarity)},
       {"kkt_complementarity", fmt::format("{:.3g}", last.complementarity)},
       {"interior_point_steps", std::to_string(planned.interior_iterations)}};

@@ -8,6 +8,11 @@ namespace armtune {
 /// "0.136 s is the least time found within the limits", "10 s: tool at most 0.0021 mm off its path, ...".
 std::string plan_headline(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned);
 
+/// What a reader of the headline should know besides: what smoothness costs, a target that is no longer
+/// active.
+std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& problem,
+                                    const PlannedTrajectory& planned);
+
 /// "between the knots: torque of wrist_2_joint at most 1.0020 of its limit, gaze ..."; empty where a task
 /// limits nothing of that kind.
 std::string between_words(const std::vector<LimitUse>& uses);

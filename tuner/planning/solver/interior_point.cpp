@@ -3,299 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/planning/solver/interior_point_iteration.hpp"
+
 namespace armtune {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
-
-constexpr double kPrimalProximal = 1e-8;
-constexpr double kDualProximal = 1e-7;
-constexpr int kRefinements = 3;
-constexpr double kLinearAccuracy = 1e-4;  // of a direction, beside the residuals it removes
-constexpr double kStepBack = 0.995;       // fraction to the boundary
-constexpr double kLeastCentering = 0.1;   // of the tolerance
-
-/// The unknowns, or one direction of them. y multiplies G x - w - over + under = 0; w lies between the
-/// bounds.
-struct Unknowns {
-  VectorXd x, y;
-  VectorXd w;             ///< value of the row, strictly between its bounds; of an equation the bound
-  VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is none
-  VectorXd over, under;   ///< elastic violations; their multipliers are penalty - y and penalty + y
-
-  void set_zero(Index variables, Index rows) {
-    x.setZero(variables);
-    for (VectorXd* part : {&y, &w, &upper, &lower, &over, &under}) part->setZero(rows);
-  }
-  void add(double factor, const Unknowns& step) {
-    x += factor * step.x;
-    y += factor * step.y;
-    w += factor * step.w;
-    upper += factor * step.upper;
-    lower += factor * step.lower;
-    over += factor * step.over;
-    under += factor * step.under;
-  }
-};
-
-/// Right-hand sides of the complementarity conditions: what is wanted of each product minus what it is.
-struct Pairs {
-  VectorXd upper, lower, over, under;
-};
-
-/// One program being solved.
-class Iteration {
- public:
-  Iteration(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky)
-      : program_(program),
-        R_(*program.residuals),
-        G_(*program.rows),
-        bounds_(program.bounds),
-        rows_(program.rows->rows()),
-        normal_(normal),
-        cholesky_(cholesky) {
-    for (VectorXd* part :
-         {&theta_, &inverse_D_, &D_, &rw_, &pairs_.upper, &pairs_.lower, &pairs_.over, &pairs_.under})
-      part->setZero(rows_);
-  }
-
-  /// Where multipliers say that a bound is active, w starts beside that bound and y is kept.
-  void start(const VectorXd& x, const VectorXd& y, double mu) {
-    at_.set_zero(x.size(), rows_);
-    at_.x = x;
-    at_.y = y;
-    G_.multiply(x, Gx_);
-    for (Index i = 0; i < rows_; ++i) {
-      keep_within_penalty(i);
-      if (equation(i)) {
-        at_.w[i] = bounds_.lower[i];
-      } else {
-        start_range(i, mu);
-      }
-      if (elastic(i)) {
-        at_.over[i] = mu / (bounds_.penalty[i] - at_.y[i]);
-        at_.under[i] = mu / (bounds_.penalty[i] + at_.y[i]);
-      }
-      count_ += (has_upper(i) ? 1 : 0) + (has_lower(i) ? 1 : 0) + (elastic(i) ? 2 : 0);
-    }
-  }
-
-  void measure(InteriorPointResult& result) {
-    hessian_times(at_.x, Hx_);
-    rd_ = -Hx_ - program_.gradient;
-    minus_y_ = -at_.y;
-    G_.add_transposed(minus_y_, rd_);
-    G_.multiply(at_.x, Gx_);
-    rp_ = at_.w + at_.over - at_.under - Gx_;
-    for (Index i = 0; i < rows_; ++i) rw_[i] = equation(i) ? 0.0 : at_.y[i] - at_.upper[i] + at_.lower[i];
-    mu_ = complementarity(at_);
-    result.stationarity = std::max(rd_.lpNorm<Eigen::Infinity>(), rw_.lpNorm<Eigen::Infinity>());
-    result.infeasibility = rp_.lpNorm<Eigen::Infinity>();
-    result.complementarity = mu_;
-  }
-
-  /// Predictor, then corrector; false if the condensed matrix is not positive definite.
-  bool advance(double tolerance) {
-    if (!factorize()) return false;
-    aim(0.0, nullptr);
-    direction(predictor_, count_ > 0 ? 0 : kRefinements);
-    const Unknowns* step = &predictor_;
-    if (count_ > 0) {
-      Unknowns reached = at_;
-      reached.add(longest(predictor_), predictor_);
-      const double ratio = complementarity(reached) / mu_;
-      aim(std::max(ratio * ratio * ratio * mu_, kLeastCentering * tolerance), &predictor_);
-      direction(corrector_, kRefinements);
-      step = &corrector_;
-    }
-    at_.add(std::min(1.0, kStepBack * longest(*step)), *step);
-    return true;
-  }
-
-  const Unknowns& at() const { return at_; }
-
- private:
-  bool equation(Index i) const { return bounds_.lower[i] == bounds_.upper[i]; }
-  bool has_upper(Index i) const { return std::isfinite(bounds_.upper[i]) && !equation(i); }
-  bool has_lower(Index i) const { return std::isfinite(bounds_.lower[i]) && !equation(i); }
-  bool elastic(Index i) const { return std::isfinite(bounds_.penalty[i]); }
-  double below_upper(const Unknowns& at, Index i) const { return bounds_.upper[i] - at.w[i]; }
-  double above_lower(const Unknowns& at, Index i) const { return at.w[i] - bounds_.lower[i]; }
-
-  void keep_within_penalty(Index i) {
-    if (elastic(i)) at_.y[i] = std::clamp(at_.y[i], -0.9 * bounds_.penalty[i], 0.9 * bounds_.penalty[i]);
-  }
-
-  void start_range(Index i, double mu) {
-    const double root = std::sqrt(mu);
-    const double room = std::min(0.25 * (bounds_.upper[i] - bounds_.lower[i]), root);
-    double& y = at_.y[i];
-    double w = Gx_[i];
-    if (has_upper(i))
-      w = y > root ? bounds_.upper[i] - std::min(room, mu / y) : std::min(w, bounds_.upper[i] - room);
-    if (has_lower(i))
-      w = y < -root ? bounds_.lower[i] + std::min(room, -mu / y) : std::max(w, bounds_.lower[i] + room);
-    at_.w[i] = w;
-    if (has_upper(i)) at_.upper[i] = std::max(y, mu / below_upper(at_, i));
-    if (has_lower(i)) at_.lower[i] = std::max(-y, mu / above_lower(at_, i));
-    y = at_.upper[i] - at_.lower[i];
-    keep_within_penalty(i);
-  }
-
-  /// Mean product of the pairs.
-  double complementarity(const Unknowns& at) const {
-    double sum = 0.0;
-    for (Index i = 0; i < rows_; ++i) {
-      if (has_upper(i)) sum += at.upper[i] * below_upper(at, i);
-      if (has_lower(i)) sum += at.lower[i] * above_lower(at, i);
-      if (elastic(i))
-        sum += at.over[i] * (bounds_.penalty[i] - at.y[i]) + at.under[i] * (bounds_.penalty[i] + at.y[i]);
-    }
-    return count_ == 0 ? 0.0 : sum / static_cast<double>(count_);
-  }
-
-  void hessian_times(const VectorXd& v, VectorXd& result) {
-    R_.multiply(v, Rx_);
-    result = program_.damping.cwiseProduct(v);
-    R_.add_transposed(Rx_, result);
-    program_.curvature->add_product(v, result);
-  }
-
-  /// K = H + delta I + G^T D G. 1/D: how far a row gives way to its multiplier, by moving between its bounds
-  /// (theta) or beyond them.
-  bool factorize() {
-    for (Index i = 0; i < rows_; ++i) {
-      theta_[i] = (has_upper(i) ? at_.upper[i] / below_upper(at_, i) : 0.0) +
-                  (has_lower(i) ? at_.lower[i] / above_lower(at_, i) : 0.0);
-      inverse_D_[i] = kDualProximal + (theta_[i] > 0.0 ? 1.0 / theta_[i] : 0.0);
-      if (elastic(i))
-        inverse_D_[i] +=
-            at_.over[i] / (bounds_.penalty[i] - at_.y[i]) + at_.under[i] / (bounds_.penalty[i] + at_.y[i]);
-      D_[i] = 1.0 / inverse_D_[i];
-    }
-    normal_.assemble((program_.damping.array() + kPrimalProximal).matrix(), {&ones_, &D_});
-    return cholesky_.factorize(normal_.matrix());
-  }
-
-  /// Every product is to become `target`; affine: the direction whose second order is made up for.
-  void aim(double target, const Unknowns* affine) {
-    const auto second = [&](const VectorXd& a, const VectorXd& b, Index i) {
-      return affine == nullptr ? 0.0 : a[i] * b[i];
-    };
-    const Unknowns& d = affine == nullptr ? at_ : *affine;
-    for (Index i = 0; i < rows_; ++i) {
-      if (has_upper(i))
-        pairs_.upper[i] = target - at_.upper[i] * below_upper(at_, i) + second(d.upper, d.w, i);
-      if (has_lower(i))
-        pairs_.lower[i] = target - at_.lower[i] * above_lower(at_, i) - second(d.lower, d.w, i);
-      if (!elastic(i)) continue;
-      pairs_.over[i] = target - at_.over[i] * (bounds_.penalty[i] - at_.y[i]) + second(d.over, d.y, i);
-      pairs_.under[i] = target - at_.under[i] * (bounds_.penalty[i] + at_.y[i]) - second(d.under, d.y, i);
-    }
-  }
-
-  /// What moves w beside y: from its stationarity and its pairs.
-  double push_on_w(Index i) const {
-    double push = rw_[i];
-    if (has_upper(i)) push -= pairs_.upper[i] / below_upper(at_, i);
-    if (has_lower(i)) push += pairs_.lower[i] / above_lower(at_, i);
-    return push;
-  }
-
-  /// Solves the linearised conditions for the pairs aimed at.
-  void direction(Unknowns& d, int refinements) {
-    e_ = rp_;
-    for (Index i = 0; i < rows_; ++i) {
-      if (theta_[i] > 0.0) e_[i] += push_on_w(i) / theta_[i];
-      if (elastic(i))
-        e_[i] += pairs_.over[i] / (bounds_.penalty[i] - at_.y[i]) -
-                 pairs_.under[i] / (bounds_.penalty[i] + at_.y[i]);
-    }
-    d.set_zero(at_.x.size(), rows_);
-    solve_condensed(d, refinements);
-    for (Index i = 0; i < rows_; ++i) {
-      if (theta_[i] > 0.0) {
-        d.w[i] = (push_on_w(i) + d.y[i]) / theta_[i];
-        if (has_upper(i)) d.upper[i] = (pairs_.upper[i] + at_.upper[i] * d.w[i]) / below_upper(at_, i);
-        if (has_lower(i)) d.lower[i] = (pairs_.lower[i] - at_.lower[i] * d.w[i]) / above_lower(at_, i);
-      }
-      if (elastic(i)) {
-        d.over[i] = (pairs_.over[i] + at_.over[i] * d.y[i]) / (bounds_.penalty[i] - at_.y[i]);
-        d.under[i] = (pairs_.under[i] - at_.under[i] * d.y[i]) / (bounds_.penalty[i] + at_.y[i]);
-      }
-    }
-  }
-
-  /// [H + delta, G^T; G, -1/D] (dx, dy) = (rd, e), condensed to K, then refined against the system as it
-  /// stands.
-  void solve_condensed(Unknowns& d, int refinements) {
-    r1_ = rd_;
-    r2_ = e_;
-    for (int pass = 0;; ++pass) {
-      r_ = r1_;
-      r2_.array() *= D_.array();
-      G_.add_transposed(r2_, r_);
-      cholesky_.solve(r_);
-      d.x += r_;
-      G_.multiply(r_, Gx_);
-      d.y += D_.cwiseProduct(Gx_) - r2_;
-      if (pass == refinements) break;
-      hessian_times(d.x, Hx_);
-      r1_ = rd_ - Hx_ - kPrimalProximal * d.x;
-      minus_y_ = -d.y;
-      G_.add_transposed(minus_y_, r1_);
-      G_.multiply(d.x, Gx_);
-      r2_ = e_ - Gx_ + inverse_D_.cwiseProduct(d.y);
-      if (small(r1_, rd_) && small(r2_, e_)) break;
-    }
-  }
-
-  static bool small(const VectorXd& residual, const VectorXd& beside) {
-    return residual.lpNorm<Eigen::Infinity>() <= kLinearAccuracy * beside.lpNorm<Eigen::Infinity>() + 1e-13;
-  }
-
-  /// The longest part of a direction, up to 1, that keeps every pair positive.
-  double longest(const Unknowns& d) const {
-    double alpha = 1.0;
-    const auto limit = [&](double value, double change) {
-      if (change < 0.0) alpha = std::min(alpha, -value / change);
-    };
-    for (Index i = 0; i < rows_; ++i) {
-      if (has_upper(i)) {
-        limit(below_upper(at_, i), -d.w[i]);
-        limit(at_.upper[i], d.upper[i]);
-      }
-      if (has_lower(i)) {
-        limit(above_lower(at_, i), d.w[i]);
-        limit(at_.lower[i], d.lower[i]);
-      }
-      if (elastic(i)) {
-        limit(at_.over[i], d.over[i]);
-        limit(at_.under[i], d.under[i]);
-        limit(bounds_.penalty[i] - at_.y[i], -d.y[i]);
-        limit(bounds_.penalty[i] + at_.y[i], d.y[i]);
-      }
-    }
-    return alpha;
-  }
-
-  const QuadraticProgram& program_;
-  const BlockRows& R_;
-  const BlockRows& G_;
-  const RowBounds& bounds_;
-  Index rows_;
-  NormalMatrix& normal_;
-  SparseCholesky& cholesky_;
-  Index count_ = 0;  ///< of pairs
-  double mu_ = 0.0;
-  Unknowns at_, predictor_, corrector_;
-  Pairs pairs_;
-  VectorXd rd_, rp_, rw_;  ///< residuals of stationarity, rows and w
-  VectorXd theta_, inverse_D_, D_, e_;
-  VectorXd ones_;  ///< empty: stands for ones
-  VectorXd r_, r1_, r2_, Gx_, Rx_, Hx_, minus_y_;
-};
+// Where rounding lets it come no nearer, a solution that is near enough will do.
+constexpr double kProgress = 0.9;
+constexpr int kPatience = 8;
+constexpr int kPatienceFarAway = 25;
+constexpr double kNearEnough = 30.0;  // x the tolerances
 
 }  // namespace
 
@@ -304,20 +21,33 @@ InteriorPoint::InteriorPoint(int variables, const BlockRows& residuals, const Cu
     : normal_(variables, curvature, {&residuals, &rows}), cholesky_(normal_.matrix()) {}
 
 InteriorPointResult InteriorPoint::solve(const QuadraticProgram& program, const InteriorPointOptions& options,
-                                         VectorXd& x, VectorXd& y) {
-  Iteration iteration(program, normal_, cholesky_);
+                                         Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  InteriorPointIteration iteration(program, normal_, cholesky_);
   iteration.start(x, y, options.start_mu);
   InteriorPointResult result;
+  double best = INFINITY;
+  int best_iteration = 0;
   for (;; ++result.iterations) {
     iteration.measure(result);
-    const double rounding =
-        std::max(1.0, 1e-2 * iteration.at().y.lpNorm<Eigen::Infinity>());  // of large multipliers
-    result.solved = result.stationarity <= rounding * options.tolerance &&
-                    result.infeasibility <= options.tolerance &&
-                    result.complementarity <= rounding * options.tolerance;
-    if (result.solved || result.iterations == options.max_iterations || !std::isfinite(result.stationarity))
+    // Large multipliers round.
+    const double rounding = std::max(1.0, 1e-2 * iteration.at().y.lpNorm<Eigen::Infinity>());
+    const double worst = std::max({result.stationarity / (rounding * options.stationarity),
+                                   result.infeasibility / options.infeasibility,
+                                   result.complementarity / (rounding * options.complementarity)});
+    if (worst < kProgress * best) {
+      best = worst;
+      best_iteration = result.iterations;
+    }
+    const bool near = worst <= kNearEnough;
+    const bool stalled = result.iterations - best_iteration >= (near ? kPatience : kPatienceFarAway);
+    result.solved = worst <= 1.0 || (stalled && near);
+    if (result.solved || stalled || result.iterations == options.max_iterations || !std::isfinite(worst))
       break;
-    if (!iteration.advance(options.tolerance)) break;
+    if (options.go_on && !options.go_on()) {
+      result.interrupted = true;
+      break;
+    }
+    if (!iteration.advance(options.complementarity)) break;
   }
   x = iteration.at().x;
   y = iteration.at().y;

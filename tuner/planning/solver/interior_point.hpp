@@ -4,6 +4,7 @@
 // (Friedlander and Orban, Math. Prog. Comp. 4, 2012), so that each step condenses to one positive definite
 // system K dx = r, K = H + G^T D G.
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -14,16 +15,20 @@ namespace armtune {
 
 struct InteriorPointOptions {
   int max_iterations = 80;
-  double tolerance = 1e-9;  ///< of the largest stationarity, row and complementarity residual
-  double start_mu = 1.0;    ///< complementarity to start from; small after a warm start
+  double stationarity = 1e-9;     ///< largest entry of the Lagrangian's gradient
+  double infeasibility = 1e-9;    ///< largest residual of a row
+  double complementarity = 1e-7;  ///< sum of the products of the pairs
+  double start_mu = 1.0;          ///< complementarity to start from; small after a warm start
+  std::function<bool()> go_on;    ///< asked before each iteration; false interrupts
 };
 
 struct InteriorPointResult {
   bool solved = false;
+  bool interrupted = false;
   int iterations = 0;
   double stationarity = 0.0;     ///< largest |H x + g + G^T y|
   double infeasibility = 0.0;    ///< largest residual of a row, elastic violation allowed for
-  double complementarity = 0.0;  ///< mean product of the pairs
+  double complementarity = 0.0;  ///< sum of the products of the pairs
 };
 
 /// Keeps pattern, analysis and memory from one program to the next of the same pattern.

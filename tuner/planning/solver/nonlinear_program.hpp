@@ -1,6 +1,8 @@
 #pragma once
 // min  cost^T z + |r(z)|^2 / 2   s.t.  lower <= c(z) <= upper: what a trajectory becomes on a time grid.
 
+#include <vector>
+
 #include "tuner/planning/solver/quadratic_program.hpp"
 
 namespace armtune {
@@ -21,7 +23,11 @@ class NonlinearProgram {
   int variables() const { return static_cast<int>(cost.size()); }
 
   Eigen::VectorXd cost;
-  Eigen::VectorXd metric;  ///< > 0: squared length of a step is sum metric_i dz_i^2
+  /// > 0: squared length of a step is sum metric_i dz_i^2. Gradients are measured in the same metric: divided
+  /// by it, so that a residual means the same on every grid.
+  Eigen::VectorXd metric;
+  /// Rows whose value is positive and may at most halve or double in one step.
+  std::vector<Eigen::Index> halving_rows;
   BlockRows residuals;
   BlockRows rows;
   CurvatureBlocks curvature;

@@ -20,6 +20,7 @@ struct QuadraticProgram {
   RowBounds bounds;
   Eigen::VectorXd gradient;
   Eigen::VectorXd damping;  ///< >= 0
+  double scale = 1.0;       ///< typical curvature
 };
 
 }  // namespace armtune

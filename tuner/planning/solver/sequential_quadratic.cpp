@@ -11,13 +11,18 @@ using Eigen::VectorXd;
 
 constexpr double kAccept = 1e-4;           // least part of the predicted decrease
 constexpr double kSubproblemNoise = 1e-8;  // what its tolerance leaves, relative to the merit
-constexpr double kElastic = 1e-6;          // violation of a linearised row that means it
-constexpr double kMargin = 1e-5;           // of the filter
-constexpr int kHalvings = 4;               // of a step before its damping grows instead
+constexpr double kSubproblemPart = 1e4;  // x the error: tolerance of a subproblem, beside that of the whole,
+constexpr double kSubproblemLast = 0.5;  // at the end
+constexpr double kSubproblemFirst = 100.0;  // and at the beginning
+constexpr double kElastic = 1e-6;           // violation of a linearised row that means it
+constexpr double kMargin = 1e-5;            // of the filter
+constexpr int kHalvings = 4;                // of a step before its damping grows instead
 constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
-constexpr double kSmallestDamping = 1e-12;
+constexpr double kSmallestDamping = 1e-7;  // steps along which nothing changes stay short
+constexpr double kTighter = 1e-2;
+constexpr double kWorth = 1e3;  // violation that a decrease of 1 may cost
 
 double violation(const RowBounds& bounds, Index i, double value) {
   if (std::isnan(value)) return INFINITY;
@@ -40,6 +45,7 @@ class Solver {
     quadratic_.rows = &program.rows;
     quadratic_.curvature = &program.curvature;
     quadratic_.bounds = program.bounds;
+    quadratic_.scale = program.metric.minCoeff();
   }
 
   SequentialQuadraticResult run(VectorXd z, VectorXd y, const PlanObserver& observer) {
@@ -74,15 +80,18 @@ class Solver {
           break;
         }
         price_ *= kPriceFactor;
+        error_ = INFINITY;
         quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
         filter_.clear();
         mu = 1.0;
       }
-      if (observer && !observer(now)) {
-        result.status = PlanStatus::kInterrupted;
-        break;
-      }
-      if (now.iteration == options_.max_iterations || !advance(z, y, mu, now)) {
+      // Subproblems of long trajectories take their time: the observer hears of each of their steps.
+      const auto go_on = [&] { return !(stopped_ = observer && !observer(now)); };
+      if (now.iteration == options_.max_iterations || !advance(z, y, mu, now, go_on)) {
+        if (stopped_) {
+          result.status = PlanStatus::kInterrupted;
+          break;
+        }
         // No further, and what is violated pulls with the highest price: infeasible, if not to the last
         // digit.
         if (price_ >= kHighestPrice && at_penalty(y)) result.status = PlanStatus::kInfeasible;
@@ -100,7 +109,7 @@ class Solver {
     program_.residuals.add_transposed(residual_, gradient_);
     VectorXd lagrangian = gradient_;
     program_.rows.add_transposed(y, lagrangian);
-    now.stationarity = lagrangian.lpNorm<Eigen::Infinity>();
+    now.stationarity = lagrangian.lpNorm<1>();
     now.objective = program_.cost.dot(z) + 0.5 * residual_.squaredNorm();
     now.violation = 0.0;
     now.complementarity = 0.0;
@@ -110,7 +119,7 @@ class Solver {
       if (v > options_.violation) continue;
       const double bound = y[i] > 0.0 ? program_.bounds.upper[i] : program_.bounds.lower[i];
       const double slack = std::isfinite(bound) ? std::abs(row_[i] - bound) : 1.0;
-      now.complementarity = std::max(now.complementarity, std::abs(y[i]) * slack);
+      now.complementarity += std::abs(y[i]) * slack;
     }
   }
 
@@ -137,53 +146,57 @@ class Solver {
     return at;
   }
 
-  /// One step; false if none can be found.
-  bool advance(VectorXd& z, VectorXd& y, double& mu, SequentialQuadraticProgress& now) {
+  /// One step; false if none can be found, or if `go_on` says so.
+  bool advance(VectorXd& z, VectorXd& y, double& mu, SequentialQuadraticProgress& now,
+               const std::function<bool()>& go_on) {
     program_.curve(z, residual_, y);
+    quadratic_.gradient = gradient_;
+    InteriorPointOptions interior;
+    interior.go_on = go_on;
+    // As exact as the outer iteration can use it.
+    // What stays violated at its price is no error any more: then the step is.
+    const double violated = now.iteration == 0 ? now.violation : std::min(now.violation, now.step);
+    error_ = std::min(error_, std::max({now.stationarity, violated, now.complementarity}));
     for (;;) {
-      quadratic_.gradient = gradient_;
+      const double exact = std::clamp(kSubproblemPart * error_, kSubproblemLast, kSubproblemFirst);
+      interior.stationarity = exact * options_.stationarity;
+      interior.complementarity = exact * options_.complementarity;
+      interior.infeasibility = exact * options_.violation;
       quadratic_.damping = now.damping * program_.metric;
-      quadratic_.bounds.lower = program_.bounds.lower - row_;
-      quadratic_.bounds.upper = program_.bounds.upper - row_;
-      for (Index i = 0; i < row_.size(); ++i) {  // equations stay equations, to the last bit
-        if (program_.bounds.lower[i] == program_.bounds.upper[i])
-          quadratic_.bounds.lower[i] = quadratic_.bounds.upper[i];
-      }
-      InteriorPointOptions interior;
+      bound_steps(row_);
       interior.start_mu = mu;
       VectorXd p = VectorXd::Zero(z.size());
       VectorXd multipliers = y;
-      InteriorPointResult solved = interior_.solve(quadratic_, interior, p, multipliers);
-      now.interior_iterations += solved.iterations;
+      InteriorPointResult solved = solve_quadratic(interior, p, multipliers, now);
+      if (solved.interrupted) return false;
       if (!solved.solved) {  // once more from nothing: the start may have been what was wrong
         interior.start_mu = 1.0;
         p.setZero();
         multipliers.setZero();
-        solved = interior_.solve(quadratic_, interior, p, multipliers);
-        now.interior_iterations += solved.iterations;
+        solved = solve_quadratic(interior, p, multipliers, now);
+        if (solved.interrupted) return false;
       }
       if (solved.infeasibility < 1e-5 && p.allFinite()) {
         const Judged before = judge(z, residual_, row_);
-        program_.residuals.multiply(p, change_r_);
-        program_.rows.multiply(p, change_c_);
-        Judged model = judge(z + p, residual_ + change_r_, row_ + change_c_);
-        VectorXd Cp = VectorXd::Zero(p.size());
-        program_.curvature.add_product(p, Cp);
-        model.objective += 0.5 * p.dot(Cp);
+        const Judged model = modelled(z, p);
         if (now.iteration == 0) largest_allowed_ = std::max(0.3, 2.0 * before.largest);
+        largest_allowed_ = std::max(largest_allowed_, 2.0 * model.largest);  // at this price no less will do
         for (int halving = 0; halving <= kHalvings; ++halving) {
           const double alpha = std::ldexp(1.0, -halving);
-          const VectorXd next = z + alpha * p;
+          VectorXd next = z + alpha * p;
           program_.evaluate(next, trial_r_, trial_c_);
-          const Judged after = judge(next, trial_r_, trial_c_);
-          if (!acceptable(before, model, after, alpha)) continue;
+          bool accepted = acceptable(before, model, judge(next, trial_r_, trial_c_), alpha);
+          if (!accepted && halving == 0 && corrected(z, p, multipliers, next, interior, now))
+            accepted = acceptable(before, model, judge(next, trial_r_, trial_c_), alpha);
+          if (stopped_) return false;
+          if (!accepted) continue;
           if (alpha == 1.0)
             now.damping = std::max(kSmallestDamping, now.damping * 0.1);
           else if (alpha < 0.5)
             now.damping = std::min(kLargestDamping, std::max(now.damping, 1e-6) * 4.0);
-          now.step = alpha * p.lpNorm<Eigen::Infinity>();
-          z = next;
-          y += alpha * (multipliers - y);
+          now.step = (next - z).lpNorm<Eigen::Infinity>();
+          z = std::move(next);
+          y = multipliers;
           mu = std::clamp(1e-2 * now.step * now.step, 1e-8, 1.0);
           program_.linearize(z, residual_, row_);
           return true;
@@ -192,8 +205,58 @@ class Solver {
         mu = 1.0;
       }
       if (now.damping >= kLargestDamping) return false;
+      error_ *= kTighter;  // the step may have been too rough
       now.damping = std::max(now.damping, 1e-6) * 10.0;
     }
+  }
+
+  /// The subproblem's rows are to keep their bounds from the values `row` on.
+  void bound_steps(const VectorXd& row) {
+    quadratic_.bounds.lower = program_.bounds.lower - row;
+    quadratic_.bounds.upper = program_.bounds.upper - row;
+    for (Index i = 0; i < row.size(); ++i) {  // equations stay equations, to the last bit
+      if (program_.bounds.lower[i] == program_.bounds.upper[i])
+        quadratic_.bounds.lower[i] = quadratic_.bounds.upper[i];
+    }
+    for (const Index i : program_.halving_rows) {
+      quadratic_.bounds.lower[i] = std::max(quadratic_.bounds.lower[i], -0.5 * row_[i]);
+      quadratic_.bounds.upper[i] = std::min(quadratic_.bounds.upper[i], row_[i]);
+    }
+  }
+
+  InteriorPointResult solve_quadratic(const InteriorPointOptions& interior, VectorXd& p,
+                                      VectorXd& multipliers, SequentialQuadraticProgress& now) {
+    const InteriorPointResult solved = interior_.solve(quadratic_, interior, p, multipliers);
+    now.interior_iterations += solved.iterations;
+    return solved;
+  }
+
+  /// What the subproblem expects of a step.
+  Judged modelled(const VectorXd& z, const VectorXd& p) {
+    program_.residuals.multiply(p, change_r_);
+    program_.rows.multiply(p, change_c_);
+    Judged model = judge(z + p, residual_ + change_r_, row_ + change_c_);
+    VectorXd Cp = VectorXd::Zero(p.size());
+    program_.curvature.add_product(p, Cp);
+    model.objective += 0.5 * p.dot(Cp);
+    return model;
+  }
+
+  /// The second order correction: the step once more, with the rows' values where it led (in trial_c_), so
+  /// that curvature that the linearised rows do not see is made up for (Nocedal and Wright, 18.3).
+  bool corrected(const VectorXd& z, const VectorXd& p, VectorXd& multipliers, VectorXd& next,
+                 InteriorPointOptions interior, SequentialQuadraticProgress& now) {
+    program_.rows.multiply(p, change_c_);
+    bound_steps(trial_c_ - change_c_);
+    interior.start_mu = 1e-6;
+    VectorXd second = p;
+    VectorXd y = multipliers;
+    const InteriorPointResult solved = solve_quadratic(interior, second, y, now);
+    if (!solved.solved || !second.allFinite()) return false;
+    next = z + second;
+    multipliers = y;
+    program_.evaluate(next, trial_r_, trial_c_);
+    return true;
   }
 
   /// The filter: better in objective or in violation than every point it remembers, and, where the model
@@ -218,6 +281,8 @@ class Solver {
       if (!better(remembered)) return false;
     }
     const double promised = alpha * (before.objective - model.objective);
+    const double worth = kWorth * std::max(0.0, promised);
+    if (after.largest > std::max({2.0 * before.largest, 1e-7, worth})) return false;
     if (promised > noise && promised > before.violation) {
       return after.objective <= before.objective - kAccept * promised + noise;
     }
@@ -232,8 +297,10 @@ class Solver {
   QuadraticProgram quadratic_;
   std::vector<Judged> filter_;
   double largest_allowed_ = 0.0;
-  double dearest_ = 0.0;  ///< penalty of any elastic row
-  double price_ = 1.0;    ///< of violations, times their penalty
+  double dearest_ = 0.0;     ///< penalty of any elastic row
+  double price_ = 1.0;       ///< of violations, times their penalty
+  double error_ = INFINITY;  ///< the least so far
+  bool stopped_ = false;     ///< by the observer
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };
 

@@ -13,9 +13,9 @@ namespace armtune {
 
 struct SequentialQuadraticOptions {
   int max_iterations = 200;
-  double stationarity = 1e-6;     ///< largest entry of the Lagrangian's gradient
+  double stationarity = 1e-6;     ///< largest entry of the Lagrangian's gradient, each divided by its metric
   double violation = 1e-8;        ///< largest violation of a row
-  double complementarity = 1e-6;  ///< largest |multiplier| x distance from its bound
+  double complementarity = 1e-6;  ///< sum of |multiplier| x distance from its bound: bounds what is lost
   double damping = 1e-3;          ///< to begin with
 };
 
@@ -40,7 +40,7 @@ struct SequentialQuadraticResult {
   Eigen::VectorXd multipliers;  ///< of the rows; > 0 pulls at the upper bound
 };
 
-/// Called after every iteration; false interrupts.
+/// Called before every iteration of the subproblems; false interrupts.
 using PlanObserver = std::function<bool(const SequentialQuadraticProgress&)>;
 
 /// Solves from z on. multipliers: empty, or where to start from.

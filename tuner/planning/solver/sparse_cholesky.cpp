@@ -52,7 +52,8 @@ SparseCholesky::SparseCholesky(const SymmetricMatrix& pattern) : work_(std::make
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_NATURAL;
   common.postorder = 0;
-  common.final_ll = 1;  // L D L^T would pass over negative pivots
+  common.supernodal = CHOLMOD_SIMPLICIAL;  // blocks of one knot are too small for BLAS to gain anything
+  common.final_ll = 1;                     // L D L^T would pass over negative pivots
   common.print = 0;
   cholmod_sparse view = view_of(pattern);
   work_->factor = cholmod_analyze(&view, &common);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -12,17 +13,20 @@
 namespace armtune {
 namespace {
 
-constexpr double kShortest = 2e-3;  // of a free duration [s]
-constexpr double kLongest = 100.0;  // times its first guess
+constexpr double kShortest = 2e-3;   // of a free duration [s]
+constexpr double kLongest = 100.0;   // times its first guess
+constexpr double kLeastGuess = 0.2;  // [s]
 
 }  // namespace
 
 std::vector<Coordinate> PlanCommon::coordinates() const {
+  const std::vector<std::string> units = position_units(*robot);
   std::vector<Coordinate> found;
   for (int i = 0; i < n(); ++i) {
     const JointInfo& joint = robot->joints[static_cast<std::size_t>(i)];
     Coordinate c;
     c.name = joint.name;
+    c.unit = units[static_cast<std::size_t>(i)];
     if (joint.limits.has_position) {
       c.lower = joint.limits.lower;
       c.upper = joint.limits.upper;
@@ -42,15 +46,18 @@ TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
   program.chain = &robot->chain;
   program.grid = grid;
   program.coordinates = coordinates();
-  program.smoothness.jerk = task.smoothness;
+  // Where neither time nor errors cost anything the smoothest of all motions is wanted. Times T^3, since
+  // jerks go with velocities over T^2.
+  const bool errors_cost = task.kind == PlanKind::kTrack || task.least_error;
+  program.smoothness.jerk = task.duration && !errors_cost ? std::pow(*task.duration, 3) : task.smoothness;
   program.duration_cost = 1.0;
   const int last = grid.intervals();
-  program.terms.push_back(
-      given_state("start", joint_names(*robot), 0, {start.position, start.velocity, start.acceleration}));
+  program.terms.push_back(given_state("start", joint_names(*robot), position_units(*robot), 0,
+                                      {start.position, start.velocity, start.acceleration}));
   program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
   if (task.clearance > 0.0) {
     for (const NamedPath& obstacle : task.scenario.obstacles)
-      program.terms.push_back(clear_of(*robot, {0, last}, obstacle.name, obstacle.path, task.clearance, 1));
+      program.terms.push_back(clear_of(*robot, {0, last}, obstacle.name, obstacle.path, task.clearance));
   }
   return program;
 }
@@ -72,8 +79,14 @@ void PlanCommon::no_pose(const Vec3& tool) const {
                                shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
 }
 
+double PlanCommon::first_duration(double otherwise) const {
+  if (task.duration) return *task.duration;
+  if (controller && controller->reached) return std::max(kLeastGuess, *controller->reached);
+  return otherwise;
+}
+
 double PlanCommon::likely_duration(const JointVector& way) const {
-  return std::max(0.2, (way.array().abs() / (0.5 * robot->velocity_limits().array())).maxCoeff());
+  return std::max(kLeastGuess, (way.array().abs() / (0.5 * robot->velocity_limits().array())).maxCoeff());
 }
 
 }  // namespace armtune

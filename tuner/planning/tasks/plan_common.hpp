@@ -12,6 +12,7 @@ struct PlanCommon {
   PlanTask task;
   std::shared_ptr<const RobotModel> robot;  ///< as it really is in the scenario
   StartState start;
+  std::optional<ControllerMotion> controller;  ///< where the task starts from a rollout
 
   int n() const { return robot->n(); }
   /// The joints with their limits.
@@ -21,6 +22,8 @@ struct PlanCommon {
   /// Of the task's duration, or free from a guess [s] on.
   Phase phase(const char* name, int intervals, double guess) const;
   TimeGrid grid(std::vector<Phase> phases) const;
+  /// The task's duration, else the controller's, else `otherwise` [s].
+  double first_duration(double otherwise) const;
   /// What the slowest joint takes for its way (n) [rad, m] at half its velocity limit, at least 0.2 s.
   double likely_duration(const JointVector& way) const;
   /// Throws the InputError that the tool cannot be at a point [m].

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/common/error.hpp"
 #include "core/trajectory/quintic.hpp"
@@ -41,6 +42,20 @@ Trajectory joint_quintic(const TimeGrid& grid, const MotionPoint<JointVector>& f
   return motion;
 }
 
+/// The controller's motion as a first guess on a grid.
+Trajectory controllers(Trajectory motion, const TimeGrid& grid) {
+  motion.durations.clear();
+  for (const Phase& phase : grid.phases) motion.durations.push_back(phase.duration);
+  return on_grid(motion, grid);
+}
+
+/// When the targets take turns the next time after t [s].
+double next_switch(const Scenario& scenario, double t) {
+  if (scenario.switch_every <= 0.0 || scenario.targets.size() < 2)
+    return std::numeric_limits<double>::infinity();
+  return scenario.switch_every * (std::floor(t / scenario.switch_every + 1e-9) + 1.0);
+}
+
 PlanProblem move_problem(const PlanCommon& common) {
   const JointVector zero = JointVector::Zero(common.n());
   PlanProblem problem;
@@ -48,8 +63,8 @@ PlanProblem move_problem(const PlanCommon& common) {
       "move", common.task.knots, common.likely_duration(common.task.goal - common.start.position))});
   problem.task = [common, zero](const TimeGrid& grid) {
     TrajectoryTask program = common.on(grid);
-    program.terms.push_back(
-        given_state("goal", joint_names(*common.robot), grid.intervals(), {common.task.goal, zero, zero}));
+    program.terms.push_back(given_state("goal", joint_names(*common.robot), position_units(*common.robot),
+                                        grid.intervals(), {common.task.goal, zero, zero}));
     return program;
   };
   problem.guess = joint_quintic(problem.grid, {common.start.position, common.start.velocity, zero},
@@ -96,7 +111,8 @@ PlanProblem switch_problem(const PlanCommon& common) {
       scenario.targets[scenario.active_target(common.task.at - scenario.control_period)].path;
   const HarmonicPath to =
       scenario.targets[scenario.active_target(common.task.at + scenario.control_period)].path;
-  const double guess = common.task.duration.value_or(1.0);
+  const double guess = common.first_duration(1.0);
+  const double until = next_switch(scenario, common.task.at);
   const int holding = std::max(4, common.task.knots / 3);
   PlanProblem problem;
   problem.grid = common.task.least_error
@@ -118,6 +134,7 @@ PlanProblem switch_problem(const PlanCommon& common) {
     return program;
   };
   // The gaze wanders from one target to the other within the first guess.
+  problem.target_until = until;
   const double start = common.task.at;
   const MovingPoint blended = [from, to, start, guess](double t) {
     const double s = std::clamp((t - start) / guess, 0.0, 1.0);
@@ -137,7 +154,7 @@ PlanProblem return_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
   const MovingPoint target = active_target(scenario);
   // Where the path will be: a first guess, then the guess that follows from it.
-  double duration = common.task.duration.value_or(1.0);
+  double duration = common.first_duration(1.0);
   JointVector end;
   for (int pass = 0; pass < 2; ++pass) {
     const double at = common.task.at + duration;
@@ -147,20 +164,22 @@ PlanProblem return_problem(const PlanCommon& common) {
                               common.start.position, BestPose::kSoonest);
     if (!pose) common.no_pose(tool);
     end = *pose;
-    if (!common.task.duration) duration = common.likely_duration(end - common.start.position);
+    duration = common.first_duration(common.likely_duration(end - common.start.position));
   }
+  // The target that is likely to be active by then.
+  const double ending = common.task.at + duration;
+  const HarmonicPath gazed = scenario.targets[scenario.active_target(ending)].path;
   PlanProblem problem;
+  if (common.task.end_gaze) problem.target_until = next_switch(scenario, ending);
   problem.grid = common.grid({common.phase("return", common.task.knots, duration)});
-  problem.task = [common](const TimeGrid& grid) {
+  problem.task = [common, gazed](const TimeGrid& grid) {
     TrajectoryTask program = common.on(grid);
     const int last = grid.intervals();
     const Scenario& in = common.task.scenario;
     program.terms.push_back(tool_on_path(*common.robot, {last, last}, in.path, 0.0));
     program.terms.push_back(tool_moves_with_path(*common.robot, last, in.path));
     if (common.task.end_gaze) {
-      program.terms.push_back(gaze_within(*common.robot, {last, last},
-                                          in.targets[in.active_target(common.task.at)].path,
-                                          common.task.gaze_threshold));
+      program.terms.push_back(gaze_within(*common.robot, {last, last}, gazed, common.task.gaze_threshold));
     }
     return program;
   };
@@ -194,7 +213,8 @@ PlanProblem fastest_problem(const PlanCommon& common) {
     // From rest to rest, from the curve's beginning to its end.
     program.terms.push_back(path_coordinate_at(0, 0.0));
     program.terms.push_back(path_coordinate_at(last, turn));
-    program.terms.push_back(given_state("end", joints, last, {{}, JointVector::Zero(common.n()), {}}));
+    program.terms.push_back(given_state("end", joints, position_units(*common.robot), last,
+                                        {{}, JointVector::Zero(common.n()), {}}));
     program.terms.push_back(tool_on_curve(*common.robot, {1, last}, curve, common.task.path_tolerance));
     return program;
   };
@@ -228,7 +248,8 @@ PlanProblem plan_problem(const PlanTask& task) {
   PlanCommon common;
   common.task = task;
   common.robot = std::make_shared<const RobotModel>(plant_model(task.scenario));
-  common.start = start_state(task, *common.robot);
+  if (!task.start.rollout.empty()) common.controller = controller_motion(task, *common.robot);
+  common.start = start_state(task, *common.robot, common.controller ? &*common.controller : nullptr);
   PlanProblem problem;
   switch (task.kind) {
     case PlanKind::kMove:
@@ -248,6 +269,9 @@ PlanProblem plan_problem(const PlanTask& task) {
       break;
   }
   problem.robot = common.robot;
+  const bool has_path_coordinate = task.kind == PlanKind::kFastest;
+  if (common.controller && task.kind != PlanKind::kMove && !has_path_coordinate)
+    problem.guess = controllers(common.controller->motion, problem.grid);
   return problem;
 }
 

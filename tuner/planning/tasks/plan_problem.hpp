@@ -1,6 +1,8 @@
 #pragma once
 // A task as a program on a time grid, and where to start from.
 
+#include <limits>
+
 #include "tuner/planning/refining_solver.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/tasks/tool_motion.hpp"
@@ -12,6 +14,8 @@ struct PlanProblem {
   TaskOnGrid task;
   TimeGrid grid;
   Trajectory guess;
+  /// The target that the plan looks at is the active one until then [s]; what looks there later is of no use.
+  double target_until = std::numeric_limits<double>::infinity();
 };
 
 /// Throws InputError if no pose of the arm is on the tool's path where the plan needs one, or a rollout does

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/common/error.hpp"
-#include "sim/csv/csv_table.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/tasks/tool_motion.hpp"
 
@@ -14,40 +13,15 @@ namespace {
 
 constexpr double kLeadIn = 3.0;  // s on the path before the start: the inverse kinematics settles
 
-/// The row of a rollout nearest to the plan's start.
-StartState row_of(const PlanTask& task, const RobotModel& robot) {
-  const auto table = CsvTable::read(task.start.rollout);
-  const std::vector<double> time = table.numbers(table.column("time"));
-  std::size_t row = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (std::abs(time[i] - task.at) < std::abs(time[row] - task.at)) row = i;
-  }
-  const double apart = time.empty() ? INFINITY : std::abs(time[row] - task.at);
-  if (!(apart <= 0.05)) {
-    throw InputError(fmt::format("{}: has no row within 0.05 s of {} s, where {} begins",
-                                 shown_path(task.start.rollout), task.at, task.name));
-  }
-  StartState state;
-  state.position.resize(robot.n());
-  state.velocity.resize(robot.n());
-  for (int i = 0; i < robot.n(); ++i) {
-    const std::string joint = "joint/" + robot.joints[static_cast<std::size_t>(i)].name;
-    state.position[i] = table.number(row, table.column(joint + "/position"));
-    state.velocity[i] = table.number(row, table.column(joint + "/velocity"));
-    if (!std::isfinite(state.position[i]) || !std::isfinite(state.velocity[i])) {
-      throw InputError(
-          fmt::format("{}: row at {} s has no finite {}/position and velocity; start from another time",
-                      shown_path(task.start.rollout), time[row], joint));
-    }
-  }
-  return state;
-}
-
 }  // namespace
 
-StartState start_state(const PlanTask& task, const RobotModel& robot) {
-  if (!task.start.rollout.empty()) return row_of(task, robot);
+StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller) {
   StartState state;
+  if (controller != nullptr) {
+    state.position = controller->motion.position.col(0);
+    state.velocity = controller->motion.velocity.col(0);
+    return state;
+  }
   state.velocity = JointVector::Zero(robot.n());
   if (task.start.position.size() > 0) {
     state.position = task.start.position;

@@ -1,17 +1,18 @@
 #pragma once
 // The state a plan starts from.
 
+#include "tuner/planning/tasks/controller_motion.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
 namespace armtune {
 
 struct StartState {
-  JointVector position, velocity;
-  JointVector acceleration;  ///< empty: free
+  JointVector position, velocity;  ///< n each [rad, m and per s]
+  JointVector acceleration;        ///< empty: free
 };
 
-/// As the task gives it: a state, a row of a rollout, or a pose on the path with the path's velocity. Throws
-/// InputError.
-StartState start_state(const PlanTask& task, const RobotModel& robot);
+/// As the task gives it: where the controller was (null: no rollout), a state, or a pose on the path with the
+/// path's velocity. Throws InputError.
+StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
 }  // namespace armtune

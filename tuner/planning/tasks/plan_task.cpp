@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/common/error.hpp"
@@ -17,6 +19,8 @@ namespace armtune {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr long kFewestKnots =
+    12;  // start and end are six conditions a joint, and an interval has one freedom
 constexpr long kMostKnots = 100'000;
 
 JointVector positive_values(yaml::MapReader& map, const char* key, const std::vector<std::string>& joints) {
@@ -57,6 +61,74 @@ PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joi
     start.acceleration = yaml::joint_values(*acceleration, joints);
   map.finish();
   return start;
+}
+
+/// A joint position, velocity or acceleration that its limits rule out is found here, not by the solver.
+void check_position(const yaml::Node& node, const JointVector& values, const RobotModel& robot) {
+  for (int i = 0; i < robot.n(); ++i) {
+    const JointInfo& joint = robot.joints[static_cast<std::size_t>(i)];
+    if (joint.limits.has_position && !(values[i] >= joint.limits.lower && values[i] <= joint.limits.upper))
+      node.fail(fmt::format("{} is {}; its limits are {} .. {}", joint.name, cell(values[i]),
+                            cell(joint.limits.lower), cell(joint.limits.upper)));
+  }
+}
+
+void check_size(const yaml::Node& node, const JointVector& values, const JointVector& limits,
+                const RobotModel& robot) {
+  for (Eigen::Index i = 0; i < std::min(values.size(), limits.size()); ++i) {
+    if (!(std::abs(values[i]) <= limits[i]))
+      node.fail(fmt::format("{} is {}; the task limits it to {}",
+                            robot.joints[static_cast<std::size_t>(i)].name, cell(values[i]),
+                            cell(limits[i])));
+  }
+}
+
+void check_start_and_goal(yaml::MapReader& map, const PlanTask& task) {
+  const RobotModel& robot = *task.scenario.robot;
+  if (task.goal.size() > 0) check_position(map.required("goal"), task.goal, robot);
+  const yaml::Node* start = map.optional("start");
+  if (start == nullptr || task.start.position.size() == 0) return;
+  check_position(*start->find("position"), task.start.position, robot);
+  if (task.start.velocity.size() > 0)
+    check_size(*start->find("velocity"), task.start.velocity, task.limits.velocity * robot.velocity_limits(),
+               robot);
+  if (task.start.acceleration.size() > 0)
+    check_size(*start->find("acceleration"), task.start.acceleration, task.limits.acceleration, robot);
+}
+
+/// Keys that say something to some kinds of task only.
+std::vector<std::string> special_keys(const PlanTask& task) {
+  switch (task.kind) {
+    case PlanKind::kMove:
+      return {"goal"};
+    case PlanKind::kTrack:
+      return {};
+    case PlanKind::kSwitch:
+      if (task.least_error) return {"least_error", "path_tolerance"};
+      return {"least_error", "path_tolerance", "gaze_threshold", "hold"};
+    case PlanKind::kReturn:
+      if (task.end_gaze) return {"end_gaze", "gaze_threshold"};
+      return {"end_gaze"};
+    case PlanKind::kFastest:
+      return {"path_tolerance"};
+  }
+  return {};
+}
+
+bool says_something(const std::vector<std::string>& keys, const char* key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+void refuse_idle_keys(yaml::MapReader& map, const PlanTask& task) {
+  const std::vector<std::string> keys = special_keys(task);
+  for (const char* key : {"goal", "least_error", "path_tolerance", "gaze_threshold", "hold", "end_gaze"}) {
+    if (says_something(keys, key) || !map.has(key)) continue;
+    const bool would = std::string(key) == "gaze_threshold" || std::string(key) == "hold";
+    map.required(key).fail(fmt::format("says nothing to a {}{}; leave it out", name(task.kind),
+                                       would && task.kind == PlanKind::kSwitch   ? " with least_error"
+                                       : would && task.kind == PlanKind::kReturn ? " without end_gaze"
+                                                                                 : ""));
+  }
 }
 
 PlanKind read_kind(const yaml::Node& node) {
@@ -117,16 +189,17 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   task.clearance = map.number_in("clearance", task.clearance, 0.0, kInfinity);
   if (const yaml::Node* limits = map.optional("limits")) task.limits = read_limits(*limits, joints);
   const long knots = map.integer("knots", task.knots);
-  if (knots < 4 || knots > kMostKnots)
-    map.required("knots").fail(fmt::format("{} knots; it must lie in 4 .. {}", knots, kMostKnots));
+  if (knots < kFewestKnots || knots > kMostKnots)
+    map.required("knots").fail(
+        fmt::format("{} knots; it must lie in {} .. {}", knots, kFewestKnots, kMostKnots));
   task.knots = static_cast<int>(knots);
   task.smoothness = map.number_in("smoothness", task.smoothness, 0.0, 1e3);
   map.finish();
 
   if (task.kind == PlanKind::kMove && task.goal.size() == 0)
     kind.fail("a move needs a goal: a joint position");
-  if (task.kind != PlanKind::kMove && task.goal.size() > 0)
-    map.required("goal").fail("only a move has a goal; the others end on the tool's path");
+  refuse_idle_keys(map, task);
+  check_start_and_goal(map, task);
   if (task.kind == PlanKind::kReturn && task.start.position.size() == 0 && task.start.rollout.empty())
     kind.fail("a return needs a start off the path: {position: [...]} or {rollout: FILE}");
   if (task.kind == PlanKind::kTrack && !task.duration) kind.fail("a track needs a duration [s]");
@@ -154,10 +227,16 @@ std::string plan_task_yaml(const PlanTask& task) {
   }
   if (task.goal.size() > 0) text += "goal: " + list(task.goal) + "\n";
   if (task.duration) text += "duration: " + cell(*task.duration) + "\n";
-  text += fmt::format(
-      "hold: {}\nleast_error: {}\npath_tolerance: {}\ngaze_threshold: {}\nend_gaze: {}\nclearance: {}\n",
-      cell(task.hold), task.least_error, cell(task.path_tolerance), cell(task.gaze_threshold), task.end_gaze,
-      cell(task.clearance));
+  const std::vector<std::string> keys = special_keys(task);
+  const auto add = [&](const char* key, const std::string& value) {
+    if (says_something(keys, key)) text += fmt::format("{}: {}\n", key, value);
+  };
+  add("hold", cell(task.hold));
+  add("least_error", task.least_error ? "true" : "false");
+  add("path_tolerance", cell(task.path_tolerance));
+  add("gaze_threshold", cell(task.gaze_threshold));
+  add("end_gaze", task.end_gaze ? "true" : "false");
+  text += "clearance: " + cell(task.clearance) + "\n";
   text += fmt::format("limits:\n  velocity: {}\n  effort: {}\n", cell(task.limits.velocity),
                       cell(task.limits.effort));
   if (task.limits.acceleration.size() > 0) text += "  acceleration: " + list(task.limits.acceleration) + "\n";

@@ -20,6 +20,12 @@ KnotTerm over(KnotRange knots, const std::string& name, const std::vector<std::s
   return term;
 }
 
+/// The rows' values are lengths [m] times `factor`.
+void in_meters(double factor, KnotTerm& term) {
+  term.units.assign(term.rows.size(), "m");
+  term.natural = [factor](std::size_t, double value) { return value / factor; };
+}
+
 /// z axis and origin of joint i, and whether it turns.
 struct JointAxis {
   Vec3 z;
@@ -105,6 +111,14 @@ void gaze_error(const Chain& chain, const Knot& knot, const MotionPoint<Vec3>& t
 
 }  // namespace
 
+std::vector<std::string> position_units(const RobotModel& robot) {
+  std::vector<std::string> units;
+  for (int i = 0; i < robot.n(); ++i)
+    units.emplace_back(robot.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute ? "rad"
+                                                                                                 : "m");
+  return units;
+}
+
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) {
   KnotTerm term = over(knots, "torque", joint_names(robot));
   term.on_velocity = term.on_acceleration = true;
@@ -118,6 +132,12 @@ KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) 
   };
   auto work =
       std::make_shared<Work>(Work{robot.chain, (margin * robot.effort_limits()).cwiseInverse(), {}, {}});
+  for (int i = 0; i < robot.n(); ++i)
+    term.units.emplace_back(robot.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute ? "N m"
+                                                                                                      : "N");
+  term.natural = [limits = Eigen::VectorXd(margin * robot.effort_limits())](std::size_t row, double value) {
+    return limits[static_cast<Eigen::Index>(row)] * value;
+  };
   term.evaluate = [work](const Knot& knot, const KnotRows& out) {
     const int n = work->chain.n;
     Eigen::Map<Eigen::VectorXd> value(out.value, n);
@@ -146,6 +166,7 @@ KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const HarmonicPa
   term.lower = tolerance > 0.0 ? -1.0 : 0.0;
   term.upper = -term.lower;
   const double factor = tolerance > 0.0 ? 1.0 / tolerance : 1.0;
+  in_meters(factor, term);
   term.evaluate = [chain = robot.chain, path, factor](const Knot& knot, const KnotRows& out) {
     tool_offset(chain, knot, path.at(knot.time), factor, out);
   };
@@ -162,6 +183,7 @@ KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const HarmonicP
   KnotTerm term = over({knot, knot}, "tool motion", {"vx", "vy", "vz", "ax", "ay", "az"});
   term.on_velocity = term.on_acceleration = term.on_time = true;
   term.lower = term.upper = 0.0;
+  term.units = {"m/s", "m/s", "m/s", "m/s^2", "m/s^2", "m/s^2"};
   term.evaluate = [chain = robot.chain, dual = chain_cast<Along>(robot.chain), path](const Knot& at,
                                                                                      const KnotRows& out) {
     const int n = chain.n;
@@ -218,6 +240,10 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const HarmonicPat
   const double half = std::sin(0.5 * angle);
   // sin^2(angle/2) = (1 - cos)/2 over its limit: smooth, and it grows up to the target straight behind.
   const double factor = 0.5 / (half * half);
+  term.units = {"rad"};
+  term.natural = [half](std::size_t, double value) {
+    return 2.0 * std::asin(std::min(1.0, half * std::sqrt(std::max(0.0, value))));
+  };
   term.evaluate = [chain = robot.chain, target, factor](const Knot& knot, const KnotRows& out) {
     const MotionPoint<Vec3> at = target.at(knot.time);
     const Vec3 line = at.position - knot.poses.p_0T;
@@ -241,18 +267,23 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const HarmonicPat
 }
 
 KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name,
-                  const HarmonicPath& obstacle, double radius, int first_joint) {
+                  const HarmonicPath& obstacle, double radius) {
+  // The origin of a first joint that turns stands still: nothing can be done about it.
+  const int first_joint = robot.chain.motion[0] == JointMotion::kRevolute ? 1 : 0;
   std::vector<std::string> rows = joint_names(robot);
   rows.erase(rows.begin(), rows.begin() + first_joint);
+  rows.emplace_back("tool");
   KnotTerm term = over(knots, "distance to " + name, rows);
+  in_meters(1.0 / radius, term);
   term.on_time = true;
   term.lower = 1.0;
   term.evaluate = [chain = robot.chain, obstacle, radius, first_joint](const Knot& knot,
                                                                        const KnotRows& out) {
     const MotionPoint<Vec3> at = obstacle.at(knot.time);
-    for (int i = first_joint; i < chain.n; ++i) {
+    for (int i = first_joint; i <= chain.n; ++i) {  // the tool stands behind the last joint
       const int row = i - first_joint;
-      const Vec3 p = knot.poses.p_0B[static_cast<std::size_t>(i)];
+      const bool tool = i == chain.n;
+      const Vec3 p = tool ? knot.poses.p_0T : knot.poses.p_0B[static_cast<std::size_t>(i)];
       const Vec3 away = p - at.position;
       const double distance = away.norm();
       out.value[row] = distance / radius;
@@ -261,8 +292,8 @@ KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& n
       for (int j = 0; j < i; ++j)
         out.by_q[row * out.columns + j] = direction.dot(point_rate(axis_of(chain, knot.poses, j), p));
       // A sliding joint carries its own origin along.
-      const JointAxis own = axis_of(chain, knot.poses, i);
-      if (!own.turns) out.by_q[row * out.columns + i] = direction.dot(own.z);
+      if (!tool && chain.motion[static_cast<std::size_t>(i)] == JointMotion::kPrismatic)
+        out.by_q[row * out.columns + i] = direction.dot(axis_of(chain, knot.poses, i).z);
       out.by_time[row] = -direction.dot(at.velocity);
     }
   };
@@ -274,6 +305,7 @@ KnotTerm tool_on_curve(const RobotModel& robot, KnotRange knots, const ToolCurve
   term.lower = tolerance > 0.0 ? -1.0 : 0.0;
   term.upper = -term.lower;
   const double factor = tolerance > 0.0 ? 1.0 / tolerance : 1.0;
+  in_meters(factor, term);
   term.evaluate = [chain = robot.chain, curve, factor](const Knot& knot, const KnotRows& out) {
     const MotionPoint<Vec3> at = curve(knot.s);
     Eigen::Map<Vec3> value(out.value);

@@ -14,6 +14,9 @@ struct KnotRange {
   int last = 0;
 };
 
+/// "rad" or "m" for each joint.
+std::vector<std::string> position_units(const RobotModel& robot);
+
 /// |tau_i| <= margin * limit of every joint, by the arm's inverse dynamics.
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin);
 
@@ -32,9 +35,9 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const HarmonicPat
 /// Cost: the sine of the angle between tool z and the line to target(t); `weight` per (rad^2).
 KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double weight);
 
-/// Every joint's origin at least `radius` [m] from obstacle(t), but those of joints before `first_joint`.
+/// Every joint's origin that can move, and the tool, at least `radius` [m] from obstacle(t).
 KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name,
-                  const HarmonicPath& obstacle, double radius, int first_joint);
+                  const HarmonicPath& obstacle, double radius);
 
 /// A curve of the tool over a coordinate s: position [m] and its derivative.
 using ToolCurve = std::function<MotionPoint<Vec3>(double s)>;

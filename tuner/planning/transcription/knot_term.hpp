@@ -44,6 +44,9 @@ struct KnotTerm {
       -std::numeric_limits<double>::infinity();  ///< of every row; values come divided by their limit
   double upper = std::numeric_limits<double>::infinity();
   std::function<void(const Knot&, const KnotRows&)> evaluate;
+  std::vector<std::string> units;  ///< of the rows' values as `natural` gives them; empty: 1
+  /// A row's value as users know it, such as a torque in N m; null: as it is.
+  std::function<double(std::size_t row, double value)> natural;
 };
 
 }  // namespace armtune

@@ -10,9 +10,9 @@ struct GivenState {
   Eigen::VectorXd position, velocity, acceleration;
 };
 
-/// Equations: the coordinates `names` move as given at the knot.
-inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names, int knot,
-                            const GivenState& given) {
+/// Equations: the coordinates `names` move as given at the knot. units: of their positions.
+inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names,
+                            const std::vector<std::string>& units, int knot, const GivenState& given) {
   KnotTerm term;
   term.name = name;
   term.first_knot = term.last_knot = knot;
@@ -20,12 +20,13 @@ inline KnotTerm given_state(const std::string& name, const std::vector<std::stri
   term.linear = true;
   term.on_velocity = given.velocity.size() > 0;
   term.on_acceleration = given.acceleration.size() > 0;
-  const auto add = [&](const char* what) {
+  const auto add = [&](const char* what, const char* per) {
     for (const std::string& coordinate : names) term.rows.push_back(coordinate + " " + what);
+    for (const std::string& unit : units) term.units.push_back(unit + per);
   };
-  if (given.position.size() > 0) add("position");
-  if (given.velocity.size() > 0) add("velocity");
-  if (given.acceleration.size() > 0) add("acceleration");
+  if (given.position.size() > 0) add("position", "");
+  if (given.velocity.size() > 0) add("velocity", "/s");
+  if (given.acceleration.size() > 0) add("acceleration", "/s^2");
   term.evaluate = [given](const Knot& at, const KnotRows& out) {
     int row = 0;
     const auto put = [&](const Eigen::VectorXd& wanted, const JointVector& is, double path, double* by) {
@@ -46,6 +47,7 @@ inline KnotTerm path_coordinate_at(int knot, double s) {
   KnotTerm term;
   term.name = "path coordinate";
   term.rows = {"s"};
+  term.units = {"s"};
   term.first_knot = term.last_knot = knot;
   term.lower = term.upper = 0.0;
   term.linear = true;

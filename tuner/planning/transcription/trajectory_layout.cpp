@@ -50,7 +50,7 @@ void TrajectoryProgram::lay_out_intervals() {
     if (duration >= 0) columns.push_back(duration);
     return columns;
   };
-  groups_.push_back({rows.rows(), "dynamics", kDynamics, -1, 2 * m_});
+  groups_.push_back({rows.rows(), "dynamics", kDynamics, -1, 2 * m_, 0, 1.0});
   first_dynamics_ = static_cast<int>(rows.blocks().size());
   for (int k = 0; k < intervals; ++k) {
     for (int j = 0; j < m_; ++j) {
@@ -67,7 +67,7 @@ void TrajectoryProgram::lay_out_intervals() {
   }
   first_jerk_ = static_cast<int>(rows.blocks().size());
   if (!jerk_limited_.empty())
-    groups_.push_back({rows.rows(), "jerk", kJerk, -1, static_cast<int>(jerk_limited_.size())});
+    groups_.push_back({rows.rows(), "jerk", kJerk, -1, static_cast<int>(jerk_limited_.size()), 3, 1.0});
   for (int k = 0; k < intervals; ++k) {
     for (const int j : jerk_limited_) {
       rows.add(1, with_duration({column(k, 2, j), column(k + 1, 2, j)}, k));
@@ -76,7 +76,8 @@ void TrajectoryProgram::lay_out_intervals() {
   }
   first_inside_ = static_cast<int>(rows.blocks().size());
   if (!velocity_limited_.empty())
-    groups_.push_back({rows.rows(), "velocity", kInside, -1, static_cast<int>(velocity_limited_.size())});
+    groups_.push_back(
+        {rows.rows(), "velocity", kInside, -1, static_cast<int>(velocity_limited_.size()), 1, 1.0});
   for (int k = 0; k < intervals; ++k) {
     for (const int j : velocity_limited_) {
       const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
@@ -95,11 +96,12 @@ void TrajectoryProgram::lay_out_intervals() {
 void TrajectoryProgram::lay_out_bounds() {
   const auto add = [&](const char* name, int order, int j, double lower, double upper) {
     if (!std::isfinite(lower) && !std::isfinite(upper)) return;
-    groups_.push_back({rows.rows(), name, kBounds, j, 1});
     // Values relative to the limit, so that a violation is, too.
-    const double unit =
+    const double limit =
         std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
-    const double per = unit > 0.0 ? 1.0 / unit : 1.0;
+    const double size = limit > 0.0 ? limit : 1.0;
+    const double per = 1.0 / size;
+    groups_.push_back({rows.rows(), name, kBounds, j, 1, order, size});
     std::vector<int> columns;
     columns.reserve(static_cast<std::size_t>(task_.grid.knots()));
     for (int k = 0; k < task_.grid.knots(); ++k) columns.push_back(column(k, order, j));
@@ -116,7 +118,9 @@ void TrajectoryProgram::lay_out_bounds() {
   for (std::size_t p = 0; p < duration_column_.size(); ++p) {
     if (duration_column_[p] < 0) continue;
     const Phase& phase = task_.grid.phases[p];
-    groups_.push_back({rows.rows(), "duration of phase " + phase.name, kBounds, -1, 1});
+    groups_.push_back({rows.rows(), "duration of phase " + phase.name, kBounds, -1, 1, 0, 1.0});
+    // Far from a solution the linearised rows say that no time is needed at all.
+    halving_rows.push_back(rows.rows());
     const int block = rows.add_diagonal({duration_column_[p]});
     rows.values(rows.block(block))[0] = 1.0;
     add_bounds(1, phase.shortest, phase.longest, false);
@@ -129,7 +133,7 @@ void TrajectoryProgram::lay_out_terms() {
     BlockRows& target = term.cost ? residuals : rows;
     if (!term.cost)
       groups_.push_back(
-          {rows.rows(), term.name, kTerm, static_cast<int>(t), static_cast<int>(term.rows.size())});
+          {rows.rows(), term.name, kTerm, static_cast<int>(t), static_cast<int>(term.rows.size()), 0, 1.0});
     term_blocks_.push_back({static_cast<int>(target.blocks().size())});
     for (int k = term.first_knot; k <= term.last_knot; ++k) {
       const std::vector<int> columns = knot_columns(k, term.on_velocity, term.on_acceleration, term.on_time);

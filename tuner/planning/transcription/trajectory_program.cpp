@@ -1,5 +1,7 @@
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -99,40 +101,72 @@ VectorXd TrajectoryProgram::multipliers_from(const TrajectoryProgram& coarse, co
   return fine;
 }
 
+const TrajectoryProgram::RowGroup& TrajectoryProgram::group_of(Index row) const {
+  const auto after = std::upper_bound(groups_.begin(), groups_.end(), row,
+                                      [](Index value, const RowGroup& g) { return value < g.first_row; });
+  return *std::prev(after);
+}
+
 RowMeaning TrajectoryProgram::meaning(Index row) const {
-  auto group = std::upper_bound(groups_.begin(), groups_.end(), row,
-                                [](Index value, const RowGroup& g) { return value < g.first_row; });
-  --group;
-  const auto offset = static_cast<int>(row - group->first_row);
+  const RowGroup& group = group_of(row);
+  const auto offset = static_cast<int>(row - group.first_row);
   RowMeaning meaning;
-  meaning.limit = group->limit;
-  switch (group->kind) {
+  meaning.limit = group.limit;
+  const auto of_coordinate = [&](int coordinate, int order) {
+    const Coordinate& c = task_.coordinates[static_cast<std::size_t>(coordinate)];
+    meaning.part = c.name;
+    meaning.unit = c.unit + (order == 0 ? "" : order == 1 ? "/s" : fmt::format("/s^{}", order));
+  };
+  switch (group.kind) {
     case kDynamics:
-      meaning.part = task_.coordinates[static_cast<std::size_t>(offset / 2 % m_)].name;
+      of_coordinate(offset / 2 % m_, offset % 2);
       meaning.knot = offset / 2 / m_;
       break;
     case kJerk:
     case kInside: {
-      const std::vector<int>& limited = group->kind == kJerk ? jerk_limited_ : velocity_limited_;
-      const int count = static_cast<int>(limited.size());
-      meaning.part =
-          task_.coordinates[static_cast<std::size_t>(limited[static_cast<std::size_t>(offset % count)])].name;
-      meaning.knot = offset / count;
+      of_coordinate(limited(group)[static_cast<std::size_t>(offset % group.width)], group.order);
+      meaning.knot = offset / group.width;
       break;
     }
     case kBounds:
-      if (group->term >= 0) meaning.part = task_.coordinates[static_cast<std::size_t>(group->term)].name;
-      meaning.knot = group->term >= 0 ? offset : 0;
+      if (group.term >= 0) {
+        of_coordinate(group.term, group.order);
+        meaning.knot = offset;
+      } else {
+        meaning.unit = "s";
+      }
       break;
     default: {
-      const KnotTerm& term = task_.terms[static_cast<std::size_t>(group->term)];
-      const int count = static_cast<int>(term.rows.size());
-      meaning.part = term.rows[static_cast<std::size_t>(offset % count)];
-      meaning.knot = term.first_knot + offset / count;
+      const KnotTerm& term = task_.terms[static_cast<std::size_t>(group.term)];
+      const auto part = static_cast<std::size_t>(offset % group.width);
+      meaning.part = term.rows[part];
+      if (!term.units.empty()) meaning.unit = term.units[part];
+      meaning.knot = term.first_knot + offset / group.width;
       break;
     }
   }
   return meaning;
+}
+
+double TrajectoryProgram::natural(Index row, double value) const {
+  const RowGroup& group = group_of(row);
+  const auto offset = static_cast<int>(row - group.first_row);
+  switch (group.kind) {
+    case kDynamics:
+      return offset % 2 == 0 ? value : value * scale(1, offset / 2 % m_);
+    case kJerk:
+    case kInside: {
+      const Coordinate& c = task_.coordinates[static_cast<std::size_t>(
+          limited(group)[static_cast<std::size_t>(offset % group.width)])];
+      return value * (group.kind == kJerk ? c.jerk : c.velocity_unit());
+    }
+    case kBounds:
+      return value * group.size;
+    default: {
+      const KnotTerm& term = task_.terms[static_cast<std::size_t>(group.term)];
+      return term.natural ? term.natural(static_cast<std::size_t>(offset % group.width), value) : value;
+    }
+  }
 }
 
 }  // namespace armtune

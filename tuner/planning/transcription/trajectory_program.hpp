@@ -24,6 +24,7 @@ namespace armtune {
 /// A joint, or the path coordinate, and its limits (inf: none).
 struct Coordinate {
   std::string name;
+  std::string unit = "rad";  ///< of its position
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double least_velocity = -std::numeric_limits<double>::infinity();
@@ -59,6 +60,7 @@ struct RowMeaning {
   std::string limit;  ///< "velocity", "torque", "tool path"...
   std::string part;   ///< joint or axis
   int knot = 0;
+  std::string unit;  ///< of its value as `natural` gives it
 };
 
 class TrajectoryProgram : public NonlinearProgram {
@@ -74,15 +76,32 @@ class TrajectoryProgram : public NonlinearProgram {
   Eigen::VectorXd unknowns(const Trajectory& trajectory) const;
   Trajectory trajectory(const Eigen::VectorXd& z) const;
   RowMeaning meaning(Eigen::Index row) const;
+  /// What a row's value or bound is in the unit of its meaning.
+  double natural(Eigen::Index row, double value) const;
   /// Multipliers of this program's rows, guessed from those of the same task on a coarser grid.
   Eigen::VectorXd multipliers_from(const TrajectoryProgram& coarse, const Eigen::VectorXd& y) const;
 
  private:
+  enum GroupKind { kDynamics, kJerk, kInside, kBounds, kTerm };
+  struct RowGroup {
+    Eigen::Index first_row;
+    std::string limit;
+    int kind;     ///< how `meaning` reads the offset
+    int term;     ///< or coordinate
+    int width;    ///< rows of a knot
+    int order;    ///< of the derivative that it bounds, where it bounds one
+    double size;  ///< what a value of 1 stands for, where it bounds a coordinate
+  };
   struct TermBlocks {
     int first_block = 0;  ///< one a knot, in `rows` or `residuals`
   };
   int column(int knot, int order, int coordinate) const;
   double scale(int order, int coordinate) const;
+  const RowGroup& group_of(Eigen::Index row) const;
+  /// The coordinates whose jerk, or whose velocity between knots, the group limits.
+  const std::vector<int>& limited(const RowGroup& group) const {
+    return group.kind == kJerk ? jerk_limited_ : velocity_limited_;
+  }
   void lay_out_intervals();
   void lay_out_bounds();
   void lay_out_terms();
@@ -114,14 +133,6 @@ class TrajectoryProgram : public NonlinearProgram {
   int first_smooth_ = -1;                ///< block in residuals; -1: none
   std::vector<TermBlocks> term_blocks_;
   std::vector<double> lower_, upper_, penalty_;
-  enum GroupKind { kDynamics, kJerk, kInside, kBounds, kTerm };
-  struct RowGroup {
-    Eigen::Index first_row;
-    std::string limit;
-    int kind;   ///< how `meaning` reads the offset
-    int term;   ///< or coordinate
-    int width;  ///< rows of a knot
-  };
   std::vector<RowGroup> groups_;
   Eigen::VectorXd scratch_q_, scratch_qd_, scratch_qdd_, scratch_time_;
 };

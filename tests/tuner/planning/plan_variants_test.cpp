@@ -1,0 +1,184 @@
+// Plans beside the bundled ones: other durations, thresholds, starts and arms.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/trajectory/quintic.hpp"
+#include "sim/rollout/recorder.hpp"
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/planning/output/worst_violation.hpp"
+#include "tuner/planning/tasks/controller_motion.hpp"
+#include "tuner/planning/tasks/plan_problem.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::HasSubstr;
+
+PlannedTrajectory solved(const PlanProblem& problem, const PlanObserver& observer = {}) {
+  return solve_refining(problem.task, problem.grid, problem.guess, {}, observer);
+}
+
+double least_time(const PlanTask& task) {
+  const PlannedTrajectory planned = solved(plan_problem(task));
+  EXPECT_EQ(planned.result.status, PlanStatus::kSolved) << sentence(worst_violation(planned));
+  return planned.trajectory.durations.front();
+}
+
+TEST(PlanVariants, WithTimeToSpareAMoveIsTheSmoothestOfAll) {
+  PlanTask task = load_plan_task("ur10_move");
+  task.duration = 5.0;  // no limit is near
+  const PlanProblem problem = plan_problem(task);
+  const PlannedTrajectory planned = solved(problem);
+  ASSERT_EQ(planned.result.status, PlanStatus::kSolved);
+  // Of all motions between two states at rest the quintic has the least jerk; on 200 intervals nearly so.
+  const JointVector start = planned.trajectory.position.col(0);
+  for (const double part : {0.1, 0.3, 0.5, 0.8}) {
+    const double s = rest_to_rest(0.0, 1.0, 5.0).at(5.0 * part).position;
+    const TrajectoryPoint point = point_at(planned.trajectory, task.at + 5.0 * part);
+    const JointVector expected = start + s * (task.goal - start);
+    EXPECT_LE((point.position - expected).lpNorm<Eigen::Infinity>(), 2e-5) << part;
+  }
+}
+
+TEST(PlanVariants, ASmallerThresholdTakesLonger) {
+  PlanTask task = load_plan_task("ur10_switch");
+  task.knots = 60;
+  double before = 0.0;
+  for (const double threshold : {0.3, 0.15, 0.02, 0.002}) {
+    task.gaze_threshold = threshold;
+    const double time = least_time(task);
+    EXPECT_GT(time, before) << threshold;
+    before = time;
+  }
+}
+
+TEST(PlanVariants, TheFastestTurnIsFoundInOtherScenariosToo) {
+  PlanTask task = load_plan_task("ur10_fastest_circle");
+  task.knots = 60;
+  task.scenario = load_scenario("fixed_target");
+  const double around = least_time(task);
+  // No sooner than the slowest joint could go its way at its velocity limit, there and back.
+  EXPECT_GT(around, 0.1);
+  task.limits.velocity = 0.5;
+  EXPECT_GT(least_time(task), around);
+}
+
+TEST(PlanVariants, FromARolloutItStartsWhereTheControllerWasAndEndsNoLater) {
+  const test::TemporaryFolder folder;
+  Scenario scenario = load_scenario("target_switch");
+  scenario.duration = 20.0;
+  const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+  Recorder recorder(scenario, 5);
+  Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) { return recorder(o); });
+  recorder.write_csv(folder / "rollout.csv");
+
+  PlanTask task = load_plan_task("ur10_switch");
+  task.at = 16.0;
+  task.knots = 90;
+  task.start = {};
+  task.start.rollout = folder / "rollout.csv";
+  const PlanProblem problem = plan_problem(task);
+  const ControllerMotion controller = controller_motion(task, *problem.robot);
+  ASSERT_TRUE(controller.reached.has_value());
+  EXPECT_EQ(problem.guess.position.col(0), controller.motion.position.col(0));
+  EXPECT_NEAR(problem.guess.durations.front(), std::max(0.2, *controller.reached), 1e-12);
+  // The guess is the controller's own motion: the same joint positions at the same time.
+  const double later = task.at + 0.5 * problem.guess.durations.front();
+  EXPECT_LE((point_at(problem.guess, later).position - point_at(controller.motion, later).position)
+                .lpNorm<Eigen::Infinity>(),
+            1e-3);
+  const PlannedTrajectory planned = solved(problem);
+  ASSERT_EQ(planned.result.status, PlanStatus::kSolved);
+  EXPECT_LE(planned.trajectory.durations.front(), *controller.reached + 0.01);
+  // Given the same state without the rollout the optimum is the same.
+  PlanTask cold = task;
+  cold.start = {};
+  cold.start.position = controller.motion.position.col(0);
+  cold.start.velocity = controller.motion.velocity.col(0);
+  EXPECT_NEAR(least_time(cold), planned.trajectory.durations.front(), 2e-4);
+}
+
+TEST(PlanVariants, StopsBetweenTheStepsOfASubproblem) {
+  PlanTask task = load_plan_task("ur10_switch");
+  const PlanProblem problem = plan_problem(task);
+  int calls = 0;
+  int seen = 0;
+  const PlannedTrajectory planned = solved(problem, [&](const SequentialQuadraticProgress& at) {
+    seen = at.iteration;
+    return ++calls < 5;
+  });
+  EXPECT_EQ(planned.result.status, PlanStatus::kInterrupted);
+  EXPECT_EQ(calls, 5);
+  EXPECT_EQ(seen, 0) << "the first subproblem takes more steps than that";
+}
+
+TEST(PlanVariants, WhatFallsShortIsSaidInItsUnit) {
+  PlanTask task = load_plan_task("ur10_move");
+  task.duration = 0.4;
+  const PlannedTrajectory planned = solved(plan_problem(task));
+  ASSERT_EQ(planned.result.status, PlanStatus::kInfeasible);
+  const WorstViolation worst = worst_violation(planned);
+  EXPECT_THAT(
+      sentence(worst),
+      testing::ContainsRegex("goal of (elbow|wrist_2)_joint position is missed by 0\\.[0-9]+ rad at 0.4 s"));
+  const TrajectoryProgram& program = *planned.program;
+  int torques = 0;
+  for (Eigen::Index row = 0; row < program.rows.rows(); ++row) {
+    const RowMeaning meaning = program.meaning(row);
+    if (meaning.limit != "torque") continue;
+    const double limit =
+        task.scenario.robot->joints[static_cast<std::size_t>(task.scenario.robot->joint_index(meaning.part))]
+            .limits.effort;
+    EXPECT_EQ(meaning.unit, "N m");
+    EXPECT_DOUBLE_EQ(program.natural(row, program.bounds.upper[row]), limit);
+    ++torques;
+  }
+  EXPECT_GT(torques, 6 * 100);
+}
+
+/// Point to point on an arm without a scenario of its own: from one fifth of each joint's range to the other.
+PlanTask move_of(const std::shared_ptr<const RobotModel>& arm) {
+  PlanTask task;
+  task.name = "move";
+  task.kind = PlanKind::kMove;
+  task.scenario = load_scenario("fixed_target");
+  task.scenario.robot = arm;
+  task.scenario.plant = {};
+  task.scenario.start_position.resize(arm->n());
+  task.goal.resize(arm->n());
+  for (int i = 0; i < arm->n(); ++i) {
+    const JointLimits& limits = arm->joints[static_cast<std::size_t>(i)].limits;
+    const double lower = limits.has_position ? limits.lower : -1.0;
+    const double upper = limits.has_position ? limits.upper : 1.0;
+    task.scenario.start_position[i] = lower + 0.2 * (upper - lower);
+    task.goal[i] = lower + 0.8 * (upper - lower);
+  }
+  task.knots = 40;
+  return task;
+}
+
+TEST(PlanVariants, ArmsOfOneToTwelveJointsMoveNoFasterThanTheirLimits) {
+  std::vector<RobotModel> arms{test::seven_joint_arm()};
+  for (const int joints : {1, 3, 5, 9, 12}) arms.push_back(test::random_arm(joints, 7, true));
+  for (RobotModel& model : arms) {
+    const int joints = model.n();
+    for (JointInfo& joint : model.joints)
+      joint.limits.effort = 2000.0;  // random arms may not carry themselves
+    const auto arm = std::make_shared<const RobotModel>(model);
+    PlanTask task = move_of(arm);
+    const double time = least_time(task);
+    const JointVector way = task.goal - task.scenario.start_position;
+    EXPECT_GE(time, (way.array().abs() / arm->velocity_limits().array()).maxCoeff()) << joints;
+    task.limits.velocity = 0.7;
+    EXPECT_GE(least_time(task), time * (1.0 - 1e-6)) << joints;
+  }
+}
+
+}  // namespace
+}  // namespace armtune

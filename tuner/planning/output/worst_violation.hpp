@@ -1,0 +1,24 @@
+#pragma once
+// Where a motion that was not found falls short: the limit in the way, when, and by how much.
+
+#include <string>
+
+#include "tuner/planning/refining_solver.hpp"
+
+namespace armtune {
+
+/// The row that is violated most, in proportion to its limit.
+struct WorstViolation {
+  RowMeaning meaning;
+  double time = 0.0;       ///< [s]
+  double violation = 0.0;  ///< relative to the limit; of an equation in its own unit
+  double value = 0.0;      ///< in the unit of its meaning, as the bound
+  double bound = 0.0;
+  bool equation = false;
+};
+WorstViolation worst_violation(const PlannedTrajectory& planned);
+
+/// "torque of wrist_2_joint would be 31.2 N m at 0.31 s; its limit is 28 N m".
+std::string sentence(const WorstViolation& worst);
+
+}  // namespace armtune

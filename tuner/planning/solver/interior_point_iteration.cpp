@@ -1,0 +1,235 @@
+#include "tuner/planning/solver/interior_point_iteration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// Beside the program's own curvature, and so the same on every grid.
+constexpr double kPrimalProximal = 1e-8;
+constexpr double kDualProximal = 1e-9;
+constexpr int kRefinements = 3;
+constexpr double kLinearAccuracy = 1e-4;  // of a direction, beside the residuals it removes
+constexpr double kStepBack = 0.995;       // fraction to the boundary
+constexpr double kLeastCentering = 0.1;   // of the tolerance
+
+}  // namespace
+
+InteriorPointIteration::InteriorPointIteration(const QuadraticProgram& program, NormalMatrix& normal,
+                                               SparseCholesky& cholesky)
+    : program_(program),
+      R_(*program.residuals),
+      G_(*program.rows),
+      bounds_(program.bounds),
+      rows_(program.rows->rows()),
+      normal_(normal),
+      cholesky_(cholesky) {
+  for (VectorXd* part :
+       {&theta_, &inverse_D_, &D_, &rw_, &pairs_.upper, &pairs_.lower, &pairs_.over, &pairs_.under})
+    part->setZero(rows_);
+}
+
+void InteriorPointIteration::start(const VectorXd& x, const VectorXd& y, double mu) {
+  at_.set_zero(x.size(), rows_);
+  at_.x = x;
+  at_.y = y;
+  G_.multiply(x, Gx_);
+  for (Index i = 0; i < rows_; ++i) {
+    keep_within_penalty(i);
+    if (equation(i)) {
+      at_.w[i] = bounds_.lower[i];
+    } else {
+      start_range(i, mu);
+    }
+    if (elastic(i)) {
+      at_.over[i] = mu / (bounds_.penalty[i] - at_.y[i]);
+      at_.under[i] = mu / (bounds_.penalty[i] + at_.y[i]);
+    }
+    count_ += (has_upper(i) ? 1 : 0) + (has_lower(i) ? 1 : 0) + (elastic(i) ? 2 : 0);
+  }
+}
+
+void InteriorPointIteration::measure(InteriorPointResult& result) {
+  hessian_times(at_.x, Hx_);
+  rd_ = -Hx_ - program_.gradient;
+  minus_y_ = -at_.y;
+  G_.add_transposed(minus_y_, rd_);
+  G_.multiply(at_.x, Gx_);
+  rp_ = at_.w + at_.over - at_.under - Gx_;
+  for (Index i = 0; i < rows_; ++i) rw_[i] = equation(i) ? 0.0 : at_.y[i] - at_.upper[i] + at_.lower[i];
+  mu_ = complementarity(at_);
+  result.stationarity = rd_.lpNorm<1>() + rw_.lpNorm<1>();
+  result.infeasibility = rp_.lpNorm<Eigen::Infinity>();
+  result.complementarity = mu_ * static_cast<double>(count_);
+}
+
+bool InteriorPointIteration::advance(double tolerance) {
+  if (!factorize()) return false;
+  aim(0.0, nullptr);
+  direction(predictor_, count_ > 0 ? 0 : kRefinements);
+  const InteriorUnknowns* step = &predictor_;
+  if (count_ > 0) {
+    InteriorUnknowns reached = at_;
+    reached.add(longest(predictor_), predictor_);
+    const double ratio = complementarity(reached) / mu_;
+    aim(std::max(ratio * ratio * ratio * mu_, kLeastCentering * tolerance / static_cast<double>(count_)),
+        &predictor_);
+    direction(corrector_, kRefinements);
+    step = &corrector_;
+  }
+  at_.add(std::min(1.0, kStepBack * longest(*step)), *step);
+  return true;
+}
+
+void InteriorPointIteration::keep_within_penalty(Index i) {
+  if (elastic(i)) at_.y[i] = std::clamp(at_.y[i], -0.9 * bounds_.penalty[i], 0.9 * bounds_.penalty[i]);
+}
+
+void InteriorPointIteration::start_range(Index i, double mu) {
+  const double root = std::sqrt(mu);
+  const double room = std::min(0.25 * (bounds_.upper[i] - bounds_.lower[i]), root);
+  double& y = at_.y[i];
+  double w = Gx_[i];
+  if (has_upper(i))
+    w = y > root ? bounds_.upper[i] - std::min(room, mu / y) : std::min(w, bounds_.upper[i] - room);
+  if (has_lower(i))
+    w = y < -root ? bounds_.lower[i] + std::min(room, -mu / y) : std::max(w, bounds_.lower[i] + room);
+  at_.w[i] = w;
+  if (has_upper(i)) at_.upper[i] = std::max(y, mu / below_upper(at_, i));
+  if (has_lower(i)) at_.lower[i] = std::max(-y, mu / above_lower(at_, i));
+  y = at_.upper[i] - at_.lower[i];
+  keep_within_penalty(i);
+}
+
+double InteriorPointIteration::complementarity(const InteriorUnknowns& at) const {
+  double sum = 0.0;
+  for (Index i = 0; i < rows_; ++i) {
+    if (has_upper(i)) sum += at.upper[i] * below_upper(at, i);
+    if (has_lower(i)) sum += at.lower[i] * above_lower(at, i);
+    if (elastic(i))
+      sum += at.over[i] * (bounds_.penalty[i] - at.y[i]) + at.under[i] * (bounds_.penalty[i] + at.y[i]);
+  }
+  return count_ == 0 ? 0.0 : sum / static_cast<double>(count_);
+}
+
+void InteriorPointIteration::hessian_times(const VectorXd& v, VectorXd& result) {
+  R_.multiply(v, Rx_);
+  result = program_.damping.cwiseProduct(v);
+  R_.add_transposed(Rx_, result);
+  program_.curvature->add_product(v, result);
+}
+
+bool InteriorPointIteration::factorize() {
+  for (Index i = 0; i < rows_; ++i) {
+    theta_[i] = (has_upper(i) ? at_.upper[i] / below_upper(at_, i) : 0.0) +
+                (has_lower(i) ? at_.lower[i] / above_lower(at_, i) : 0.0);
+    inverse_D_[i] = kDualProximal / program_.scale + (theta_[i] > 0.0 ? 1.0 / theta_[i] : 0.0);
+    if (elastic(i))
+      inverse_D_[i] +=
+          at_.over[i] / (bounds_.penalty[i] - at_.y[i]) + at_.under[i] / (bounds_.penalty[i] + at_.y[i]);
+    D_[i] = 1.0 / inverse_D_[i];
+  }
+  normal_.assemble((program_.damping.array() + kPrimalProximal * program_.scale).matrix(), {&ones_, &D_});
+  return cholesky_.factorize(normal_.matrix());
+}
+
+void InteriorPointIteration::aim(double target, const InteriorUnknowns* affine) {
+  const auto second = [&](const VectorXd& a, const VectorXd& b, Index i) {
+    return affine == nullptr ? 0.0 : a[i] * b[i];
+  };
+  const InteriorUnknowns& d = affine == nullptr ? at_ : *affine;
+  for (Index i = 0; i < rows_; ++i) {
+    if (has_upper(i)) pairs_.upper[i] = target - at_.upper[i] * below_upper(at_, i) + second(d.upper, d.w, i);
+    if (has_lower(i)) pairs_.lower[i] = target - at_.lower[i] * above_lower(at_, i) - second(d.lower, d.w, i);
+    if (!elastic(i)) continue;
+    pairs_.over[i] = target - at_.over[i] * (bounds_.penalty[i] - at_.y[i]) + second(d.over, d.y, i);
+    pairs_.under[i] = target - at_.under[i] * (bounds_.penalty[i] + at_.y[i]) - second(d.under, d.y, i);
+  }
+}
+
+double InteriorPointIteration::push_on_w(Index i) const {
+  double push = rw_[i];
+  if (has_upper(i)) push -= pairs_.upper[i] / below_upper(at_, i);
+  if (has_lower(i)) push += pairs_.lower[i] / above_lower(at_, i);
+  return push;
+}
+
+void InteriorPointIteration::direction(InteriorUnknowns& d, int refinements) {
+  e_ = rp_;
+  for (Index i = 0; i < rows_; ++i) {
+    if (theta_[i] > 0.0) e_[i] += push_on_w(i) / theta_[i];
+    if (elastic(i))
+      e_[i] += pairs_.over[i] / (bounds_.penalty[i] - at_.y[i]) -
+               pairs_.under[i] / (bounds_.penalty[i] + at_.y[i]);
+  }
+  d.set_zero(at_.x.size(), rows_);
+  solve_condensed(d, refinements);
+  for (Index i = 0; i < rows_; ++i) {
+    if (theta_[i] > 0.0) {
+      d.w[i] = (push_on_w(i) + d.y[i]) / theta_[i];
+      if (has_upper(i)) d.upper[i] = (pairs_.upper[i] + at_.upper[i] * d.w[i]) / below_upper(at_, i);
+      if (has_lower(i)) d.lower[i] = (pairs_.lower[i] - at_.lower[i] * d.w[i]) / above_lower(at_, i);
+    }
+    if (elastic(i)) {
+      d.over[i] = (pairs_.over[i] + at_.over[i] * d.y[i]) / (bounds_.penalty[i] - at_.y[i]);
+      d.under[i] = (pairs_.under[i] - at_.under[i] * d.y[i]) / (bounds_.penalty[i] + at_.y[i]);
+    }
+  }
+}
+
+void InteriorPointIteration::solve_condensed(InteriorUnknowns& d, int refinements) {
+  r1_ = rd_;
+  r2_ = e_;
+  for (int pass = 0;; ++pass) {
+    r_ = r1_;
+    r2_.array() *= D_.array();
+    G_.add_transposed(r2_, r_);
+    cholesky_.solve(r_);
+    d.x += r_;
+    G_.multiply(r_, Gx_);
+    d.y += D_.cwiseProduct(Gx_) - r2_;
+    if (pass == refinements) break;
+    hessian_times(d.x, Hx_);
+    r1_ = rd_ - Hx_ - kPrimalProximal * program_.scale * d.x;
+    minus_y_ = -d.y;
+    G_.add_transposed(minus_y_, r1_);
+    G_.multiply(d.x, Gx_);
+    // Without the proximal part: what it moves the rows by is made up for.
+    r2_ = e_ - Gx_ + (inverse_D_.array() - kDualProximal / program_.scale).matrix().cwiseProduct(d.y);
+    if (small(r1_, rd_) && small(r2_, e_)) break;
+  }
+}
+
+bool InteriorPointIteration::small(const VectorXd& residual, const VectorXd& beside) {
+  return residual.lpNorm<Eigen::Infinity>() <= kLinearAccuracy * beside.lpNorm<Eigen::Infinity>() + 1e-13;
+}
+
+double InteriorPointIteration::longest(const InteriorUnknowns& d) const {
+  double alpha = 1.0;
+  const auto limit = [&](double value, double change) {
+    if (change < 0.0) alpha = std::min(alpha, -value / change);
+  };
+  for (Index i = 0; i < rows_; ++i) {
+    if (has_upper(i)) {
+      limit(below_upper(at_, i), -d.w[i]);
+      limit(at_.upper[i], d.upper[i]);
+    }
+    if (has_lower(i)) {
+      limit(above_lower(at_, i), d.w[i]);
+      limit(at_.lower[i], d.lower[i]);
+    }
+    if (elastic(i)) {
+      limit(at_.over[i], d.over[i]);
+      limit(at_.under[i], d.under[i]);
+      limit(bounds_.penalty[i] - at_.y[i], -d.y[i]);
+      limit(bounds_.penalty[i] + at_.y[i], d.y[i]);
+    }
+  }
+  return alpha;
+}
+
+}  // namespace armtune

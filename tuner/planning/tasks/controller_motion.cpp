@@ -1,0 +1,100 @@
+#include "tuner/planning/tasks/controller_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "core/control/state_machine.hpp"
+#include "sim/csv/csv_table.hpp"
+#include "sim/scenario/data_files.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kApart = 0.05;  // of a row from the task's start [s]
+
+std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (std::abs(time[i] - task.at) < std::abs(time[row] - task.at)) row = i;
+  }
+  if (time.empty() || !(std::abs(time[row] - task.at) <= kApart))
+    throw InputError(fmt::format("{}: has no row within {} s of {} s, where {} begins",
+                                 shown_path(task.start.rollout), kApart, task.at, task.name));
+  return row;
+}
+
+/// Slopes of `values` over `time`, from their neighbours.
+Eigen::MatrixXd slopes(const Eigen::MatrixXd& values, const std::vector<double>& time) {
+  Eigen::MatrixXd found = Eigen::MatrixXd::Zero(values.rows(), values.cols());
+  const Eigen::Index last = values.cols() - 1;
+  for (Eigen::Index k = 0; k <= last && last > 0; ++k) {
+    const Eigen::Index before = std::max<Eigen::Index>(k - 1, 0);
+    const Eigen::Index after = std::min(k + 1, last);
+    found.col(k) = (values.col(after) - values.col(before)) /
+                   (time[static_cast<std::size_t>(after)] - time[static_cast<std::size_t>(before)]);
+  }
+  return found;
+}
+
+/// After how long the gaze was within its threshold until the next switch, or the path was followed again.
+std::optional<double> time_to_end(const PlanTask& task, const CsvTable& table,
+                                  const std::vector<double>& time, std::size_t first) {
+  if (task.kind == PlanKind::kSwitch) {
+    const std::vector<double> gaze = table.numbers(table.column("gaze/angle"));
+    const double until = task.at + task.scenario.switch_every;
+    std::optional<double> reached = 0.0;
+    for (std::size_t i = first; i < time.size() && time[i] < until; ++i) {
+      if (gaze[i] > task.gaze_threshold)
+        reached = i + 1 < time.size() && time[i + 1] < until ? std::optional(time[i + 1] - time[first])
+                                                             : std::nullopt;
+    }
+    return reached;
+  }
+  if (task.kind == PlanKind::kReturn) {
+    const std::vector<double> state = table.numbers(table.column("state"));
+    for (std::size_t i = first; i < time.size(); ++i) {
+      if (state[i] == static_cast<double>(ControlState::kFollowTrajectory)) return time[i] - time[first];
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot) {
+  const auto table = CsvTable::read(task.start.rollout);
+  const std::vector<double> time = table.numbers(table.column("time"));
+  const std::size_t first = nearest_row(time, task);
+  ControllerMotion found;
+  Trajectory& motion = found.motion;
+  motion.time.assign(time.begin() + static_cast<std::ptrdiff_t>(first), time.end());
+  motion.durations = {motion.time.back() - motion.time.front()};
+  const auto rows = static_cast<Eigen::Index>(motion.time.size());
+  motion.position.resize(robot.n(), rows);
+  motion.velocity.resize(robot.n(), rows);
+  const auto read = [&](int joint, const char* what, Eigen::MatrixXd& into) {
+    const std::string column = "joint/" + robot.joints[static_cast<std::size_t>(joint)].name + "/" + what;
+    const std::vector<double> values = table.numbers(table.column(column));
+    for (Eigen::Index k = 0; k < rows; ++k) {
+      const std::size_t row = first + static_cast<std::size_t>(k);
+      if (!std::isfinite(values[row]))
+        throw InputError(
+            fmt::format("{}: row at {} s has no finite {}; give a rollout that is whole, or "
+                        "another start",
+                        shown_path(task.start.rollout), time[row], column));
+      into(joint, k) = values[row];
+    }
+  };
+  for (int i = 0; i < robot.n(); ++i) {
+    read(i, "position", motion.position);
+    read(i, "velocity", motion.velocity);
+  }
+  motion.acceleration = slopes(motion.velocity, motion.time);
+  found.reached = time_to_end(task, table, time, first);
+  return found;
+}
+
+}  // namespace armtune
