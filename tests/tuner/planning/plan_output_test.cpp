@@ -220,7 +220,8 @@ TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
   PlanTask slow = load_plan_task("ur10_move");
   slow.duration = 2.0;
   const Solved move(slow, 20);
-  EXPECT_EQ(plan_headline(move.task, move.problem, move.planned), "possible in 2 s within the limits");
+  EXPECT_EQ(plan_headline(move.task, move.problem, move.planned),
+            "the smoothest motion found over 2 s within the limits");
   std::set<std::string> keys;
   for (const auto& entry :
        plan_entries(a_switch().task, a_switch().problem, a_switch().planned, a_switch().uses))

@@ -1,15 +1,20 @@
-// A task written into a plan's folder is the task that was planned.
+// Task files: what is wrong with one, and that one written into a plan's folder is the task that was planned.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
 namespace armtune {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
 
 void expect_same(const JointVector& a, const JointVector& b, const char* what) {
   ASSERT_EQ(a.size(), b.size()) << what;
@@ -78,11 +83,6 @@ start:
   acceleration: [0, 0, 0.3, 0, 0, 0]
 goal: [1.2, -1.2, -1.4, -1.6, 1.5, 0.1]
 duration: 2.5
-hold: 0.7
-least_error: true
-path_tolerance: 2e-5
-gaze_threshold: 0.2
-end_gaze: true
 clearance: 0.3
 limits:
   velocity: 0.9
@@ -96,6 +96,39 @@ smoothness: 1e-8
   EXPECT_EQ(task.description, "it's \"quoted\": with \\ and # and a\nsecond line");
   EXPECT_EQ(task.limits.jerk.size(), 6);
   expect_written_and_read(task);
+}
+
+TEST(PlanTaskFile, EveryKeyOfASwitchAndAReturnReadsBackTheSame) {
+  const test::TemporaryFolder folder;
+  const PlanTask a_switch = load_plan_task(folder.write("switch.yaml", R"(
+task: switch
+scenario: target_switch
+at: 16
+hold: 0.7
+path_tolerance: 2e-5
+gaze_threshold: 0.2
+)"));
+  EXPECT_EQ(a_switch.hold, 0.7);
+  expect_written_and_read(a_switch);
+  const PlanTask least = load_plan_task(folder.write("least.yaml", R"(
+task: switch
+scenario: target_switch
+at: 16
+least_error: true
+duration: 1.5
+path_tolerance: 2e-5
+)"));
+  EXPECT_TRUE(least.least_error);
+  expect_written_and_read(least);
+  const PlanTask a_return = load_plan_task(folder.write("return.yaml", R"(
+task: return
+scenario: moving_target
+start: {position: [0.1, -1.3, -1.3, -1.8, 1.4, 0]}
+end_gaze: true
+gaze_threshold: 0.2
+)"));
+  EXPECT_EQ(a_return.gaze_threshold, 0.2);
+  expect_written_and_read(a_return);
 }
 
 TEST(PlanTaskFile, ARolloutBesideTheTaskIsFoundFromAnotherFolder) {
@@ -114,6 +147,58 @@ TEST(PlanTaskFile, AScenarioOfItsOwnIsFoundFromAnotherFolder) {
   const std::string path =
       folder.write("task.yaml", "task: fastest\nscenario: 'my: scenario.yaml'\npath_tolerance: 0.002\n");
   expect_written_and_read(load_plan_task(path));
+}
+
+std::string message_of(const std::string& text) {
+  const test::TemporaryFolder folder;
+  try {
+    load_plan_task(folder.write("task.yaml", text));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PlanTaskFile, SaysWhatIsWrong) {
+  EXPECT_THAT(message_of("task: jump\nscenario: moving_target\n"),
+              HasSubstr("move, track, switch, return, fastest"));
+  EXPECT_THAT(message_of("task: move\nscenario: moving_target\n"), HasSubstr("needs a goal"));
+  EXPECT_THAT(message_of("task: track\nscenario: moving_target\n"), HasSubstr("needs a duration"));
+  EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 9\n"),
+              AllOf(HasSubstr("task.yaml:3"), HasSubstr("every 8 s")));
+  EXPECT_THAT(message_of("task: return\nscenario: moving_target\n"), HasSubstr("needs a start"));
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("12 .. 100000"));
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nclearance: 0.3\n"),
+              HasSubstr("no obstacles"));
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {velocity: 2}\n"),
+              HasSubstr("velocity"));
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {jerk: [1, 1, 0, 1, 1, 1]}\n"),
+              HasSubstr("must be > 0"));
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nsmothness: 1\n"), HasSubstr("smoothness"));
+}
+
+TEST(PlanTaskFile, WhatSaysNothingToATaskIsRefused) {
+  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\ngoal: [0, 0, 0, 0, 0, 0]\n"),
+              AllOf(HasSubstr("task.yaml:3: key 'goal'"), HasSubstr("says nothing to a fastest")));
+  EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 8\nleast_error: true\nduration: 1\n"
+                         "hold: 1\n"),
+              AllOf(HasSubstr("key 'hold'"), HasSubstr("a switch with least_error")));
+  EXPECT_THAT(message_of("task: return\nscenario: moving_target\nstart: {position: [0, 0, 0, 0, 0, 0]}\n"
+                         "gaze_threshold: 0.1\n"),
+              HasSubstr("a return without end_gaze"));
+}
+
+TEST(PlanTaskFile, AStartOrGoalBeyondItsLimitsIsRefusedBeforeAnythingIsSolved) {
+  const std::string move = "task: move\nscenario: moving_target\ngoal: ";
+  EXPECT_THAT(
+      message_of(move + "[0, 0, 4, 0, 0, 0]\n"),
+      AllOf(HasSubstr("task.yaml:3: key 'goal'"), HasSubstr("elbow_joint is 4; its limits are -3.14")));
+  const std::string start = move + "[0, 0, 1, 0, 0, 0]\nstart: {position: [0, 0, 0, 0, 0, 0], ";
+  EXPECT_THAT(message_of(start + "velocity: [0, 0, 0, 0, -4, 0]}\n"),
+              AllOf(HasSubstr("key 'start/velocity'"), HasSubstr("wrist_2_joint is -4")));
+  EXPECT_THAT(
+      message_of(start + "acceleration: [9, 0, 0, 0, 0, 0]}\nlimits: {acceleration: [8, 8, 8, 8, 8, 8]}\n"),
+      AllOf(HasSubstr("key 'start/acceleration'"), HasSubstr("shoulder_pan_joint is 9"), HasSubstr("to 8")));
 }
 
 }  // namespace

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "core/common/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/trajectory/gaze.hpp"
-#include "tests/sim/support/files.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
@@ -251,36 +249,6 @@ TEST(PlanTasks, ARobotIsAskedToReachOnlyWhatItCan) {
     EXPECT_THAT(error.what(),
                 AllOf(HasSubstr("ur10"), HasSubstr("cannot have its tool at (3"), HasSubstr("joint limits")));
   }
-}
-
-std::string message_of(const std::string& text) {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.path() + "/task.yaml";
-  std::ofstream(path) << text;
-  try {
-    load_plan_task(path);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-TEST(PlanTaskFile, SaysWhatIsWrong) {
-  EXPECT_THAT(message_of("task: jump\nscenario: moving_target\n"),
-              HasSubstr("move, track, switch, return, fastest"));
-  EXPECT_THAT(message_of("task: move\nscenario: moving_target\n"), HasSubstr("needs a goal"));
-  EXPECT_THAT(message_of("task: track\nscenario: moving_target\n"), HasSubstr("needs a duration"));
-  EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 9\n"),
-              AllOf(HasSubstr("task.yaml:3"), HasSubstr("every 8 s")));
-  EXPECT_THAT(message_of("task: return\nscenario: moving_target\n"), HasSubstr("needs a start"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("12 .. 100000"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nclearance: 0.3\n"),
-              HasSubstr("no obstacles"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {velocity: 2}\n"),
-              HasSubstr("velocity"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {jerk: [1, 1, 0, 1, 1, 1]}\n"),
-              HasSubstr("must be > 0"));
-  EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nsmothness: 1\n"), HasSubstr("smoothness"));
 }
 
 }  // namespace
