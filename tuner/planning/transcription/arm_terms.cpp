@@ -20,6 +20,16 @@ KnotTerm over(KnotRange knots, const std::string& name, const std::vector<std::s
   return term;
 }
 
+std::vector<std::string> units_by_motion(const RobotModel& robot, const char* turning, const char* sliding) {
+  std::vector<std::string> units;
+  units.reserve(static_cast<std::size_t>(robot.n()));
+  for (int i = 0; i < robot.n(); ++i) {
+    const bool turns = robot.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute;
+    units.emplace_back(turns ? turning : sliding);
+  }
+  return units;
+}
+
 /// The rows' values are lengths [m] times `factor`.
 void in_meters(double factor, KnotTerm& term) {
   term.units.assign(term.rows.size(), "m");
@@ -112,11 +122,7 @@ void gaze_error(const Chain& chain, const Knot& knot, const MotionPoint<Vec3>& t
 }  // namespace
 
 std::vector<std::string> position_units(const RobotModel& robot) {
-  std::vector<std::string> units;
-  for (int i = 0; i < robot.n(); ++i)
-    units.emplace_back(robot.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute ? "rad"
-                                                                                                 : "m");
-  return units;
+  return units_by_motion(robot, "rad", "m");
 }
 
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) {
@@ -132,9 +138,7 @@ KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) 
   };
   auto work =
       std::make_shared<Work>(Work{robot.chain, (margin * robot.effort_limits()).cwiseInverse(), {}, {}});
-  for (int i = 0; i < robot.n(); ++i)
-    term.units.emplace_back(robot.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute ? "N m"
-                                                                                                      : "N");
+  term.units = units_by_motion(robot, "N m", "N");
   term.natural = [limits = Eigen::VectorXd(margin * robot.effort_limits())](std::size_t row, double value) {
     return limits[static_cast<Eigen::Index>(row)] * value;
   };
