@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 constexpr double kPrimalProximal = 1e-8;
 constexpr double kDualProximal = 1e-9;
 constexpr int kRefinements = 3;
-constexpr double kLinearAccuracy = 1e-4;  // of a direction, beside the residuals it removes
+constexpr double kLinearAccuracy = 1e-6;  // of a direction, beside the residuals it removes
 constexpr double kStepBack = 0.995;       // fraction to the boundary
 constexpr double kLeastCentering = 0.1;   // of the tolerance
 

@@ -21,6 +21,8 @@ constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
 constexpr double kSmallestDamping = 1e-7;  // steps along which nothing changes stay short
+constexpr double kCorrectable = 0.1;  // violation after a step that a correction can make up for,
+constexpr int kCorrectionSteps = 25;  // and the steps that is worth
 constexpr double kTighter = 1e-2;
 constexpr double kWorth = 1e3;  // violation that a decrease of 1 may cost
 
@@ -185,8 +187,10 @@ class Solver {
           const double alpha = std::ldexp(1.0, -halving);
           VectorXd next = z + alpha * p;
           program_.evaluate(next, trial_r_, trial_c_);
-          bool accepted = acceptable(before, model, judge(next, trial_r_, trial_c_), alpha);
-          if (!accepted && halving == 0 && corrected(z, p, multipliers, next, interior, now))
+          const Judged after = judge(next, trial_r_, trial_c_);
+          bool accepted = acceptable(before, model, after, alpha);
+          const bool near = after.largest <= std::max(kCorrectable, 10.0 * before.largest);
+          if (!accepted && halving == 0 && near && corrected(z, p, multipliers, next, interior, now))
             accepted = acceptable(before, model, judge(next, trial_r_, trial_c_), alpha);
           if (stopped_) return false;
           if (!accepted) continue;
@@ -249,6 +253,7 @@ class Solver {
     program_.rows.multiply(p, change_c_);
     bound_steps(trial_c_ - change_c_);
     interior.start_mu = 1e-6;
+    interior.max_iterations = kCorrectionSteps;
     VectorXd second = p;
     VectorXd y = multipliers;
     const InteriorPointResult solved = solve_quadratic(interior, second, y, now);
