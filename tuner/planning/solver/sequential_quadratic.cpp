@@ -21,8 +21,8 @@ constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
 constexpr double kSmallestDamping = 1e-7;  // steps along which nothing changes stay short
-constexpr double kCorrectable = 0.1;  // violation after a step that a correction can make up for,
-constexpr int kCorrectionSteps = 25;  // and the steps that is worth
+constexpr double kCorrectable = 0.1;       // violation after a step that a correction can make up for,
+constexpr int kCorrectionSteps = 25;       // and the steps that is worth
 constexpr double kTighter = 1e-2;
 constexpr double kWorth = 1e3;  // violation that a decrease of 1 may cost
 
