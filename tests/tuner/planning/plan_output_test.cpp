@@ -140,6 +140,28 @@ TEST(PlanLimits, ATrajectoryThatIsPulledApartBetweenItsKnotsIsSeen) {
   EXPECT_THAT(between_words(uses), testing::AllOf(HasSubstr("torque of"), HasSubstr("gaze at most")));
 }
 
+TEST(PlanLimits, AReturnThatEndsAfterASwitchLooksAtTheTargetOfItsEnd) {
+  PlanTask task = load_plan_task("ur10_return");
+  task.scenario = load_scenario("target_switch");
+  task.at = 15.9;  // the targets switch at 16 s; the return takes longer than 0.1 s
+  const Solved plan(task, 60);
+  const double end = plan.motion().time.back();
+  ASSERT_GT(end, 16.0);
+  EXPECT_GT(plan.problem.target_until, end);
+  const Scenario& scenario = plan.task.scenario;
+  const Vec3 target = scenario.targets[scenario.active_target(end)].path.at(end).position;
+  EXPECT_EQ(plan.problem.gaze_target(end).position, target);
+  Poses poses;
+  const JointVector q = plan.motion().position.rightCols<1>();
+  forward_kinematics(plan.robot().chain, q, poses);
+  EXPECT_LE(gaze_angle(poses.R_0T, poses.p_0T, target), task.gaze_threshold * (1.0 + 1e-6));
+  for (const LimitUse& use : plan.uses) {
+    if (use.limit == "gaze") {
+      EXPECT_LE(use.at_knots, 1.0 + 1e-6);
+    }
+  }
+}
+
 TEST(PlanFiles, TrajectoryHasEveryKnotAndRatiosToTheRobotsLimits) {
   const Solved& plan = a_limited_move();
   const test::Csv csv(trajectory_csv(plan.task, plan.problem, plan.motion()));

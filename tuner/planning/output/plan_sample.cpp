@@ -6,21 +6,6 @@
 #include "core/trajectory/gaze.hpp"
 
 namespace armtune {
-namespace {
-
-/// The target that the task looks at: a switch the next one all along, a return the one it begins with.
-MovingPoint gaze_target(const PlanTask& task) {
-  const Scenario& scenario = task.scenario;
-  if (scenario.targets.empty()) return [](double) { return MotionPoint<Vec3>{}; };
-  if (task.kind != PlanKind::kSwitch && task.kind != PlanKind::kReturn) return active_target(scenario);
-  const double after = task.kind == PlanKind::kSwitch ? scenario.control_period : 0.0;
-  return [path = scenario.targets[scenario.active_target(task.at + after)].path](double t) {
-    return path.at(t);
-  };
-}
-
-}  // namespace
-
 ToolDemands tool_demands(const PlanTask& task) {
   ToolDemands demands;
   demands.path = task.kind != PlanKind::kMove;
@@ -30,7 +15,7 @@ ToolDemands tool_demands(const PlanTask& task) {
 }
 
 PlanSampler::PlanSampler(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory)
-    : task_(task), problem_(problem), trajectory_(trajectory), target_(gaze_target(task)) {}
+    : task_(task), problem_(problem), trajectory_(trajectory) {}
 
 const PlanSample& PlanSampler::at_knot(Eigen::Index k) {
   const Eigen::Index interval = std::min(k, trajectory_.position.cols() - 2);
@@ -76,7 +61,7 @@ void PlanSampler::set(double time, const Eigen::VectorXd& position, const Eigen:
   inverse_dynamics(robot.chain, to.poses, to.qd, to.qdd, to.tau);
   // Along a curve the path's own time is the coordinate.
   to.desired = task_.scenario.path.at(task_.kind == PlanKind::kFastest ? task_.at + to.s : time).position;
-  to.target = target_(time).position;
+  to.target = problem_.gaze_target(time).position;
   to.gaze = gaze_angle(to.poses.R_0T, to.poses.p_0T, to.target);
   to.obstacle_distance = INFINITY;
   for (const NamedPath& obstacle : task_.scenario.obstacles) {

@@ -44,7 +44,6 @@ class PlanSampler {
   const PlanTask& task_;
   const PlanProblem& problem_;
   const Trajectory& trajectory_;
-  MovingPoint target_;
   PlanSample sample_;
 };
 

@@ -49,13 +49,6 @@ Trajectory controllers(Trajectory motion, const TimeGrid& grid) {
   return on_grid(motion, grid);
 }
 
-/// When the targets take turns the next time after t [s].
-double next_switch(const Scenario& scenario, double t) {
-  if (scenario.switch_every <= 0.0 || scenario.targets.size() < 2)
-    return std::numeric_limits<double>::infinity();
-  return scenario.switch_every * (std::floor(t / scenario.switch_every + 1e-9) + 1.0);
-}
-
 PlanProblem move_problem(const PlanCommon& common) {
   const JointVector zero = JointVector::Zero(common.n());
   PlanProblem problem;
@@ -135,6 +128,7 @@ PlanProblem switch_problem(const PlanCommon& common) {
   };
   // The gaze wanders from one target to the other within the first guess.
   problem.target_until = until;
+  problem.gaze_target = [to](double t) { return to.at(t); };
   const double start = common.task.at;
   const MovingPoint blended = [from, to, start, guess](double t) {
     const double s = std::clamp((t - start) / guess, 0.0, 1.0);
@@ -171,6 +165,7 @@ PlanProblem return_problem(const PlanCommon& common) {
   const HarmonicPath gazed = scenario.targets[scenario.active_target(ending)].path;
   PlanProblem problem;
   if (common.task.end_gaze) problem.target_until = next_switch(scenario, ending);
+  problem.gaze_target = [gazed](double t) { return gazed.at(t); };
   problem.grid = common.grid({common.phase("return", common.task.knots, duration)});
   problem.task = [common, gazed](const TimeGrid& grid) {
     TrajectoryTask program = common.on(grid);
@@ -238,7 +233,16 @@ PlanProblem fastest_problem(const PlanCommon& common) {
 
 }  // namespace
 
+double next_switch(const Scenario& scenario, double t) {
+  if (scenario.switch_every <= 0.0 || scenario.targets.size() < 2)
+    return std::numeric_limits<double>::infinity();
+  // Half a period's grace, as where the active target is found.
+  const double turns = std::floor((t + 0.5 * scenario.control_period) / scenario.switch_every);
+  return (turns + 1.0) * scenario.switch_every;
+}
+
 MovingPoint active_target(const Scenario& scenario) {
+  if (scenario.targets.empty()) return [](double) { return MotionPoint<Vec3>{}; };
   return [targets = scenario.targets, scenario](double t) {
     return targets[scenario.active_target(std::max(0.0, t))].path.at(t);
   };
@@ -269,6 +273,7 @@ PlanProblem plan_problem(const PlanTask& task) {
       break;
   }
   problem.robot = common.robot;
+  if (!problem.gaze_target) problem.gaze_target = active_target(task.scenario);
   const bool has_path_coordinate = task.kind == PlanKind::kFastest;
   if (common.controller && task.kind != PlanKind::kMove && !has_path_coordinate)
     problem.guess = controllers(common.controller->motion, problem.grid);

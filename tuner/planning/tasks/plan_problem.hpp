@@ -14,6 +14,7 @@ struct PlanProblem {
   TaskOnGrid task;
   TimeGrid grid;
   Trajectory guess;
+  MovingPoint gaze_target;  ///< what the plan looks at
   /// The target that the plan looks at is the active one until then [s]; what looks there later is of no use.
   double target_until = std::numeric_limits<double>::infinity();
 };
@@ -21,6 +22,9 @@ struct PlanProblem {
 /// Throws InputError if no pose of the arm is on the tool's path where the plan needs one, or a rollout does
 /// not fit.
 PlanProblem plan_problem(const PlanTask& task);
+
+/// When the targets take turns the next time after t [s]; infinite: never.
+double next_switch(const Scenario& scenario, double t);
 
 /// The target the gaze is to be at in time.
 MovingPoint active_target(const Scenario& scenario);

@@ -31,17 +31,9 @@ double distance_at_start(const Event& event, const Scenario& scenario) {
   return obstacle_distance(poses, centers);
 }
 
-/// When the targets switch next after t.
-double next_switch(const Scenario& scenario, double t) {
-  const double turns = std::floor((t + 0.5 * scenario.control_period) / scenario.switch_every);
-  return (turns + 1.0) * scenario.switch_every;
-}
-
 /// The longest interval of a lap's grid [s].
 double lap_interval(const Event& event, const Scenario& scenario) {
-  const bool switches = scenario.switch_every > 0.0 && scenario.targets.size() > 1 &&
-                        next_switch(scenario, event.time) < event.end;
-  return switches ? kLongestWithSwitch : kLongestInterval;
+  return next_switch(scenario, event.time) < event.end ? kLongestWithSwitch : kLongestInterval;
 }
 
 std::string strongest_limit(const PlannedTrajectory& planned) {
