@@ -175,7 +175,7 @@ TEST(NormalMatrix, IsTheSumOfItsProducts) {
   }
   const SymmetricMatrix& K = normal.matrix();
   for (int j = 0; j < 4; ++j) {
-    for (int i = j; i < 4; ++i) {
+    for (int i = 0; i <= j; ++i) {
       double found = 0.0;
       for (int e = K.column_starts[static_cast<std::size_t>(j)];
            e < K.column_starts[static_cast<std::size_t>(j) + 1]; ++e) {
@@ -194,8 +194,8 @@ TEST(NormalMatrix, IsTheSumOfItsProducts) {
 TEST(SparseCholesky, SaysThatAMatrixIsNotPositiveDefinite) {
   SymmetricMatrix K;
   K.size = 2;
-  K.column_starts = {0, 2, 3};
-  K.rows = {0, 1, 1};
+  K.column_starts = {0, 1, 3};
+  K.rows = {0, 0, 1};
   K.values = {1.0, 2.0, 1.0};
   SparseCholesky cholesky(K);
   EXPECT_FALSE(cholesky.factorize(K));

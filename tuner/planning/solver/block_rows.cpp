@@ -1,6 +1,11 @@
 #include "tuner/planning/solver/block_rows.hpp"
 
 namespace armtune {
+namespace {
+
+using Row = Eigen::Map<const Eigen::VectorXd>;
+
+}  // namespace
 
 int BlockRows::add(int rows, const std::vector<int>& columns) {
   RowBlock block;
@@ -10,6 +15,7 @@ int BlockRows::add(int rows, const std::vector<int>& columns) {
   block.columns = static_cast<int>(columns.size());
   block.first_value = static_cast<int>(values_.size());
   columns_.insert(columns_.end(), columns.begin(), columns.end());
+  if (gathered_.size() < block.columns) gathered_.resize(block.columns);
   values_.resize(values_.size() + static_cast<std::size_t>(rows) * columns.size(), 0.0);
   rows_ += rows;
   blocks_.push_back(block);
@@ -41,11 +47,15 @@ void BlockRows::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) cons
       for (int i = 0; i < block.rows; ++i) out[i] = value[i] * x[column[i]];
       continue;
     }
-    for (int i = 0; i < block.rows; ++i, value += block.columns) {
+    if (block.rows == 1) {
       double sum = 0.0;
       for (int j = 0; j < block.columns; ++j) sum += value[j] * x[column[j]];
-      out[i] = sum;
+      *out = sum;
+      continue;
     }
+    for (int j = 0; j < block.columns; ++j) gathered_[j] = x[column[j]];
+    for (int i = 0; i < block.rows; ++i, value += block.columns)
+      out[i] = Row(value, block.columns).dot(gathered_.head(block.columns));
   }
 }
 
@@ -58,9 +68,14 @@ void BlockRows::add_transposed(const Eigen::VectorXd& y, Eigen::VectorXd& result
       for (int i = 0; i < block.rows; ++i) result[column[i]] += value[i] * weight[i];
       continue;
     }
-    for (int i = 0; i < block.rows; ++i, value += block.columns) {
-      for (int j = 0; j < block.columns; ++j) result[column[j]] += value[j] * weight[i];
+    if (block.rows == 1) {
+      for (int j = 0; j < block.columns; ++j) result[column[j]] += value[j] * *weight;
+      continue;
     }
+    auto sum = gathered_.head(block.columns);
+    sum = weight[0] * Row(value, block.columns);
+    for (int i = 1; i < block.rows; ++i) sum += weight[i] * Row(value += block.columns, block.columns);
+    for (int j = 0; j < block.columns; ++j) result[column[j]] += sum[j];
   }
 }
 

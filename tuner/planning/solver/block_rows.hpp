@@ -41,6 +41,7 @@ class BlockRows {
   std::vector<RowBlock> blocks_;
   std::vector<int> columns_;
   std::vector<double> values_;
+  mutable Eigen::VectorXd gathered_;  ///< of one block
 };
 
 }  // namespace armtune

@@ -36,6 +36,7 @@ class CurvatureBlocks {
   std::vector<Block> blocks_;
   std::vector<int> columns_;
   std::vector<double> values_;
+  mutable Eigen::VectorXd gathered_;  ///< of one block
 };
 
 }  // namespace armtune

@@ -47,7 +47,7 @@ InteriorPointResult InteriorPoint::solve(const QuadraticProgram& program, const 
       result.interrupted = true;
       break;
     }
-    if (!iteration.advance(options.complementarity)) break;
+    if (!iteration.advance(options)) break;
   }
   x = iteration.at().x;
   y = iteration.at().y;

@@ -12,10 +12,10 @@ using Eigen::VectorXd;
 // Beside the program's own curvature, and so the same on every grid.
 constexpr double kPrimalProximal = 1e-8;
 constexpr double kDualProximal = 1e-9;
-constexpr int kRefinements = 3;
-constexpr double kLinearAccuracy = 1e-6;  // of a direction, beside the residuals it removes
-constexpr double kStepBack = 0.995;       // fraction to the boundary
-constexpr double kLeastCentering = 0.1;   // of the tolerance
+constexpr int kCorrections = 10;         // of what the dual proximal part moves the rows by
+constexpr double kLinearAccuracy = 0.1;  // of a direction, beside the residuals it removes
+constexpr double kStepBack = 0.995;      // fraction to the boundary
+constexpr double kLeastCentering = 0.1;  // of the tolerance
 
 }  // namespace
 
@@ -28,8 +28,17 @@ InteriorPointIteration::InteriorPointIteration(const QuadraticProgram& program, 
       rows_(program.rows->rows()),
       normal_(normal),
       cholesky_(cholesky) {
-  for (VectorXd* part :
-       {&theta_, &inverse_D_, &D_, &rw_, &pairs_.upper, &pairs_.lower, &pairs_.over, &pairs_.under})
+  kind_.assign(static_cast<std::size_t>(rows_), 0);
+  for (Index i = 0; i < rows_; ++i) {
+    unsigned& kind = kind_[static_cast<std::size_t>(i)];
+    if (bounds_.lower[i] == bounds_.upper[i])
+      kind = kEquation;
+    else
+      kind =
+          (std::isfinite(bounds_.upper[i]) ? kUpper : 0U) | (std::isfinite(bounds_.lower[i]) ? kLower : 0U);
+    if (std::isfinite(bounds_.penalty[i])) kind |= kElastic;
+  }
+  for (VectorXd* part : {&theta_, &yield_, &rw_, &pairs_.upper, &pairs_.lower, &pairs_.over, &pairs_.under})
     part->setZero(rows_);
 }
 
@@ -61,24 +70,24 @@ void InteriorPointIteration::measure(InteriorPointResult& result) {
   G_.multiply(at_.x, Gx_);
   rp_ = at_.w + at_.over - at_.under - Gx_;
   for (Index i = 0; i < rows_; ++i) rw_[i] = equation(i) ? 0.0 : at_.y[i] - at_.upper[i] + at_.lower[i];
-  mu_ = complementarity(at_);
+  mu_ = complementarity(nullptr, 0.0);
   result.stationarity = rd_.lpNorm<1>() + rw_.lpNorm<1>();
   result.infeasibility = rp_.lpNorm<Eigen::Infinity>();
   result.complementarity = mu_ * static_cast<double>(count_);
 }
 
-bool InteriorPointIteration::advance(double tolerance) {
+bool InteriorPointIteration::advance(const InteriorPointOptions& options) {
   if (!factorize()) return false;
+  rows_wanted_ =
+      std::max(kLinearAccuracy * rp_.lpNorm<Eigen::Infinity>(), kLinearAccuracy * options.infeasibility);
   aim(0.0, nullptr);
-  direction(predictor_, count_ > 0 ? 0 : kRefinements);
+  direction(predictor_, count_ == 0);
   const InteriorUnknowns* step = &predictor_;
   if (count_ > 0) {
-    InteriorUnknowns reached = at_;
-    reached.add(longest(predictor_), predictor_);
-    const double ratio = complementarity(reached) / mu_;
-    aim(std::max(ratio * ratio * ratio * mu_, kLeastCentering * tolerance / static_cast<double>(count_)),
-        &predictor_);
-    direction(corrector_, kRefinements);
+    const double ratio = complementarity(&predictor_, longest(predictor_)) / mu_;
+    const double least = kLeastCentering * options.complementarity / static_cast<double>(count_);
+    aim(std::max(ratio * ratio * ratio * mu_, least), &predictor_);
+    direction(corrector_, true);
     step = &corrector_;
   }
   at_.add(std::min(1.0, kStepBack * longest(*step)), *step);
@@ -105,13 +114,18 @@ void InteriorPointIteration::start_range(Index i, double mu) {
   keep_within_penalty(i);
 }
 
-double InteriorPointIteration::complementarity(const InteriorUnknowns& at) const {
+double InteriorPointIteration::complementarity(const InteriorUnknowns* d, double part) const {
+  const auto at = [&](const VectorXd InteriorUnknowns::*of, Index i) {
+    return d == nullptr ? (at_.*of)[i] : (at_.*of)[i] + part * (d->*of)[i];
+  };
+  using U = InteriorUnknowns;
   double sum = 0.0;
   for (Index i = 0; i < rows_; ++i) {
-    if (has_upper(i)) sum += at.upper[i] * below_upper(at, i);
-    if (has_lower(i)) sum += at.lower[i] * above_lower(at, i);
+    if (has_upper(i)) sum += at(&U::upper, i) * (bounds_.upper[i] - at(&U::w, i));
+    if (has_lower(i)) sum += at(&U::lower, i) * (at(&U::w, i) - bounds_.lower[i]);
     if (elastic(i))
-      sum += at.over[i] * (bounds_.penalty[i] - at.y[i]) + at.under[i] * (bounds_.penalty[i] + at.y[i]);
+      sum += at(&U::over, i) * (bounds_.penalty[i] - at(&U::y, i)) +
+             at(&U::under, i) * (bounds_.penalty[i] + at(&U::y, i));
   }
   return count_ == 0 ? 0.0 : sum / static_cast<double>(count_);
 }
@@ -127,12 +141,12 @@ bool InteriorPointIteration::factorize() {
   for (Index i = 0; i < rows_; ++i) {
     theta_[i] = (has_upper(i) ? at_.upper[i] / below_upper(at_, i) : 0.0) +
                 (has_lower(i) ? at_.lower[i] / above_lower(at_, i) : 0.0);
-    inverse_D_[i] = kDualProximal / program_.scale + (theta_[i] > 0.0 ? 1.0 / theta_[i] : 0.0);
+    yield_[i] = theta_[i] > 0.0 ? 1.0 / theta_[i] : 0.0;
     if (elastic(i))
-      inverse_D_[i] +=
+      yield_[i] +=
           at_.over[i] / (bounds_.penalty[i] - at_.y[i]) + at_.under[i] / (bounds_.penalty[i] + at_.y[i]);
-    D_[i] = 1.0 / inverse_D_[i];
   }
+  D_ = (yield_.array() + kDualProximal / program_.scale).inverse();
   normal_.assemble((program_.damping.array() + kPrimalProximal * program_.scale).matrix(), {&ones_, &D_});
   return cholesky_.factorize(normal_.matrix());
 }
@@ -158,7 +172,7 @@ double InteriorPointIteration::push_on_w(Index i) const {
   return push;
 }
 
-void InteriorPointIteration::direction(InteriorUnknowns& d, int refinements) {
+void InteriorPointIteration::direction(InteriorUnknowns& d, bool exact) {
   e_ = rp_;
   for (Index i = 0; i < rows_; ++i) {
     if (theta_[i] > 0.0) e_[i] += push_on_w(i) / theta_[i];
@@ -167,7 +181,7 @@ void InteriorPointIteration::direction(InteriorUnknowns& d, int refinements) {
                pairs_.under[i] / (bounds_.penalty[i] + at_.y[i]);
   }
   d.set_zero(at_.x.size(), rows_);
-  solve_condensed(d, refinements);
+  solve_linear(d, exact);
   for (Index i = 0; i < rows_; ++i) {
     if (theta_[i] > 0.0) {
       d.w[i] = (push_on_w(i) + d.y[i]) / theta_[i];
@@ -181,31 +195,64 @@ void InteriorPointIteration::direction(InteriorUnknowns& d, int refinements) {
   }
 }
 
-void InteriorPointIteration::solve_condensed(InteriorUnknowns& d, int refinements) {
-  r1_ = rd_;
-  r2_ = e_;
-  for (int pass = 0;; ++pass) {
-    r_ = r1_;
-    r2_.array() *= D_.array();
-    G_.add_transposed(r2_, r_);
-    cholesky_.solve(r_);
-    d.x += r_;
-    G_.multiply(r_, Gx_);
-    d.y += D_.cwiseProduct(Gx_) - r2_;
-    if (pass == refinements) break;
-    hessian_times(d.x, Hx_);
-    r1_ = rd_ - Hx_ - kPrimalProximal * program_.scale * d.x;
-    minus_y_ = -d.y;
-    G_.add_transposed(minus_y_, r1_);
-    G_.multiply(d.x, Gx_);
-    // Without the proximal part: what it moves the rows by is made up for.
-    r2_ = e_ - Gx_ + (inverse_D_.array() - kDualProximal / program_.scale).matrix().cwiseProduct(d.y);
-    if (small(r1_, rd_) && small(r2_, e_)) break;
-  }
+void InteriorPointIteration::solve_linear(InteriorUnknowns& d, bool exact) {
+  step_.x = rd_;
+  solve_proximal(e_, step_);
+  d.x = step_.x;
+  d.y = step_.y;
+  if (!exact) return;
+  rows_left(d, r2_);
+  make_rows_exact(d);
+  hessian_times(d.x, Hx_);
+  r1_ = rd_ - Hx_ - kPrimalProximal * program_.scale * d.x;
+  minus_y_ = -d.y;
+  G_.add_transposed(minus_y_, r1_);
+  rows_left(d, r2_);
+  if (r1_.lpNorm<1>() <= kLinearAccuracy * rd_.lpNorm<1>() && small(r2_)) return;
+  step_.x = r1_;
+  solve_proximal(r2_, step_);
+  d.x += step_.x;
+  d.y += step_.y;
 }
 
-bool InteriorPointIteration::small(const VectorXd& residual, const VectorXd& beside) {
-  return residual.lpNorm<Eigen::Infinity>() <= kLinearAccuracy * beside.lpNorm<Eigen::Infinity>() + 1e-13;
+void InteriorPointIteration::solve_proximal(const VectorXd& e, LinearUnknowns& found) {
+  De_ = D_.cwiseProduct(e);
+  G_.add_transposed(De_, found.x);
+  cholesky_.solve(found.x);
+  G_.multiply(found.x, Gx_);
+  found.y = D_.cwiseProduct(Gx_) - De_;
+}
+
+void InteriorPointIteration::rows_left(const InteriorUnknowns& d, VectorXd& left) {
+  G_.multiply(d.x, Gx_);
+  left = e_ - Gx_ + yield_.cwiseProduct(d.y);
+}
+
+void InteriorPointIteration::make_rows_exact(InteriorUnknowns& d) {
+  if (small(r2_)) return;
+  gap_.x.setZero(d.x.size());
+  solve_proximal(r2_, gap_);
+  step_ = gap_;
+  double size = gap_.y.squaredNorm();
+  for (int i = 0; i < kCorrections; ++i) {
+    G_.multiply(step_.x, Gx_);
+    moved_ = Gx_ - yield_.cwiseProduct(step_.y);
+    image_.x.setZero(d.x.size());
+    solve_proximal(moved_, image_);
+    const double along = step_.y.dot(image_.y);
+    if (!(along > 0.0)) return;
+    const double alpha = size / along;
+    d.x += alpha * step_.x;
+    d.y += alpha * step_.y;
+    r2_ -= alpha * moved_;
+    if (small(r2_)) return;
+    gap_.x -= alpha * image_.x;
+    gap_.y -= alpha * image_.y;
+    const double before = size;
+    size = gap_.y.squaredNorm();
+    step_.x = gap_.x + size / before * step_.x;
+    step_.y = gap_.y + size / before * step_.y;
+  }
 }
 
 double InteriorPointIteration::longest(const InteriorUnknowns& d) const {

@@ -2,6 +2,7 @@
 // One program on its way through the interior point method: where it is, its residuals, one step.
 
 #include <cmath>
+#include <vector>
 
 #include "tuner/planning/solver/interior_point.hpp"
 
@@ -30,6 +31,11 @@ struct InteriorUnknowns {
   }
 };
 
+/// Unknowns of the linear system that remains when all pairs are eliminated.
+struct LinearUnknowns {
+  Eigen::VectorXd x, y;
+};
+
 /// Right-hand sides of the complementarity conditions: what is wanted of each product minus what it is.
 struct InteriorPairs {
   Eigen::VectorXd upper, lower, over, under;
@@ -42,36 +48,44 @@ class InteriorPointIteration {
   /// Where multipliers say that a bound is active, w starts beside that bound and y is kept.
   void start(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double mu);
   void measure(InteriorPointResult& result);
-  /// Predictor, then corrector; tolerance: of the sum of the pairs' products. False if the condensed matrix
-  /// is not positive definite.
-  bool advance(double tolerance);
+  /// Predictor, then corrector. False if the condensed matrix is not positive definite.
+  bool advance(const InteriorPointOptions& options);
   const InteriorUnknowns& at() const { return at_; }
 
  private:
-  bool equation(Eigen::Index i) const { return bounds_.lower[i] == bounds_.upper[i]; }
-  bool has_upper(Eigen::Index i) const { return std::isfinite(bounds_.upper[i]) && !equation(i); }
-  bool has_lower(Eigen::Index i) const { return std::isfinite(bounds_.lower[i]) && !equation(i); }
-  bool elastic(Eigen::Index i) const { return std::isfinite(bounds_.penalty[i]); }
+  enum Kind : unsigned { kEquation = 1, kUpper = 2, kLower = 4, kElastic = 8 };
+  bool is(Kind kind, Eigen::Index i) const { return (kind_[static_cast<std::size_t>(i)] & kind) != 0; }
+  bool equation(Eigen::Index i) const { return is(kEquation, i); }
+  bool has_upper(Eigen::Index i) const { return is(kUpper, i); }
+  bool has_lower(Eigen::Index i) const { return is(kLower, i); }
+  bool elastic(Eigen::Index i) const { return is(kElastic, i); }
   double below_upper(const InteriorUnknowns& at, Eigen::Index i) const { return bounds_.upper[i] - at.w[i]; }
   double above_lower(const InteriorUnknowns& at, Eigen::Index i) const { return at.w[i] - bounds_.lower[i]; }
   void keep_within_penalty(Eigen::Index i);
   void start_range(Eigen::Index i, double mu);
-  /// Mean product of the pairs.
-  double complementarity(const InteriorUnknowns& at) const;
+  /// Mean product of the pairs, here or after `part` of a direction.
+  double complementarity(const InteriorUnknowns* d, double part) const;
   void hessian_times(const Eigen::VectorXd& v, Eigen::VectorXd& result);
   /// K = H + delta I + G^T D G. 1/D: how far a row gives way to its multiplier, by moving between its bounds
-  /// (theta) or beyond them.
+  /// (1/theta) or beyond them (both: yield), and by the dual proximal part.
   bool factorize();
   /// Every product is to become `target`; affine: the direction whose second order is made up for.
   void aim(double target, const InteriorUnknowns* affine);
   /// What moves w beside y: from its stationarity and its pairs.
   double push_on_w(Eigen::Index i) const;
-  /// Solves the linearised conditions for the pairs aimed at.
-  void direction(InteriorUnknowns& d, int refinements);
-  /// [H + delta, G^T; G, -1/D] (dx, dy) = (rd, e), condensed to K, then refined against the system as it
-  /// stands.
-  void solve_condensed(InteriorUnknowns& d, int refinements);
-  static bool small(const Eigen::VectorXd& residual, const Eigen::VectorXd& beside);
+  /// Solves the linearised conditions for the pairs aimed at; not exact: with the dual proximal part.
+  void direction(InteriorUnknowns& d, bool exact);
+  /// [H + delta, G^T; G, -yield] (dx, dy) = (rd, e).
+  void solve_linear(InteriorUnknowns& d, bool exact);
+  /// [H + delta, G^T; G, -1/D] found = (found.x, e) by way of K.
+  void solve_proximal(const Eigen::VectorXd& e, LinearUnknowns& found);
+  /// What d leaves of the second row of the linear system.
+  void rows_left(const InteriorUnknowns& d, Eigen::VectorXd& left);
+  /// Takes what is left of the rows (in r2_) out of d. Solving again for what is left brings y nearer by (S +
+  /// delta)^-1 S, S = yield + G (H + delta)^-1 G^T: 1 but in the few directions where active limits pin all
+  /// motion. So conjugate gradients on that matrix need few steps where repeating alone may need hundreds.
+  void make_rows_exact(InteriorUnknowns& d);
+  bool small(const Eigen::VectorXd& left) const { return left.lpNorm<Eigen::Infinity>() <= rows_wanted_; }
   /// The longest part of a direction, up to 1, that keeps every pair positive.
   double longest(const InteriorUnknowns& d) const;
 
@@ -80,6 +94,7 @@ class InteriorPointIteration {
   const BlockRows& G_;
   const RowBounds& bounds_;
   Eigen::Index rows_;
+  std::vector<unsigned> kind_;  ///< of each row
   NormalMatrix& normal_;
   SparseCholesky& cholesky_;
   Eigen::Index count_ = 0;  ///< of pairs
@@ -87,9 +102,11 @@ class InteriorPointIteration {
   InteriorUnknowns at_, predictor_, corrector_;
   InteriorPairs pairs_;
   Eigen::VectorXd rd_, rp_, rw_;  ///< residuals of stationarity, rows and w
-  Eigen::VectorXd theta_, inverse_D_, D_, e_;
-  Eigen::VectorXd ones_;  ///< empty: stands for ones
-  Eigen::VectorXd r_, r1_, r2_, Gx_, Rx_, Hx_, minus_y_;
+  Eigen::VectorXd theta_, yield_, D_, e_;
+  double rows_wanted_ = 0.0;  ///< of the linear system's rows
+  Eigen::VectorXd ones_;      ///< empty: stands for ones
+  LinearUnknowns step_, gap_, image_;
+  Eigen::VectorXd r1_, r2_, De_, Gx_, Rx_, Hx_, minus_y_, moved_;
 };
 
 }  // namespace armtune

@@ -5,9 +5,7 @@
 namespace armtune {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// The place of (row, column), row >= column, in a laid out matrix.
+/// The place of (row, column), row <= column, in a laid out matrix.
 int place_of(const SymmetricMatrix& matrix, int row, int column) {
   const auto c = static_cast<std::size_t>(column);
   const auto begin = matrix.rows.begin() + matrix.column_starts[c];
@@ -36,7 +34,7 @@ NormalMatrix::NormalMatrix(int size, const CurvatureBlocks& curvature,
   for_dense_blocks([&](const int* column, int columns) {
     for (int j = 0; j < columns; ++j) {
       auto& rows = rows_of[static_cast<std::size_t>(column[j])];
-      rows.insert(rows.end(), column + j + 1, column + columns);
+      rows.insert(rows.end(), column, column + j);
       // Duplicates must not pile up where thousands of blocks share a column.
       if (rows.size() > 256 && rows.size() == rows.capacity()) {
         std::sort(rows.begin(), rows.end());
@@ -55,12 +53,17 @@ NormalMatrix::NormalMatrix(int size, const CurvatureBlocks& curvature,
     rows = {};
   }
   matrix_.values.assign(matrix_.rows.size(), 0.0);
-  diagonal_places_.assign(matrix_.column_starts.begin(), matrix_.column_starts.end() - 1);
+  // The last of a column.
+  for (auto end = matrix_.column_starts.begin() + 1; end != matrix_.column_starts.end(); ++end)
+    diagonal_places_.push_back(*end - 1);
+  int widest = 0;
   for_dense_blocks([&](const int* column, int columns) {
-    for (int j = 0; j < columns; ++j) {
-      for (int i = j; i < columns; ++i) places_.push_back(place_of(matrix_, column[i], column[j]));
+    widest = std::max(widest, columns);
+    for (int i = 0; i < columns; ++i) {
+      for (int j = 0; j <= i; ++j) places_.push_back(place_of(matrix_, column[j], column[i]));
     }
   });
+  product_.resize(static_cast<std::size_t>(widest));
 }
 
 void NormalMatrix::assemble(const Eigen::VectorXd& diagonal,
@@ -72,8 +75,8 @@ void NormalMatrix::assemble(const Eigen::VectorXd& diagonal,
   const int* place = places_.data();
   for (const CurvatureBlocks::Block& block : curvature_.blocks()) {
     const auto values = curvature_.values(block);
-    for (int j = 0; j < block.columns; ++j) {
-      for (int i = j; i < block.columns; ++i) K[*place++] += values(i, j);
+    for (int i = 0; i < block.columns; ++i) {
+      for (int j = 0; j <= i; ++j) K[*place++] += values(j, i);
     }
   }
   for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -81,23 +84,24 @@ void NormalMatrix::assemble(const Eigen::VectorXd& diagonal,
     const double* weight = weights[p]->size() == 0 ? nullptr : weights[p]->data();
     for (const RowBlock& block : part.blocks()) {
       const double* value = part.values(block);
-      const double* w = weight == nullptr ? nullptr : weight + block.first_row;
+      const auto weight_of = [&](int row) { return weight == nullptr ? 1.0 : weight[block.first_row + row]; };
       if (block.diagonal) {
         const int* column = part.columns(block);
         for (int i = 0; i < block.rows; ++i)
-          K[diagonal_places_[static_cast<std::size_t>(column[i])]] +=
-              value[i] * value[i] * (w == nullptr ? 1.0 : w[i]);
+          K[diagonal_places_[static_cast<std::size_t>(column[i])]] += value[i] * value[i] * weight_of(i);
         continue;
       }
-      const Eigen::Map<const RowMajor> J(value, block.rows, block.columns);
-      if (w == nullptr) {
-        product_.noalias() = J.transpose().lazyProduct(J);
-      } else {
-        weighted_ = Eigen::Map<const Eigen::VectorXd>(w, block.rows).asDiagonal() * J;
-        product_.noalias() = weighted_.transpose().lazyProduct(J);
-      }
-      for (int j = 0; j < block.columns; ++j) {
-        for (int i = j; i < block.columns; ++i) K[*place++] += product_(i, j);
+      for (int i = 0; i < block.columns; ++i) {
+        double* product = product_.data();
+        const double first = weight_of(0) * value[i];
+        for (int j = 0; j <= i; ++j) product[j] = first * value[j];
+        const double* row = value;
+        for (int r = 1; r < block.rows; ++r) {
+          row += block.columns;
+          const double weighted = weight_of(r) * row[i];
+          for (int j = 0; j <= i; ++j) product[j] += weighted * row[j];
+        }
+        for (int j = 0; j <= i; ++j) K[*place++] += product[j];
       }
     }
   }

@@ -27,11 +27,11 @@ class NormalMatrix {
   const CurvatureBlocks& curvature_;
   std::vector<const BlockRows*> parts_;
   SymmetricMatrix matrix_;
-  /// Of the curvature, then part by part, block by block: the places in K of the block's pairs of columns (i
-  /// >= j, column by column).
+  /// Of the curvature, then part by part, block by block: the places in K of the block's pairs of columns (j
+  /// <= i, column i by column i).
   std::vector<int> places_;
   std::vector<int> diagonal_places_;
-  Eigen::MatrixXd weighted_, product_;  ///< of one block
+  std::vector<double> product_;  ///< one column of a block's
 };
 
 }  // namespace armtune

@@ -36,7 +36,7 @@ cholmod_sparse view_of(const SymmetricMatrix& matrix) {
   view.p = const_cast<int*>(matrix.column_starts.data());
   view.i = const_cast<int*>(matrix.rows.data());
   view.x = const_cast<double*>(matrix.values.data());
-  view.stype = -1;
+  view.stype = 1;
   view.itype = CHOLMOD_INT;
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;

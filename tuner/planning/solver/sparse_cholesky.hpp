@@ -8,8 +8,8 @@
 
 namespace armtune {
 
-/// Lower triangle of a symmetric matrix, compressed by columns, rows ascending. The pattern stays as it is
-/// made.
+/// Upper triangle of a symmetric matrix, compressed by columns, rows ascending: what CHOLMOD factorises
+/// without transposing. The pattern stays as it is made.
 struct SymmetricMatrix {
   int size = 0;
   std::vector<int> column_starts;  ///< size + 1

@@ -63,15 +63,14 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
     const double by_T = 1.0 / task_.grid.phases[phase].intervals;
     const double h = T[phase] * by_T;
     for (int j = 0; j < m_; ++j) {
-      const RowBlock& rows_q = rows.block(dynamics++);
+      const double y_q = y[rows.block(dynamics++).first_row];
+      const double y_v = y[rows.block(dynamics++).first_row];
       const Coordinate& coordinate = task_.coordinates[static_cast<std::size_t>(j)];
       const double limit = coordinate.jerk;
       const bool jerk_row = std::isfinite(limit);
       const double y_jerk = jerk_row ? y[rows.block(jerk++).first_row] : 0.0;
       const double y_inside = coordinate.limits_velocity() ? y[rows.block(inside++).first_row] : 0.0;
       if (first < 0) continue;
-      const double y_q = y[rows_q.first_row];
-      const double y_v = y[rows_q.first_row + 1];
       const double sv = scale(1, j);
       const double sa = scale(2, j);
       const double a0 = z[column(k, 2, j)] * sa;
@@ -135,10 +134,6 @@ void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& residual,
       }
     };
     gradient(here);
-    const int first_acceleration = column(k, 2, 0);
-    const auto is_acceleration = [&](int c) {
-      return c >= first_acceleration && c < first_acceleration + m_;
-    };
     for (int b = 0; b < block.columns; ++b) {
       if (is_acceleration(columns[b])) continue;  // every term is linear along accelerations
       const double kept = at[columns[b]];

@@ -54,9 +54,11 @@ void TrajectoryProgram::lay_out_intervals() {
   first_dynamics_ = static_cast<int>(rows.blocks().size());
   for (int k = 0; k < intervals; ++k) {
     for (int j = 0; j < m_; ++j) {
-      rows.add(2, with_duration({column(k, 0, j), column(k, 1, j), column(k, 2, j), column(k + 1, 0, j),
-                                 column(k + 1, 1, j), column(k + 1, 2, j)},
+      rows.add(1, with_duration({column(k, 0, j), column(k, 1, j), column(k, 2, j), column(k + 1, 0, j),
+                                 column(k + 1, 2, j)},
                                 k));
+      rows.add(
+          1, with_duration({column(k, 1, j), column(k, 2, j), column(k + 1, 1, j), column(k + 1, 2, j)}, k));
       add_bounds(2, 0.0, 0.0, true);
     }
   }
@@ -161,9 +163,10 @@ std::vector<int> TrajectoryProgram::free_phases_until(int knot) const {
 std::vector<int> TrajectoryProgram::knot_columns(int knot, bool on_velocity, bool on_acceleration,
                                                  bool on_time) const {
   std::vector<int> columns;
-  for (int order = 0; order < 3; ++order) {
-    if ((order == 1 && !on_velocity) || (order == 2 && !on_acceleration)) continue;
-    for (int j = 0; j < m_; ++j) columns.push_back(column(knot, order, j));
+  for (int j = 0; j < m_; ++j) {
+    columns.push_back(column(knot, 0, j));
+    if (on_velocity) columns.push_back(column(knot, 1, j));
+    if (on_acceleration) columns.push_back(column(knot, 2, j));
   }
   if (on_time) {
     for (const int p : free_phases_until(knot))

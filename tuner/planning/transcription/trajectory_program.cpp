@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 }  // namespace
 
 int TrajectoryProgram::column(int knot, int order, int coordinate) const {
-  return (knot * 3 + order) * m_ + coordinate;
+  return (knot * m_ + coordinate) * 3 + order;
 }
 
 double TrajectoryProgram::scale(int order, int coordinate) const {

@@ -95,7 +95,10 @@ class TrajectoryProgram : public NonlinearProgram {
   struct TermBlocks {
     int first_block = 0;  ///< one a knot, in `rows` or `residuals`
   };
+  /// Of one knot the coordinates one after another, each with its derivatives: as it couples with its own at
+  /// the next knot only, the Cholesky factor then fills in least.
   int column(int knot, int order, int coordinate) const;
+  bool is_acceleration(int column) const { return column < 3 * m_ * task_.grid.knots() && column % 3 == 2; }
   double scale(int order, int coordinate) const;
   const RowGroup& group_of(Eigen::Index row) const;
   /// The coordinates whose jerk, or whose velocity between knots, the group limits.

@@ -45,18 +45,19 @@ void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, Vect
       const double q0 = z[column(k, 0, j)], v0 = z[column(k, 1, j)] * sv, a0 = z[column(k, 2, j)] * sa;
       const double q1 = z[column(k + 1, 0, j)], v1 = z[column(k + 1, 1, j)] * sv,
                    a1 = z[column(k + 1, 2, j)] * sa;
-      const RowBlock& block = rows.block(dynamics++);
-      row[block.first_row] = q1 - q0 - h * v0 - h * h * (a0 / 3.0 + a1 / 6.0);
-      row[block.first_row + 1] = (v1 - v0 - h * (a0 + a1) / 2.0) / sv;
+      const RowBlock& position = rows.block(dynamics++);
+      const RowBlock& velocity = rows.block(dynamics++);
+      row[position.first_row] = q1 - q0 - h * v0 - h * h * (a0 / 3.0 + a1 / 6.0);
+      row[velocity.first_row] = (v1 - v0 - h * (a0 + a1) / 2.0) / sv;
       if (derivatives) {
-        double* d = rows.values(block);
-        const auto put = [&d](std::initializer_list<double> values) {
-          d = std::copy(values.begin(), values.end(), d);
+        const auto put = [&](const RowBlock& block, std::initializer_list<double> values,
+                             double by_duration) {
+          double* end = std::copy(values.begin(), values.end(), rows.values(block));
+          if (free) *end = by_duration;
         };
-        put({-1.0, -h * sv, -h * h / 3.0 * sa, 1.0, 0.0, -h * h / 6.0 * sa});
-        if (free) put({-by_T * (v0 + 2.0 * h * (a0 / 3.0 + a1 / 6.0))});
-        put({0.0, -1.0, -h / 2.0 * sa / sv, 0.0, 1.0, -h / 2.0 * sa / sv});
-        if (free) put({-by_T * (a0 + a1) / 2.0 / sv});
+        put(position, {-1.0, -h * sv, -h * h / 3.0 * sa, 1.0, -h * h / 6.0 * sa},
+            -by_T * (v0 + 2.0 * h * (a0 / 3.0 + a1 / 6.0)));
+        put(velocity, {-1.0, -h / 2.0 * sa / sv, 1.0, -h / 2.0 * sa / sv}, -by_T * (a0 + a1) / 2.0 / sv);
       }
       const Coordinate& coordinate = task_.coordinates[static_cast<std::size_t>(j)];
       if (std::isfinite(coordinate.jerk)) {
@@ -147,12 +148,10 @@ void TrajectoryProgram::term_rows(const KnotTerm& term, const Knot& knot, double
   const std::vector<int> free = term.on_time ? free_phases_until(knot.index) : std::vector<int>();
   double* d = derivative;
   for (Index i = 0; i < count; ++i) {
-    for (int j = 0; j < m_; ++j) *d++ = scratch_q_[i * m_ + j];
-    if (term.on_velocity) {
-      for (int j = 0; j < m_; ++j) *d++ = scratch_qd_[i * m_ + j] * scale(1, j);
-    }
-    if (term.on_acceleration) {
-      for (int j = 0; j < m_; ++j) *d++ = scratch_qdd_[i * m_ + j] * scale(2, j);
+    for (int j = 0; j < m_; ++j) {
+      *d++ = scratch_q_[i * m_ + j];
+      if (term.on_velocity) *d++ = scratch_qd_[i * m_ + j] * scale(1, j);
+      if (term.on_acceleration) *d++ = scratch_qdd_[i * m_ + j] * scale(2, j);
     }
     for (const int p : free) *d++ = scratch_time_[i] * part_of_phase(knot.index, static_cast<std::size_t>(p));
   }
