@@ -12,10 +12,12 @@ using Eigen::VectorXd;
 // Beside the program's own curvature, and so the same on every grid.
 constexpr double kPrimalProximal = 1e-8;
 constexpr double kDualProximal = 1e-9;
-constexpr int kCorrections = 10;         // of what the dual proximal part moves the rows by
-constexpr double kLinearAccuracy = 0.1;  // of a direction, beside the residuals it removes
+constexpr double kMoreProximal = 100.0;  // where rounding leaves no positive definite matrix,
+constexpr double kMostProximal = 1e-3;   // and the most of it
+constexpr int kCorrections = 20;         // of what the dual proximal part moves the rows by
+constexpr double kLinearAccuracy = 0.3;  // of a direction, beside the residuals it removes
 constexpr double kStepBack = 0.995;      // fraction to the boundary
-constexpr double kLeastCentering = 0.1;  // of the tolerance
+constexpr double kLeastCentering = 0.5;  // of the tolerance
 
 }  // namespace
 
@@ -147,8 +149,11 @@ bool InteriorPointIteration::factorize() {
           at_.over[i] / (bounds_.penalty[i] - at_.y[i]) + at_.under[i] / (bounds_.penalty[i] + at_.y[i]);
   }
   D_ = (yield_.array() + kDualProximal / program_.scale).inverse();
-  normal_.assemble((program_.damping.array() + kPrimalProximal * program_.scale).matrix(), {&ones_, &D_});
-  return cholesky_.factorize(normal_.matrix());
+  for (proximal_ = kPrimalProximal; proximal_ <= kMostProximal; proximal_ *= kMoreProximal) {
+    normal_.assemble((program_.damping.array() + proximal_ * program_.scale).matrix(), {&ones_, &D_});
+    if (cholesky_.factorize(normal_.matrix())) return true;
+  }
+  return false;
 }
 
 void InteriorPointIteration::aim(double target, const InteriorUnknowns* affine) {
@@ -204,7 +209,7 @@ void InteriorPointIteration::solve_linear(InteriorUnknowns& d, bool exact) {
   rows_left(d, r2_);
   make_rows_exact(d);
   hessian_times(d.x, Hx_);
-  r1_ = rd_ - Hx_ - kPrimalProximal * program_.scale * d.x;
+  r1_ = rd_ - Hx_ - proximal_ * program_.scale * d.x;
   minus_y_ = -d.y;
   G_.add_transposed(minus_y_, r1_);
   rows_left(d, r2_);

@@ -99,6 +99,7 @@ class InteriorPointIteration {
   SparseCholesky& cholesky_;
   Eigen::Index count_ = 0;  ///< of pairs
   double mu_ = 0.0;
+  double proximal_ = 0.0;  ///< primal part of this step, beside the scale
   InteriorUnknowns at_, predictor_, corrector_;
   InteriorPairs pairs_;
   Eigen::VectorXd rd_, rp_, rw_;  ///< residuals of stationarity, rows and w

@@ -3,39 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/planning/solver/step_filter.hpp"
+
 namespace armtune {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kAccept = 1e-4;           // least part of the predicted decrease
-constexpr double kSubproblemNoise = 1e-8;  // what its tolerance leaves, relative to the merit
-constexpr double kSubproblemPart = 1e4;  // x the error: tolerance of a subproblem, beside that of the whole,
-constexpr double kSubproblemLast = 0.5;  // at the end
-constexpr double kSubproblemFirst = 100.0;  // and at the beginning
-constexpr double kElastic = 1e-6;           // violation of a linearised row that means it
-constexpr double kMargin = 1e-5;            // of the filter
-constexpr int kHalvings = 4;                // of a step before its damping grows instead
+constexpr double kSubproblemPart = 1e4;   // x the error: tolerance of a subproblem, beside that of the whole,
+constexpr double kSubproblemLast = 0.5;   // at the end
+constexpr double kSubproblemFirst = 3.0;  // and at the beginning
+constexpr double kStartComplementarity = 100.0;  // x the last change: sum of the pairs to start from,
+constexpr double kLeastMu = 1e-10;               // and the least mean
+constexpr int kHalvings = 4;                     // of a step before its damping grows instead
 constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
-constexpr double kSmallestDamping = 1e-7;  // steps along which nothing changes stay short
+constexpr double kSmallestDamping = 3e-7;  // steps along which nothing changes stay short
 constexpr double kCorrectable = 0.1;       // violation after a step that a correction can make up for,
 constexpr int kCorrectionSteps = 25;       // and the steps that is worth
 constexpr double kTighter = 1e-2;
-constexpr double kWorth = 1e3;  // violation that a decrease of 1 may cost
 
 double violation(const RowBounds& bounds, Index i, double value) {
   if (std::isnan(value)) return INFINITY;
   return std::max({0.0, bounds.lower[i] - value, value - bounds.upper[i]});
 }
-
-struct Judged {
-  double objective = 0.0;
-  double violation = 0.0;  ///< mean over the knots
-  double largest = 0.0;
-};
 
 class Solver {
  public:
@@ -181,17 +174,21 @@ class Solver {
       if (solved.infeasibility < 1e-5 && p.allFinite()) {
         const Judged before = judge(z, residual_, row_);
         const Judged model = modelled(z, p);
-        if (now.iteration == 0) largest_allowed_ = std::max(0.3, 2.0 * before.largest);
-        largest_allowed_ = std::max(largest_allowed_, 2.0 * model.largest);  // at this price no less will do
+        if (now.iteration == 0) filter_.allow(std::max(0.3, 2.0 * before.largest));
+        filter_.allow(2.0 * model.largest);  // at this price no less will do
+        const double price = price_ * dearest_ / program_.metric[0];
+        const auto acceptable = [&](const Judged& after, double part) {
+          return filter_.accepts(before, model, after, part, price);
+        };
         for (int halving = 0; halving <= kHalvings; ++halving) {
           const double alpha = std::ldexp(1.0, -halving);
           VectorXd next = z + alpha * p;
           program_.evaluate(next, trial_r_, trial_c_);
           const Judged after = judge(next, trial_r_, trial_c_);
-          bool accepted = acceptable(before, model, after, alpha);
+          bool accepted = acceptable(after, alpha);
           const bool near = after.largest <= std::max(kCorrectable, 10.0 * before.largest);
           if (!accepted && halving == 0 && near && corrected(z, p, multipliers, next, interior, now))
-            accepted = acceptable(before, model, judge(next, trial_r_, trial_c_), alpha);
+            accepted = acceptable(judge(next, trial_r_, trial_c_), alpha);
           if (stopped_) return false;
           if (!accepted) continue;
           if (alpha == 1.0)
@@ -201,7 +198,11 @@ class Solver {
           now.step = (next - z).lpNorm<Eigen::Infinity>();
           z = std::move(next);
           y = multipliers;
-          mu = std::clamp(1e-2 * now.step * now.step, 1e-8, 1.0);
+          // What the next subproblem may move: beside it, complementarity is neither too far off nor too
+          // near.
+          const Judged reached = judge(z, trial_r_, trial_c_);
+          const double change = std::abs(reached.objective - before.objective) + reached.largest;
+          mu = std::clamp(kStartComplementarity * change / static_cast<double>(row_.size()), kLeastMu, 1.0);
           program_.linearize(z, residual_, row_);
           return true;
         }
@@ -264,44 +265,11 @@ class Solver {
     return true;
   }
 
-  /// The filter: better in objective or in violation than every point it remembers, and, where the model
-  /// promises a better objective and violation is small, better in objective by part of what is promised.
-  bool acceptable(const Judged& before, const Judged& model, const Judged& after, double alpha) {
-    if (!std::isfinite(after.objective) || !std::isfinite(after.violation) ||
-        after.largest > largest_allowed_)
-      return false;
-    const double noise = 1e-12 * std::max(1.0, std::abs(before.objective));
-    if (model.largest > kElastic) {
-      // Even the subproblem gives way: what it made less is the objective with the violations at their price.
-      const double price = price_ * dearest_ / program_.metric[0];
-      const auto merit = [&](const Judged& at) { return at.objective + price * at.violation; };
-      const double promised = alpha * (merit(before) - merit(model));
-      return merit(after) <= merit(before) - kAccept * promised + kSubproblemNoise * std::abs(merit(before));
-    }
-    const auto better = [&](const Judged& than) {
-      return after.violation <= (1.0 - kMargin) * than.violation || after.violation <= 1e-11 ||
-             after.objective <= than.objective - kMargin * than.violation;
-    };
-    for (const Judged& remembered : filter_) {
-      if (!better(remembered)) return false;
-    }
-    const double promised = alpha * (before.objective - model.objective);
-    const double worth = kWorth * std::max(0.0, promised);
-    if (after.largest > std::max({2.0 * before.largest, 1e-7, worth})) return false;
-    if (promised > noise && promised > before.violation) {
-      return after.objective <= before.objective - kAccept * promised + noise;
-    }
-    if (!better(before) && after.violation > before.violation + 1e-11) return false;
-    filter_.push_back(before);
-    return true;
-  }
-
   NonlinearProgram& program_;
   const SequentialQuadraticOptions& options_;
   InteriorPoint interior_;
   QuadraticProgram quadratic_;
-  std::vector<Judged> filter_;
-  double largest_allowed_ = 0.0;
+  StepFilter filter_;
   double dearest_ = 0.0;     ///< penalty of any elastic row
   double price_ = 1.0;       ///< of violations, times their penalty
   double error_ = INFINITY;  ///< the least so far
