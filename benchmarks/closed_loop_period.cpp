@@ -67,7 +67,7 @@ class BareAcceleration {
 int main() {
   constexpr int kBlocks = 15;
   constexpr double kSimulated = 8.0;  // [s] per block: leaveSingularity, return, following
-  for (const auto& [library, version] : versions()) fmt::print("{} {}\n", library, version);
+  fmt::print("{}", measured_with());
   fmt::print("\n{:<28}{:>12}{:>14}{:>8}{:>14}\n", "scenario", "period [us]", "2 x bare [us]", "ratio",
              "x real time");
   double sink = 0.0;

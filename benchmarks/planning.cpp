@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/run/run_folder.hpp"
 
 namespace {
 
@@ -45,6 +46,8 @@ int main(int argc, char** argv) {
   const int repeats = argc > 1 ? std::atoi(argv[1]) : 3;
   armtune::PlanTask task = armtune::load_plan_task("ur10_switch");
   std::vector<Timing> timings;
+  timings.reserve(8);
+  fmt::print("{}\n", armtune::measured_with());
   fmt::print("{}: the best of {}\n{:>8} {:>10} {:>12} {:>12} {:>14} {:>12} {:>12}\n", task.name, repeats,
              "knots", "seconds", "us a knot", "duration s", "interior steps", "violation", "KKT");
   for (const int knots : {200, 500, 1000, 2000, 5000, 10000, 20000}) {

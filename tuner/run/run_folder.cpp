@@ -99,6 +99,13 @@ std::string add_columns(const std::string& folder, const FileColumns& columns) {
   return ", " + path;
 }
 
+std::string measured_with() {
+  std::string text;
+  for (const auto& [library, version] : versions()) text += fmt::format("{} {}\n", library, version);
+  return text + fmt::format("processor {}, {} hardware threads\ndate {}\n", processor(),
+                            std::thread::hardware_concurrency(), utc("{:%Y-%m-%d}"));
+}
+
 std::string run_yaml(const Provenance& p) {
   std::string text = fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n",
                                  yaml::quoted(p.command), yaml::quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")),

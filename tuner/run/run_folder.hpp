@@ -45,4 +45,7 @@ std::string run_yaml(const Provenance& p);
 /// Name and version of every library in use, one per line, as run.yaml and --version show them.
 std::vector<std::pair<std::string, std::string>> versions();
 
+/// Where and when a figure was measured, one per line: versions, processor, date.
+std::string measured_with();
+
 }  // namespace armtune
