@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 constexpr double kPrimalProximal = 1e-8;
 constexpr double kDualProximal = 1e-9;
 constexpr double kMoreProximal = 100.0;  // where rounding leaves no positive definite matrix,
-constexpr double kMostProximal = 1e-3;   // and the most of it
+constexpr int kMoreOften = 2;            // and how often
 constexpr int kCorrections = 20;         // of what the dual proximal part moves the rows by
 constexpr double kLinearAccuracy = 0.3;  // of a direction, beside the residuals it removes
 constexpr double kStepBack = 0.995;      // fraction to the boundary
@@ -149,7 +149,8 @@ bool InteriorPointIteration::factorize() {
           at_.over[i] / (bounds_.penalty[i] - at_.y[i]) + at_.under[i] / (bounds_.penalty[i] + at_.y[i]);
   }
   D_ = (yield_.array() + kDualProximal / program_.scale).inverse();
-  for (proximal_ = kPrimalProximal; proximal_ <= kMostProximal; proximal_ *= kMoreProximal) {
+  for (int more = 0; more <= kMoreOften; ++more) {
+    proximal_ = kPrimalProximal * std::pow(kMoreProximal, more);
     normal_.assemble((program_.damping.array() + proximal_ * program_.scale).matrix(), {&ones_, &D_});
     if (cholesky_.factorize(normal_.matrix())) return true;
   }
