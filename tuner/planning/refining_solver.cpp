@@ -1,12 +1,17 @@
 #include "tuner/planning/refining_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace armtune {
 namespace {
 
 constexpr int kCoarsest = 24;  // intervals of the longest phase
 constexpr int kFactor = 3;     // from one grid to the next
+// Multipliers near the edge of what is feasible grow without bound beside the objective, and a violation is
+// dear only so far: before a task is called infeasible the objective must weigh next to nothing.
+constexpr double kWeights[] = {1.0, 1e-3, 1e-6};
+constexpr double kHopeless = 0.1;  // violation on a coarse grid that no finer one undoes
 
 /// Every phase with its part of `longest` intervals, at least 4 and never more than wanted.
 TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
@@ -18,10 +23,49 @@ TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
   return coarse;
 }
 
-}  // namespace
+/// The task with its whole objective times `weight`.
+TaskOnGrid weighted(const TaskOnGrid& task, double weight) {
+  if (weight == 1.0) return task;
+  return [task, weight](const TimeGrid& grid) {
+    TrajectoryTask made = task(grid);
+    made.duration_cost *= weight;
+    made.smoothness.acceleration *= weight;
+    made.smoothness.jerk *= weight;
+    for (KnotTerm& term : made.terms) {
+      if (!term.cost) continue;
+      const auto rows = static_cast<Eigen::Index>(term.rows.size());
+      term.evaluate = [evaluate = term.evaluate, rows, root = std::sqrt(weight)](const Knot& knot,
+                                                                                 const KnotRows& out) {
+        evaluate(knot, out);
+        Eigen::Map<Eigen::VectorXd>(out.value, rows) *= root;
+        for (double* by : {out.by_q, out.by_qd, out.by_qdd}) {
+          if (by != nullptr) Eigen::Map<Eigen::VectorXd>(by, rows * out.columns) *= root;
+        }
+        if (out.by_time != nullptr) Eigen::Map<Eigen::VectorXd>(out.by_time, rows) *= root;
+      };
+    }
+    return made;
+  };
+}
 
-PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
-                                 const SequentialQuadraticOptions& options, const PlanObserver& observer) {
+/// Whether only the smoothness is to gain: then the objective's size says nothing.
+bool smoothest(const TrajectoryTask& task) {
+  const auto free = [](const Phase& phase) { return phase.free; };
+  const auto costs = [](const KnotTerm& term) { return term.cost; };
+  return std::none_of(task.grid.phases.begin(), task.grid.phases.end(), free) &&
+         std::none_of(task.terms.begin(), task.terms.end(), costs);
+}
+
+/// The observer hears of the grid's knots, too.
+PlanObserver with_knots(const TimeGrid& grid, const PlanObserver& observer) {
+  return [knots = grid.knots(), &observer](SequentialQuadraticProgress at) {
+    at.knots = knots;
+    return !observer || observer(at);
+  };
+}
+
+PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
+                         const SequentialQuadraticOptions& options, const PlanObserver& observer) {
   int wanted = 0;
   for (const Phase& phase : grid.phases) wanted = std::max(wanted, phase.intervals);
   std::vector<int> sizes{wanted};
@@ -41,21 +85,51 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
       here.complementarity = std::max(options.complementarity, 1e-5);
     }
     y.resize(0);
-    if (planned.program && planned.result.status == PlanStatus::kSolved) {
+    const bool solved = planned.program && planned.result.status == PlanStatus::kSolved;
+    if (solved) {
       y = program->multipliers_from(*planned.program, planned.result.multipliers);
       here.damping = planned.result.last.damping;
     }
-    const PlanObserver with_knots = [&](SequentialQuadraticProgress at) {
-      at.knots = level.knots();
-      return !observer || observer(at);
-    };
+    const Trajectory& from = solved ? planned.trajectory : guess;
     planned.result =
-        solve(*program, program->unknowns(on_grid(planned.trajectory, level)), y, here, with_knots);
+        solve(*program, program->unknowns(on_grid(from, level)), y, here, with_knots(level, observer));
     planned.interior_iterations += planned.result.last.interior_iterations;
     planned.trajectory = program->trajectory(planned.result.z);
     planned.program = program;
     if (planned.result.status == PlanStatus::kInterrupted) break;
+    if (planned.result.status == PlanStatus::kInfeasible && planned.result.last.violation > kHopeless) break;
   }
+  return planned;
+}
+
+}  // namespace
+
+PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
+                                 const SequentialQuadraticOptions& options, const PlanObserver& observer) {
+  PlannedTrajectory planned;
+  int steps = 0;
+  for (const double weight : kWeights) {
+    PlannedTrajectory now = refine(weighted(task, weight), grid, guess, options, observer);
+    steps += now.interior_iterations;
+    // Coming to no end says nothing against what was found before.
+    if (now.result.status == PlanStatus::kStalled && planned.result.status == PlanStatus::kInfeasible) break;
+    planned = std::move(now);
+    if (planned.result.status == PlanStatus::kSolved && weight < 1.0 && !smoothest(task(grid))) {
+      // Feasible: from there with all that the objective weighs, and multipliers to match, so that violations
+      // are dear enough from the beginning.
+      const auto program = std::make_shared<TrajectoryProgram>(task(grid));
+      planned.result = solve(*program, planned.result.z, planned.result.multipliers / weight, options,
+                             with_knots(grid, observer));
+      planned.program = program;
+      planned.trajectory = program->trajectory(planned.result.z);
+      steps += planned.result.last.interior_iterations;
+      if (planned.result.status == PlanStatus::kInfeasible) planned.result.status = PlanStatus::kStalled;
+      break;
+    }
+    if (planned.result.status == PlanStatus::kSolved || planned.result.status == PlanStatus::kInterrupted)
+      break;
+  }
+  planned.interior_iterations = steps;
   return planned;
 }
 

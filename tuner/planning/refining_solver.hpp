@@ -15,11 +15,12 @@ using TaskOnGrid = std::function<TrajectoryTask(const TimeGrid&)>;
 struct PlannedTrajectory {
   Trajectory trajectory;
   SequentialQuadraticResult result;
-  std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid
+  std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid, unless infeasible
   int interior_iterations = 0;                 ///< on all grids
 };
 
-/// Solves on `grid` from the guess on.
+/// Solves on `grid` from the guess on. kInfeasible: not even with an objective that weighs a millionth; the
+/// program is then that of the grid on which this was found, perhaps a coarse one.
 PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer);
 

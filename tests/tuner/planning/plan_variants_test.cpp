@@ -46,6 +46,38 @@ TEST(PlanVariants, WithTimeToSpareAMoveIsTheSmoothestOfAll) {
   }
 }
 
+TEST(PlanVariants, WhatTheLeastTimeIsEnoughForIsFeasibleAndNothingShorter) {
+  PlanTask task = load_plan_task("ur10_move");
+  const double least = least_time(task);
+  for (const double factor : {0.9, 0.99, 1.001, 1.02, 1.2}) {
+    task.duration = factor * least;
+    const PlannedTrajectory planned = solved(plan_problem(task));
+    EXPECT_EQ(planned.result.status, factor < 1.0 ? PlanStatus::kInfeasible : PlanStatus::kSolved) << factor;
+    // What cannot be is asked of the goal; the start is as it is.
+    if (factor < 1.0) {
+      EXPECT_THAT(sentence(worst_violation(planned)), HasSubstr("goal of"));
+    }
+  }
+}
+
+TEST(PlanVariants, SlowLimitsTakeTheTimeTheyTake) {
+  PlanTask task = load_plan_task("ur10_move");
+  const JointVector way = (task.goal - task.scenario.start_position).cwiseAbs();
+  double before = least_time(task);
+  for (const double share : {0.1, 0.01}) {
+    task.limits.velocity = share;
+    const double time = least_time(task);
+    // Next to all of it at the limit of the joint that has the longest way; to get there and to stop takes an
+    // interval each.
+    const double cruise =
+        (way.array() / (share * plan_problem(task).robot->velocity_limits().array())).maxCoeff();
+    EXPECT_GT(time, cruise);
+    EXPECT_LT(time, cruise * (1.0 + 3.0 / task.knots) + 0.1);
+    EXPECT_GT(time, before);
+    before = time;
+  }
+}
+
 TEST(PlanVariants, ASmallerThresholdTakesLonger) {
   PlanTask task = load_plan_task("ur10_switch");
   task.knots = 60;
@@ -139,7 +171,7 @@ TEST(PlanVariants, WhatFallsShortIsSaidInItsUnit) {
     EXPECT_DOUBLE_EQ(program.natural(row, program.bounds.upper[row]), limit);
     ++torques;
   }
-  EXPECT_GT(torques, 6 * 100);
+  EXPECT_EQ(torques, 6 * planned.trajectory.position.cols());
 }
 
 /// Point to point on an arm without a scenario of its own: from one fifth of each joint's range to the other.

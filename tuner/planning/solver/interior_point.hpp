@@ -15,7 +15,7 @@ namespace armtune {
 
 struct InteriorPointOptions {
   int max_iterations = 80;
-  double stationarity = 1e-9;     ///< largest entry of the Lagrangian's gradient
+  double stationarity = 1e-9;     ///< sum of the entries of the Lagrangian's gradient
   double infeasibility = 1e-9;    ///< largest residual of a row
   double complementarity = 1e-7;  ///< sum of the products of the pairs
   double start_mu = 1.0;          ///< complementarity to start from; small after a warm start
@@ -26,7 +26,7 @@ struct InteriorPointResult {
   bool solved = false;
   bool interrupted = false;
   int iterations = 0;
-  double stationarity = 0.0;     ///< largest |H x + g + G^T y|
+  double stationarity = 0.0;     ///< sum of |H x + g + G^T y|
   double infeasibility = 0.0;    ///< largest residual of a row, elastic violation allowed for
   double complementarity = 0.0;  ///< sum of the products of the pairs
 };

@@ -23,8 +23,7 @@ class NonlinearProgram {
   int variables() const { return static_cast<int>(cost.size()); }
 
   Eigen::VectorXd cost;
-  /// > 0: squared length of a step is sum metric_i dz_i^2. Gradients are measured in the same metric: divided
-  /// by it, so that a residual means the same on every grid.
+  /// > 0: squared length of a step is sum metric_i dz_i^2, about the same on every grid.
   Eigen::VectorXd metric;
   /// Rows whose value is positive and may at most halve or double in one step.
   std::vector<Eigen::Index> halving_rows;

@@ -13,7 +13,7 @@ namespace armtune {
 
 struct SequentialQuadraticOptions {
   int max_iterations = 200;
-  double stationarity = 1e-6;     ///< largest entry of the Lagrangian's gradient, each divided by its metric
+  double stationarity = 1e-6;     ///< sum of the entries of the Lagrangian's gradient, in scaled unknowns
   double violation = 1e-8;        ///< largest violation of a row
   double complementarity = 1e-6;  ///< sum of |multiplier| x distance from its bound: bounds what is lost
   double damping = 1e-3;          ///< to begin with

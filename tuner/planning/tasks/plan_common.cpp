@@ -54,6 +54,7 @@ TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
   const int last = grid.intervals();
   program.terms.push_back(given_state("start", joint_names(*robot), position_units(*robot), 0,
                                       {start.position, start.velocity, start.acceleration}));
+  program.terms.back().hard = true;  // where the arm is it is, whatever is asked of it
   program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
   if (task.clearance > 0.0) {
     for (const NamedPath& obstacle : task.scenario.obstacles)
@@ -86,7 +87,9 @@ double PlanCommon::first_duration(double otherwise) const {
 }
 
 double PlanCommon::likely_duration(const JointVector& way) const {
-  return std::max(kLeastGuess, (way.array().abs() / (0.5 * robot->velocity_limits().array())).maxCoeff());
+  return std::max(
+      kLeastGuess,
+      (way.array().abs() / (0.5 * task.limits.velocity * robot->velocity_limits().array())).maxCoeff());
 }
 
 }  // namespace armtune

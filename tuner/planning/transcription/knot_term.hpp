@@ -40,6 +40,7 @@ struct KnotTerm {
   bool on_time = false;
   bool cost = false;
   bool linear = false;  ///< has no curvature
+  bool hard = false;    ///< its rows never give way
   double lower =
       -std::numeric_limits<double>::infinity();  ///< of every row; values come divided by their limit
   double upper = std::numeric_limits<double>::infinity();

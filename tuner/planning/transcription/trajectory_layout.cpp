@@ -140,7 +140,7 @@ void TrajectoryProgram::lay_out_terms() {
     for (int k = term.first_knot; k <= term.last_knot; ++k) {
       const std::vector<int> columns = knot_columns(k, term.on_velocity, term.on_acceleration, term.on_time);
       target.add(static_cast<int>(term.rows.size()), columns);
-      if (!term.cost) add_bounds(static_cast<int>(term.rows.size()), term.lower, term.upper, false);
+      if (!term.cost) add_bounds(static_cast<int>(term.rows.size()), term.lower, term.upper, term.hard);
     }
   }
 }
