@@ -108,7 +108,7 @@ TEST(KnownSolutions, LeastAccelerationIsTheCubic) {
   expect_solved(planned);
   for (int k = 0; k <= move.intervals; ++k) {
     const double s = planned.trajectory.time[static_cast<std::size_t>(k)] / 2.0;
-    ASSERT_NEAR(planned.trajectory.position(0, k), s * s * (3.0 - 2.0 * s), 1e-8) << k;
+    ASSERT_NEAR(planned.trajectory.position(0, k), s * s * (3.0 - 2.0 * s), 1e-9) << k;
   }
 }
 

@@ -208,7 +208,9 @@ TEST(PlanTasks, AMovePastObstaclesKeepsClearOfThemAndWithoutThemItWouldNot) {
     }
   }
   EXPECT_LT(closest, 0.9 * clearance);
-  EXPECT_GT(around.planned.trajectory.durations[0], straight.planned.trajectory.durations[0]);
+  // The way around takes the joint with the longest way no time; it costs smoothness, more than the residuals
+  // leave open.
+  EXPECT_GT(around.planned.result.last.objective, straight.planned.result.last.objective + 1e-6);
 }
 
 TEST(PlanTasks, AccelerationAndJerkLimitsAreKept) {

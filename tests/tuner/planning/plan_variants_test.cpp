@@ -159,7 +159,8 @@ TEST(PlanVariants, WhatFallsShortIsSaidInItsUnit) {
   EXPECT_THAT(
       sentence(worst),
       testing::ContainsRegex("goal of (elbow|wrist_2)_joint position is missed by 0\\.[0-9]+ rad at 0.4 s"));
-  const TrajectoryProgram& program = *planned.program;
+  const PlanProblem problem = plan_problem(task);
+  const TrajectoryProgram program(problem.task(problem.grid));
   int torques = 0;
   for (Eigen::Index row = 0; row < program.rows.rows(); ++row) {
     const RowMeaning meaning = program.meaning(row);
@@ -171,7 +172,7 @@ TEST(PlanVariants, WhatFallsShortIsSaidInItsUnit) {
     EXPECT_DOUBLE_EQ(program.natural(row, program.bounds.upper[row]), limit);
     ++torques;
   }
-  EXPECT_EQ(torques, 6 * planned.trajectory.position.cols());
+  EXPECT_EQ(torques, 6 * problem.grid.knots());
 }
 
 /// Point to point on an arm without a scenario of its own: from one fifth of each joint's range to the other.

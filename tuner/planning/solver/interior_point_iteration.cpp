@@ -12,12 +12,13 @@ using Eigen::VectorXd;
 // Beside the program's own curvature, and so the same on every grid.
 constexpr double kPrimalProximal = 1e-8;
 constexpr double kDualProximal = 1e-9;
-constexpr double kMoreProximal = 100.0;  // where rounding leaves no positive definite matrix,
-constexpr int kMoreOften = 2;            // and how often
-constexpr int kCorrections = 20;         // of what the dual proximal part moves the rows by
-constexpr double kLinearAccuracy = 0.3;  // of a direction, beside the residuals it removes
-constexpr double kStepBack = 0.995;      // fraction to the boundary
-constexpr double kLeastCentering = 0.5;  // of the tolerance
+constexpr double kMoreProximal = 100.0;    // where rounding leaves no positive definite matrix,
+constexpr int kMoreOften = 2;              // and how often
+constexpr int kCorrections = 20;           // of what the dual proximal part moves the rows by
+constexpr double kLinearAccuracy = 0.3;    // of a direction, beside the residuals it removes
+constexpr double kStepBack = 0.995;        // fraction to the boundary
+constexpr double kElasticCentering = 0.1;  // of the other pairs': what gives way should not, in the end
+constexpr double kLeastCentering = 0.5;    // of the tolerance
 
 }  // namespace
 
@@ -166,8 +167,9 @@ void InteriorPointIteration::aim(double target, const InteriorUnknowns* affine) 
     if (has_upper(i)) pairs_.upper[i] = target - at_.upper[i] * below_upper(at_, i) + second(d.upper, d.w, i);
     if (has_lower(i)) pairs_.lower[i] = target - at_.lower[i] * above_lower(at_, i) - second(d.lower, d.w, i);
     if (!elastic(i)) continue;
-    pairs_.over[i] = target - at_.over[i] * (bounds_.penalty[i] - at_.y[i]) + second(d.over, d.y, i);
-    pairs_.under[i] = target - at_.under[i] * (bounds_.penalty[i] + at_.y[i]) - second(d.under, d.y, i);
+    const double give = kElasticCentering * target;
+    pairs_.over[i] = give - at_.over[i] * (bounds_.penalty[i] - at_.y[i]) + second(d.over, d.y, i);
+    pairs_.under[i] = give - at_.under[i] * (bounds_.penalty[i] + at_.y[i]) - second(d.under, d.y, i);
   }
 }
 

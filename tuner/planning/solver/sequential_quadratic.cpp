@@ -184,11 +184,13 @@ class Solver {
           const double alpha = std::ldexp(1.0, -halving);
           VectorXd next = z + alpha * p;
           program_.evaluate(next, trial_r_, trial_c_);
-          const Judged after = judge(next, trial_r_, trial_c_);
+          Judged after = judge(next, trial_r_, trial_c_);
           bool accepted = acceptable(after, alpha);
           const bool near = after.largest <= std::max(kCorrectable, 10.0 * before.largest);
-          if (!accepted && halving == 0 && near && corrected(z, p, multipliers, next, interior, now))
-            accepted = acceptable(judge(next, trial_r_, trial_c_), alpha);
+          if (!accepted && halving == 0 && near && corrected(z, p, multipliers, next, interior, now)) {
+            after = judge(next, trial_r_, trial_c_);
+            accepted = acceptable(after, alpha);
+          }
           if (stopped_) return false;
           if (!accepted) continue;
           if (alpha == 1.0)
@@ -200,8 +202,7 @@ class Solver {
           y = multipliers;
           // What the next subproblem may move: beside it, complementarity is neither too far off nor too
           // near.
-          const Judged reached = judge(z, trial_r_, trial_c_);
-          const double change = std::abs(reached.objective - before.objective) + reached.largest;
+          const double change = std::abs(after.objective - before.objective) + after.largest;
           mu = std::clamp(kStartComplementarity * change / static_cast<double>(row_.size()), kLeastMu, 1.0);
           program_.linearize(z, residual_, row_);
           return true;
