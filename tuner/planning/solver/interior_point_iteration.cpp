@@ -12,13 +12,13 @@ using Eigen::VectorXd;
 // Beside the program's own curvature, and so the same on every grid.
 constexpr double kPrimalProximal = 1e-8;
 constexpr double kDualProximal = 1e-9;
-constexpr double kMoreProximal = 100.0;    // where rounding leaves no positive definite matrix,
-constexpr int kMoreOften = 2;              // and how often
-constexpr int kCorrections = 20;           // of what the dual proximal part moves the rows by
-constexpr double kLinearAccuracy = 0.3;    // of a direction, beside the residuals it removes
-constexpr double kStepBack = 0.995;        // fraction to the boundary
-constexpr double kElasticCentering = 0.1;  // of the other pairs': what gives way should not, in the end
-constexpr double kLeastCentering = 0.5;    // of the tolerance
+constexpr double kMoreProximal = 100.0;     // where rounding leaves no positive definite matrix,
+constexpr int kMoreOften = 2;               // and how often
+constexpr int kCorrections = 20;            // of what the dual proximal part moves the rows by
+constexpr double kLinearAccuracy = 0.3;     // of a direction, beside the residuals it removes
+constexpr double kStepBack = 0.995;         // fraction to the boundary
+constexpr double kElasticCentering = 0.05;  // of the other pairs': what gives way should not, in the end
+constexpr double kLeastCentering = 0.9;     // of the tolerance
 
 }  // namespace
 

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kSubproblemPart = 1e4;   // x the error: tolerance of a subproblem, beside that of the whole,
-constexpr double kSubproblemLast = 0.5;   // at the end
+constexpr double kSubproblemLast = 0.9;   // at the end
 constexpr double kSubproblemFirst = 3.0;  // and at the beginning
 constexpr double kStartComplementarity = 100.0;  // x the last change: sum of the pairs to start from,
 constexpr double kLeastMu = 1e-10;               // and the least mean
@@ -21,7 +21,7 @@ constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLargestDamping = 1e10;
 constexpr double kSmallestDamping = 3e-7;  // steps along which nothing changes stay short
-constexpr double kCorrectable = 0.1;       // violation after a step that a correction can make up for,
+constexpr double kCorrectable = 0.01;      // violation after a step that a correction can make up for,
 constexpr int kCorrectionSteps = 25;       // and the steps that is worth
 constexpr double kTighter = 1e-2;
 
