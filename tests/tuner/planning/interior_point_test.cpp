@@ -4,7 +4,8 @@
 
 #include <Eigen/LU>
 #include <limits>
-#include <random>
+
+#include "tests/tuner/support/dense_program.hpp"
 
 namespace armtune {
 namespace {
@@ -12,54 +13,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using test::DenseProgram;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// A program of dense blocks, kept beside the matrices it was made from.
-struct Dense {
-  BlockRows R, G;
-  CurvatureBlocks C;
-  QuadraticProgram program;
-  MatrixXd R_full, G_full, C_full;
-
-  Dense(const MatrixXd& residuals, const MatrixXd& curvature, const MatrixXd& rows)
-      : R_full(residuals), G_full(rows), C_full(curvature) {
-    const auto n = static_cast<int>(rows.cols());
-    std::vector<int> all;
-    for (int i = 0; i < n; ++i) all.push_back(i);
-    fill(R, residuals, all);
-    fill(G, rows, all);
-    C.values(C.add(all)) = curvature;
-    program.residuals = &R;
-    program.rows = &G;
-    program.curvature = &C;
-    program.gradient = VectorXd::Zero(n);
-    program.damping = VectorXd::Zero(n);
-    program.bounds.lower = VectorXd::Constant(G.rows(), -kInf);
-    program.bounds.upper = VectorXd::Constant(G.rows(), kInf);
-    program.bounds.penalty = VectorXd::Constant(G.rows(), kInf);
-  }
-  Dense(const Dense&) = delete;
-  Dense& operator=(const Dense&) = delete;
-
-  static void fill(BlockRows& rows, const MatrixXd& dense, const std::vector<int>& columns) {
-    const int block = rows.add(static_cast<int>(dense.rows()), columns);
-    for (Index i = 0; i < dense.rows(); ++i) {
-      for (Index j = 0; j < dense.cols(); ++j)
-        rows.values(rows.block(block))[i * dense.cols() + j] = dense(i, j);
-    }
-  }
-  MatrixXd H() const { return R_full.transpose() * R_full + C_full + MatrixXd(program.damping.asDiagonal()); }
-  InteriorPointResult solve(VectorXd& x, VectorXd& y, double start_mu = 1.0) {
-    x.setZero(G_full.cols());
-    if (y.size() == 0) y.setZero(G_full.rows());
-    InteriorPointOptions options;
-    options.start_mu = start_mu;
-    return InteriorPoint(static_cast<int>(x.size()), R, C, G).solve(program, options, x, y);
-  }
-};
-
 /// Conditions of Karush, Kuhn and Tucker, written out: what makes x the optimum of a convex program.
-void expect_optimal(const Dense& dense, const VectorXd& x, const VectorXd& y, double tolerance) {
+void expect_optimal(const DenseProgram& dense, const VectorXd& x, const VectorXd& y, double tolerance) {
   const RowBounds& bounds = dense.program.bounds;
   EXPECT_LE((dense.H() * x + dense.program.gradient + dense.G_full.transpose() * y).lpNorm<Eigen::Infinity>(),
             tolerance);
@@ -95,7 +53,7 @@ TEST(InteriorPoint, SatisfiesTheOptimalityConditionsOfRandomPrograms) {
     const Index n = 3 + seed % 6;
     const Index m = 2 + seed % 9;
     const MatrixXd root = MatrixXd::Random(n, n);
-    Dense dense(MatrixXd::Random(n + 1, n), root * root.transpose() * 0.3, MatrixXd::Random(m, n));
+    DenseProgram dense(MatrixXd::Random(n + 1, n), root * root.transpose() * 0.3, MatrixXd::Random(m, n));
     dense.program.gradient = 3.0 * VectorXd::Random(n);
     dense.program.damping = VectorXd::Constant(n, 0.1);
     RowBounds& bounds = dense.program.bounds;
@@ -121,7 +79,7 @@ TEST(InteriorPoint, SatisfiesTheOptimalityConditionsOfRandomPrograms) {
 TEST(InteriorPoint, GivesWayWhereRowsContradictEachOther) {
   MatrixXd rows(2, 1);
   rows << 1.0, 1.0;
-  Dense dense(MatrixXd::Constant(1, 1, 0.1), MatrixXd::Zero(1, 1), rows);
+  DenseProgram dense(MatrixXd::Constant(1, 1, 0.1), MatrixXd::Zero(1, 1), rows);
   dense.program.bounds.lower << 1.0, -kInf;  // x >= 1 and x <= 0, the first at the higher price
   dense.program.bounds.upper << kInf, 0.0;
   dense.program.bounds.penalty << 10.0, 2.0;
@@ -134,7 +92,7 @@ TEST(InteriorPoint, GivesWayWhereRowsContradictEachOther) {
 TEST(InteriorPoint, SaysThatHardRowsContradictEachOther) {
   MatrixXd rows(2, 1);
   rows << 1.0, 1.0;
-  Dense dense(MatrixXd::Ones(1, 1), MatrixXd::Zero(1, 1), rows);
+  DenseProgram dense(MatrixXd::Ones(1, 1), MatrixXd::Zero(1, 1), rows);
   dense.program.bounds.lower << 1.0, -kInf;
   dense.program.bounds.upper << kInf, 0.0;
   VectorXd x, y;
@@ -147,7 +105,7 @@ TEST(InteriorPoint, KeepsEquationsWhereEverythingIsPinned) {
   std::srand(11);
   constexpr Index n = 8, m = 4;
   const MatrixXd stiff = VectorXd::LinSpaced(n, 2e4, 4e4).asDiagonal();
-  Dense dense(stiff, MatrixXd::Zero(n, n), MatrixXd::Random(m, n));
+  DenseProgram dense(stiff, MatrixXd::Zero(n, n), MatrixXd::Random(m, n));
   dense.program.scale = 1e-3;
   dense.program.bounds.lower = dense.program.bounds.upper = VectorXd::LinSpaced(m, -1e-6, 1e-6);
   VectorXd x, y;

@@ -9,12 +9,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Beside the program's own curvature, and so the same on every grid.
-constexpr double kPrimalProximal = 1e-8;
-constexpr double kDualProximal = 1e-9;
-constexpr double kMoreProximal = 100.0;     // where rounding leaves no positive definite matrix,
-constexpr int kMoreOften = 2;               // and how often
-constexpr int kCorrections = 20;            // of what the dual proximal part moves the rows by
 constexpr double kLinearAccuracy = 0.3;     // of a direction, beside the residuals it removes
 constexpr double kStepBack = 0.995;         // fraction to the boundary
 constexpr double kElasticCentering = 0.05;  // of the other pairs': what gives way should not, in the end
@@ -25,12 +19,10 @@ constexpr double kLeastCentering = 0.9;     // of the tolerance
 InteriorPointIteration::InteriorPointIteration(const QuadraticProgram& program, NormalMatrix& normal,
                                                SparseCholesky& cholesky)
     : program_(program),
-      R_(*program.residuals),
       G_(*program.rows),
       bounds_(program.bounds),
       rows_(program.rows->rows()),
-      normal_(normal),
-      cholesky_(cholesky) {
+      system_(program, normal, cholesky) {
   kind_.assign(static_cast<std::size_t>(rows_), 0);
   for (Index i = 0; i < rows_; ++i) {
     unsigned& kind = kind_[static_cast<std::size_t>(i)];
@@ -66,8 +58,8 @@ void InteriorPointIteration::start(const VectorXd& x, const VectorXd& y, double 
 }
 
 void InteriorPointIteration::measure(InteriorPointResult& result) {
-  hessian_times(at_.x, Hx_);
-  rd_ = -Hx_ - program_.gradient;
+  system_.hessian_times(at_.x, rd_);
+  rd_ = -rd_ - program_.gradient;
   minus_y_ = -at_.y;
   G_.add_transposed(minus_y_, rd_);
   G_.multiply(at_.x, Gx_);
@@ -133,13 +125,6 @@ double InteriorPointIteration::complementarity(const InteriorUnknowns* d, double
   return count_ == 0 ? 0.0 : sum / static_cast<double>(count_);
 }
 
-void InteriorPointIteration::hessian_times(const VectorXd& v, VectorXd& result) {
-  R_.multiply(v, Rx_);
-  result = program_.damping.cwiseProduct(v);
-  R_.add_transposed(Rx_, result);
-  program_.curvature->add_product(v, result);
-}
-
 bool InteriorPointIteration::factorize() {
   for (Index i = 0; i < rows_; ++i) {
     theta_[i] = (has_upper(i) ? at_.upper[i] / below_upper(at_, i) : 0.0) +
@@ -149,13 +134,7 @@ bool InteriorPointIteration::factorize() {
       yield_[i] +=
           at_.over[i] / (bounds_.penalty[i] - at_.y[i]) + at_.under[i] / (bounds_.penalty[i] + at_.y[i]);
   }
-  D_ = (yield_.array() + kDualProximal / program_.scale).inverse();
-  for (int more = 0; more <= kMoreOften; ++more) {
-    proximal_ = kPrimalProximal * std::pow(kMoreProximal, more);
-    normal_.assemble((program_.damping.array() + proximal_ * program_.scale).matrix(), {&ones_, &D_});
-    if (cholesky_.factorize(normal_.matrix())) return true;
-  }
-  return false;
+  return system_.factorize(yield_);
 }
 
 void InteriorPointIteration::aim(double target, const InteriorUnknowns* affine) {
@@ -189,7 +168,12 @@ void InteriorPointIteration::direction(InteriorUnknowns& d, bool exact) {
                pairs_.under[i] / (bounds_.penalty[i] + at_.y[i]);
   }
   d.set_zero(at_.x.size(), rows_);
-  solve_linear(d, exact);
+  if (exact) {
+    system_.solve(rd_, e_, {kLinearAccuracy * rd_.lpNorm<1>(), rows_wanted_}, d);
+  } else {
+    d.x = rd_;
+    system_.solve_proximal(e_, d);
+  }
   for (Index i = 0; i < rows_; ++i) {
     if (theta_[i] > 0.0) {
       d.w[i] = (push_on_w(i) + d.y[i]) / theta_[i];
@@ -200,66 +184,6 @@ void InteriorPointIteration::direction(InteriorUnknowns& d, bool exact) {
       d.over[i] = (pairs_.over[i] + at_.over[i] * d.y[i]) / (bounds_.penalty[i] - at_.y[i]);
       d.under[i] = (pairs_.under[i] - at_.under[i] * d.y[i]) / (bounds_.penalty[i] + at_.y[i]);
     }
-  }
-}
-
-void InteriorPointIteration::solve_linear(InteriorUnknowns& d, bool exact) {
-  step_.x = rd_;
-  solve_proximal(e_, step_);
-  d.x = step_.x;
-  d.y = step_.y;
-  if (!exact) return;
-  rows_left(d, r2_);
-  make_rows_exact(d);
-  hessian_times(d.x, Hx_);
-  r1_ = rd_ - Hx_ - proximal_ * program_.scale * d.x;
-  minus_y_ = -d.y;
-  G_.add_transposed(minus_y_, r1_);
-  rows_left(d, r2_);
-  if (r1_.lpNorm<1>() <= kLinearAccuracy * rd_.lpNorm<1>() && small(r2_)) return;
-  step_.x = r1_;
-  solve_proximal(r2_, step_);
-  d.x += step_.x;
-  d.y += step_.y;
-}
-
-void InteriorPointIteration::solve_proximal(const VectorXd& e, LinearUnknowns& found) {
-  De_ = D_.cwiseProduct(e);
-  G_.add_transposed(De_, found.x);
-  cholesky_.solve(found.x);
-  G_.multiply(found.x, Gx_);
-  found.y = D_.cwiseProduct(Gx_) - De_;
-}
-
-void InteriorPointIteration::rows_left(const InteriorUnknowns& d, VectorXd& left) {
-  G_.multiply(d.x, Gx_);
-  left = e_ - Gx_ + yield_.cwiseProduct(d.y);
-}
-
-void InteriorPointIteration::make_rows_exact(InteriorUnknowns& d) {
-  if (small(r2_)) return;
-  gap_.x.setZero(d.x.size());
-  solve_proximal(r2_, gap_);
-  step_ = gap_;
-  double size = gap_.y.squaredNorm();
-  for (int i = 0; i < kCorrections; ++i) {
-    G_.multiply(step_.x, Gx_);
-    moved_ = Gx_ - yield_.cwiseProduct(step_.y);
-    image_.x.setZero(d.x.size());
-    solve_proximal(moved_, image_);
-    const double along = step_.y.dot(image_.y);
-    if (!(along > 0.0)) return;
-    const double alpha = size / along;
-    d.x += alpha * step_.x;
-    d.y += alpha * step_.y;
-    r2_ -= alpha * moved_;
-    if (small(r2_)) return;
-    gap_.x -= alpha * image_.x;
-    gap_.y -= alpha * image_.y;
-    const double before = size;
-    size = gap_.y.squaredNorm();
-    step_.x = gap_.x + size / before * step_.x;
-    step_.y = gap_.y + size / before * step_.y;
   }
 }
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <vector>
 
+#include "tuner/planning/solver/condensed_system.hpp"
 #include "tuner/planning/solver/interior_point.hpp"
 
 namespace armtune {
 
 /// The unknowns, or one direction of them. y multiplies G x - w - over + under = 0; w lies between the
 /// bounds.
-struct InteriorUnknowns {
-  Eigen::VectorXd x, y;
+struct InteriorUnknowns : LinearUnknowns {
   Eigen::VectorXd w;             ///< value of the row, strictly between its bounds; of an equation the bound
   Eigen::VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is none
   Eigen::VectorXd over, under;   ///< elastic violations; their multipliers are penalty - y and penalty + y
@@ -29,11 +29,6 @@ struct InteriorUnknowns {
     over += factor * step.over;
     under += factor * step.under;
   }
-};
-
-/// Unknowns of the linear system that remains when all pairs are eliminated.
-struct LinearUnknowns {
-  Eigen::VectorXd x, y;
 };
 
 /// Right-hand sides of the complementarity conditions: what is wanted of each product minus what it is.
@@ -65,9 +60,8 @@ class InteriorPointIteration {
   void start_range(Eigen::Index i, double mu);
   /// Mean product of the pairs, here or after `part` of a direction.
   double complementarity(const InteriorUnknowns* d, double part) const;
-  void hessian_times(const Eigen::VectorXd& v, Eigen::VectorXd& result);
-  /// K = H + delta I + G^T D G. 1/D: how far a row gives way to its multiplier, by moving between its bounds
-  /// (1/theta) or beyond them (both: yield), and by the dual proximal part.
+  /// How far each row gives way to its multiplier, by moving between its bounds (1/theta) or beyond them
+  /// (both: yield), and the linear system with it.
   bool factorize();
   /// Every product is to become `target`; affine: the direction whose second order is made up for.
   void aim(double target, const InteriorUnknowns* affine);
@@ -75,39 +69,23 @@ class InteriorPointIteration {
   double push_on_w(Eigen::Index i) const;
   /// Solves the linearised conditions for the pairs aimed at; not exact: with the dual proximal part.
   void direction(InteriorUnknowns& d, bool exact);
-  /// [H + delta, G^T; G, -yield] (dx, dy) = (rd, e).
-  void solve_linear(InteriorUnknowns& d, bool exact);
-  /// [H + delta, G^T; G, -1/D] found = (found.x, e) by way of K.
-  void solve_proximal(const Eigen::VectorXd& e, LinearUnknowns& found);
-  /// What d leaves of the second row of the linear system.
-  void rows_left(const InteriorUnknowns& d, Eigen::VectorXd& left);
-  /// Takes what is left of the rows (in r2_) out of d. Solving again for what is left brings y nearer by (S +
-  /// delta)^-1 S, S = yield + G (H + delta)^-1 G^T: 1 but in the few directions where active limits pin all
-  /// motion. So conjugate gradients on that matrix need few steps where repeating alone may need hundreds.
-  void make_rows_exact(InteriorUnknowns& d);
-  bool small(const Eigen::VectorXd& left) const { return left.lpNorm<Eigen::Infinity>() <= rows_wanted_; }
   /// The longest part of a direction, up to 1, that keeps every pair positive.
   double longest(const InteriorUnknowns& d) const;
 
   const QuadraticProgram& program_;
-  const BlockRows& R_;
   const BlockRows& G_;
   const RowBounds& bounds_;
   Eigen::Index rows_;
   std::vector<unsigned> kind_;  ///< of each row
-  NormalMatrix& normal_;
-  SparseCholesky& cholesky_;
+  CondensedSystem system_;
   Eigen::Index count_ = 0;  ///< of pairs
   double mu_ = 0.0;
-  double proximal_ = 0.0;  ///< primal part of this step, beside the scale
   InteriorUnknowns at_, predictor_, corrector_;
   InteriorPairs pairs_;
   Eigen::VectorXd rd_, rp_, rw_;  ///< residuals of stationarity, rows and w
-  Eigen::VectorXd theta_, yield_, D_, e_;
+  Eigen::VectorXd theta_, yield_, e_;
   double rows_wanted_ = 0.0;  ///< of the linear system's rows
-  Eigen::VectorXd ones_;      ///< empty: stands for ones
-  LinearUnknowns step_, gap_, image_;
-  Eigen::VectorXd r1_, r2_, De_, Gx_, Rx_, Hx_, minus_y_, moved_;
+  Eigen::VectorXd Gx_, minus_y_;
 };
 
 }  // namespace armtune
