@@ -41,7 +41,7 @@ void InteriorPointIteration::start(const VectorXd& x, const VectorXd& y, double 
   at_.set_zero(x.size(), rows_);
   at_.x = x;
   at_.y = y;
-  G_.multiply(x, Gx_);
+  G_.multiply(x, at_.w);
   for (Index i = 0; i < rows_; ++i) {
     keep_within_penalty(i);
     if (equation(i)) {
@@ -60,10 +60,10 @@ void InteriorPointIteration::start(const VectorXd& x, const VectorXd& y, double 
 void InteriorPointIteration::measure(InteriorPointResult& result) {
   system_.hessian_times(at_.x, rd_);
   rd_ = -rd_ - program_.gradient;
-  minus_y_ = -at_.y;
-  G_.add_transposed(minus_y_, rd_);
-  G_.multiply(at_.x, Gx_);
-  rp_ = at_.w + at_.over - at_.under - Gx_;
+  rp_ = -at_.y;
+  G_.add_transposed(rp_, rd_);
+  G_.multiply(at_.x, rp_);
+  rp_ = at_.w + at_.over - at_.under - rp_;
   for (Index i = 0; i < rows_; ++i) rw_[i] = equation(i) ? 0.0 : at_.y[i] - at_.upper[i] + at_.lower[i];
   mu_ = complementarity(nullptr, 0.0);
   result.stationarity = rd_.lpNorm<1>() + rw_.lpNorm<1>();
@@ -97,7 +97,7 @@ void InteriorPointIteration::start_range(Index i, double mu) {
   const double root = std::sqrt(mu);
   const double room = std::min(0.25 * (bounds_.upper[i] - bounds_.lower[i]), root);
   double& y = at_.y[i];
-  double w = Gx_[i];
+  double w = at_.w[i];
   if (has_upper(i))
     w = y > root ? bounds_.upper[i] - std::min(room, mu / y) : std::min(w, bounds_.upper[i] - room);
   if (has_lower(i))

@@ -57,6 +57,7 @@ class InteriorPointIteration {
   double below_upper(const InteriorUnknowns& at, Eigen::Index i) const { return bounds_.upper[i] - at.w[i]; }
   double above_lower(const InteriorUnknowns& at, Eigen::Index i) const { return at.w[i] - bounds_.lower[i]; }
   void keep_within_penalty(Eigen::Index i);
+  /// Moves w, the row's value, between its bounds, and gives it multipliers.
   void start_range(Eigen::Index i, double mu);
   /// Mean product of the pairs, here or after `part` of a direction.
   double complementarity(const InteriorUnknowns* d, double part) const;
@@ -85,7 +86,6 @@ class InteriorPointIteration {
   Eigen::VectorXd rd_, rp_, rw_;  ///< residuals of stationarity, rows and w
   Eigen::VectorXd theta_, yield_, e_;
   double rows_wanted_ = 0.0;  ///< of the linear system's rows
-  Eigen::VectorXd Gx_, minus_y_;
 };
 
 }  // namespace armtune
