@@ -6,164 +6,17 @@
 #include <cmath>
 
 #include "core/trajectory/gaze.hpp"
-#include "sim/csv/cell.hpp"
-#include "sim/rollout/recorder.hpp"
-#include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tests/sim/support/files.hpp"
+#include "tests/tuner/support/events.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 
 namespace armtune {
 namespace {
 
+using test::of_kind;
+using test::simulated;
 using testing::HasSubstr;
-
-constexpr double kFollow = 2.0;
-constexpr double kReturning = 1.0;
-constexpr double kAvoiding = 3.0;
-
-/// A rollout of the scenario in which the arm stands still on the path's start, with the states and gaze
-/// angles given, a row every 0.1 s.
-CsvTable table_of(const Scenario& scenario, const std::vector<double>& state,
-                  const std::vector<double>& gaze) {
-  std::string text = "time,state,gaze/angle,tool/position/x,tool/position/y,tool/position/z";
-  for (const std::string& joint : joint_names(*scenario.robot))
-    text += ",joint/" + joint + "/position,joint/" + joint + "/velocity";
-  text += "\n";
-  for (std::size_t k = 0; k < state.size(); ++k) {
-    const double t = 0.1 * static_cast<double>(k);
-    const Vec3 p = scenario.path.at(t).position + Vec3(0.002, 0.0, 0.0);
-    text += cell(t) + "," + cell(state[k]) + "," + cell(gaze[k]);
-    for (int i = 0; i < 3; ++i) text += "," + cell(p[i]);
-    for (int i = 0; i < scenario.robot->n(); ++i) text += "," + cell(0.1 * i) + ",0.5";
-    text += "\n";
-  }
-  return CsvTable::parse(text, "rollout.csv");
-}
-
-std::vector<Event> of_kind(std::vector<Event> events, EventKind kind) {
-  std::erase_if(events, [kind](const Event& e) { return e.kind != kind; });
-  return events;
-}
-
-/// Events of a rollout of the scenario, a row every `stride` periods.
-std::vector<Event> simulated(const Scenario& scenario, const Gains& gains, int stride) {
-  const test::TemporaryFolder folder;
-  Recorder recorder(scenario, stride);
-  Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) { return recorder(o); });
-  recorder.write_csv(folder / "rollout.csv");
-  return events_of(CsvTable::read(folder / "rollout.csv"), scenario, gains.slerpAngularErrorThreshold);
-}
-
-TEST(Events, ASwitchIsReachedWhenTheGazeIsUnderItsThresholdForGood) {
-  const Scenario scenario = load_scenario("target_switch");  // every 8 s
-  std::vector<double> state(200, kFollow);
-  std::vector<double> gaze(200, 0.01);
-  for (std::size_t k = 80; k < 95; ++k) gaze[k] = 0.5;
-  gaze[97] = 0.2;  // once more outside
-  std::vector<Event> events = events_of(table_of(scenario, state, gaze), scenario, 0.15);
-  std::erase_if(events, [](const Event& e) { return e.kind != EventKind::kSwitch; });
-  ASSERT_EQ(events.size(), 2U);
-  EXPECT_NEAR(events[0].time, 8.0, 1e-9);
-  EXPECT_NEAR(events[0].reached, 1.8, 1e-9);
-  EXPECT_NEAR(events[0].path_error, 0.002, 1e-9);
-  EXPECT_NEAR(events[0].position[3], 0.3, 1e-12);
-  EXPECT_NEAR(events[0].velocity[3], 0.5, 1e-12);
-  EXPECT_EQ(events[1].reached, 0.0);
-
-  gaze.assign(200, 0.5);
-  events = events_of(table_of(scenario, state, gaze), scenario, 0.15);
-  std::erase_if(events, [](const Event& e) { return e.kind != EventKind::kSwitch; });
-  ASSERT_FALSE(events.empty());
-  EXPECT_TRUE(std::isnan(events.front().reached));
-}
-
-TEST(Events, AReturnIsReachedWhenThePathIsFollowedAgainAndALapIsAWholeTurn) {
-  const Scenario scenario = load_scenario("moving_target");  // a turn takes 10 s
-  std::vector<double> state(260, kFollow);
-  for (std::size_t k = 30; k < 42; ++k) state[k] = kReturning;
-  const std::vector<double> gaze(260, 0.03);
-  const std::vector<Event> events = events_of(table_of(scenario, state, gaze), scenario, 0.15);
-  ASSERT_EQ(events.size(), 3U);
-  EXPECT_EQ(events[0].kind, EventKind::kReturn);
-  EXPECT_NEAR(events[0].time, 3.0, 1e-9);
-  EXPECT_NEAR(events[0].reached, 1.2, 1e-9);
-  EXPECT_EQ(events[1].kind, EventKind::kLap);
-  EXPECT_NEAR(events[1].time, 4.2, 1e-9);
-  EXPECT_NEAR(events[1].end, 14.2, 1e-9);
-  EXPECT_NEAR(events[1].reached, 0.03, 1e-12);
-  EXPECT_NEAR(events[2].time, 14.2, 1e-9);
-}
-
-TEST(Events, WhatCutsASwitchOffIsSaid) {
-  const Scenario scenario = load_scenario("target_switch");  // every 8 s
-  std::vector<double> state(300, kFollow);
-  std::vector<double> gaze(300, 0.01);
-  for (std::size_t k = 80; k < 120; ++k) gaze[k] = 0.5;
-  for (std::size_t k = 100; k < 120; ++k) state[k] = kAvoiding;
-  for (std::size_t k = 240; k < 300; ++k) gaze[k] = 0.5;
-  auto switches = of_kind(events_of(table_of(scenario, state, gaze), scenario, 0.15), EventKind::kSwitch);
-  ASSERT_EQ(switches.size(), 3U);
-  EXPECT_EQ(switches[0].outcome, EventOutcome::kCutByState);
-  EXPECT_NEAR(switches[0].end, 10.0, 1e-9);
-  EXPECT_EQ(switches[1].outcome, EventOutcome::kAlreadyThere);
-  EXPECT_EQ(switches[1].reached, 0.0);
-  EXPECT_EQ(switches[2].outcome, EventOutcome::kCutByEnd);
-  EXPECT_TRUE(std::isnan(switches[2].reached));
-
-  gaze.assign(300, 0.5);
-  state.assign(300, kFollow);
-  switches = of_kind(events_of(table_of(scenario, state, gaze), scenario, 0.15), EventKind::kSwitch);
-  ASSERT_EQ(switches.size(), 3U);
-  EXPECT_EQ(switches[0].outcome, EventOutcome::kNotReached);
-  EXPECT_NEAR(switches[0].end, 16.0, 1e-9);
-}
-
-TEST(Events, AReturnThatAnObstacleOrTheEndCutsOffIsNotReached) {
-  const Scenario scenario = load_scenario("moving_target");
-  std::vector<double> state(100, kFollow);
-  for (std::size_t k = 30; k < 42; ++k) state[k] = kReturning;
-  for (std::size_t k = 42; k < 50; ++k) state[k] = kAvoiding;
-  for (std::size_t k = 50; k < 60; ++k) state[k] = kReturning;
-  for (std::size_t k = 90; k < 100; ++k) state[k] = kReturning;
-  const std::vector<double> gaze(100, 0.03);
-  const auto returns =
-      of_kind(events_of(table_of(scenario, state, gaze), scenario, 0.15), EventKind::kReturn);
-  ASSERT_EQ(returns.size(), 3U);
-  EXPECT_EQ(returns[0].outcome, EventOutcome::kCutByState);
-  EXPECT_TRUE(std::isnan(returns[0].reached));
-  EXPECT_EQ(returns[1].outcome, EventOutcome::kReached);
-  EXPECT_NEAR(returns[1].reached, 1.0, 1e-9);
-  EXPECT_EQ(returns[2].outcome, EventOutcome::kCutByEnd);
-  EXPECT_TRUE(std::isnan(returns[2].reached));
-}
-
-TEST(Events, DistanceFromThePathCountsAsLongAsASwitchsPlanLasts) {
-  const Scenario scenario = load_scenario("target_switch");
-  std::vector<double> gaze(200, 0.01);
-  for (std::size_t k = 80; k < 90; ++k) gaze[k] = 0.5;  // reached after 1 s
-  const auto error_with = [&](std::size_t far) {
-    // The row `far` is 0.05 m from the path, in x.
-    CsvTable plain = table_of(scenario, std::vector<double>(200, kFollow), gaze);
-    std::string text;
-    for (const std::string& column : plain.header()) text += (text.empty() ? "" : ",") + column;
-    text += "\n";
-    for (std::size_t r = 0; r < plain.rows(); ++r) {
-      for (std::size_t c = 0; c < plain.header().size(); ++c) {
-        const bool moved = r == far && plain.header()[c] == "tool/position/x";
-        text += (c == 0 ? "" : ",") + cell(plain.number(r, c) + (moved ? 0.05 : 0.0));
-      }
-      text += "\n";
-    }
-    return of_kind(events_of(CsvTable::parse(text, "far.csv"), scenario, 0.15), EventKind::kSwitch)
-        .front()
-        .path_error;
-  };
-  EXPECT_NEAR(error_with(85), 0.052, 1e-9) << "on the way";
-  EXPECT_NEAR(error_with(94), 0.052, 1e-9) << "while a plan would hold";
-  EXPECT_NEAR(error_with(110), 0.002, 1e-9) << "long after: no plan's business";
-}
 
 TEST(Yardstick, NoControllerBeatsTheLimit) {
   Scenario scenario = load_scenario("target_switch");
@@ -346,34 +199,6 @@ TEST(Yardstick, OfAScenariosSwitchesTheLargestLimitCounts) {
   EXPECT_EQ(reacquisition_limit(measures, "a"), 0.7);
   EXPECT_EQ(reacquisition_limit(measures, "b"), 9.0);
   EXPECT_TRUE(std::isnan(reacquisition_limit(measures, "c")));
-}
-
-TEST(Yardstick, WritesARowAnEventAndLeavesEmptyWhatThereIsNot) {
-  Measure solved;
-  solved.scenario = "s";
-  solved.event.time = 8.0;
-  solved.event.reached = 1.5;
-  solved.limit = 0.5;
-  solved.clearance = 0.325;
-  solved.status = MeasureStatus::kSolved;
-  solved.held_back_by = "velocity of elbow_joint";
-  Measure infeasible = solved;
-  infeasible.status = MeasureStatus::kInfeasible;
-  infeasible.limit = infeasible.clearance = NAN;
-  infeasible.scenario = "with, comma";
-  Measure missed = solved;
-  missed.event.outcome = EventOutcome::kNotReached;
-  missed.event.reached = NAN;
-  const std::string text = yardstick_csv({solved, infeasible, missed});
-  EXPECT_THAT(text, HasSubstr("\ns,switch,8,1.5,0.5,3,s,reached,velocity of elbow_joint,0.325,solved\n"));
-  EXPECT_THAT(text, HasSubstr("\n\"with, comma\",switch,8,1.5,,,s,reached,velocity of "
-                              "elbow_joint,,infeasible\n"));
-  EXPECT_THAT(text, HasSubstr("\ns,switch,8,,0.5,,s,not before the next switch,velocity of "
-                              "elbow_joint,0.325,solved\n"));
-  // Every column is declared, and no row has another number of them.
-  const auto table = CsvTable::parse(text, "yardstick.csv");
-  EXPECT_EQ(table.rows(), 3U);
-  EXPECT_EQ(table.header().size(), yardstick_columns().size());
 }
 
 }  // namespace
