@@ -44,12 +44,21 @@ std::string tasks() {
   return text;
 }
 
+/// The limit, and what breaks it where something does.
+std::string value_words(const BindingLimit& limit) {
+  const std::string unit = limit.unit.empty() ? "" : " " + limit.unit;
+  const std::string value = fmt::format("{:.4g}", limit.value);
+  const std::string bound = fmt::format("{:.4g}", limit.bound);
+  return value == bound ? bound + unit : fmt::format("{}{} where {} is the limit", value, unit, bound);
+}
+
 void show_limits(const std::vector<BindingLimit>& limits, const char* title) {
   fmt::print("{}{}\n", title, limits.empty() ? " nothing" : "");
   for (std::size_t i = 0; i < std::min(limits.size(), kShownLimits); ++i) {
     const BindingLimit& limit = limits[i];
-    fmt::print("  {}: {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
-               report::limit_words(limit.limit, limit.part), 100.0 * limit.share, limit.first, limit.last);
+    fmt::print("  {}: {}, {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
+               report::limit_words(limit.limit, limit.part), value_words(limit), 100.0 * limit.share,
+               limit.first, limit.last);
   }
   if (limits.size() > kShownLimits) fmt::print("  and {} more\n", limits.size() - kShownLimits);
 }

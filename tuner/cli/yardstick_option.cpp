@@ -19,9 +19,8 @@ FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
   limit.column = {
       "reacquisition/limit",
       "s",
-      "the least that reacquisition/time can be within the arm's limits: the largest of the least "
-      "times of the switches that begin while the path is followed, each from the rollout's own "
-      "state; empty where none was found",
+      "the least that reacquisition/time can be within the arm's limits: of the switch that took longest, "
+      "from the rollout's own state on; empty where no plan was found for it",
       {}};
   limit.values.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios)

@@ -114,6 +114,7 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
     // Coming to no end says nothing against what was found before.
     if (now.result.status == PlanStatus::kStalled && planned.result.status == PlanStatus::kInfeasible) break;
     planned = std::move(now);
+    planned.weight = weight;
     if (planned.result.status == PlanStatus::kSolved && weight < 1.0 && !smoothest(task(grid))) {
       // Feasible: from there with all that the objective weighs, and multipliers to match, so that violations
       // are dear enough from the beginning.
@@ -121,6 +122,7 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
       planned.result = solve(*program, planned.result.z, planned.result.multipliers / weight, options,
                              with_knots(grid, observer));
       planned.program = program;
+      planned.weight = 1.0;
       planned.trajectory = program->trajectory(planned.result.z);
       steps += planned.result.last.interior_iterations;
       if (planned.result.status == PlanStatus::kInfeasible) planned.result.status = PlanStatus::kStalled;

@@ -16,7 +16,10 @@ struct PlannedTrajectory {
   Trajectory trajectory;
   SequentialQuadraticResult result;
   std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid, unless infeasible
+  double weight = 1.0;                         ///< what the program's objective is multiplied with
   int interior_iterations = 0;                 ///< on all grids
+
+  double objective() const { return result.last.objective / weight; }
 };
 
 /// Solves on `grid` from the guess on. kInfeasible: not even with an objective that weighs a millionth; the

@@ -12,6 +12,7 @@ namespace {
 
 using test::of_kind;
 
+constexpr double kLeaving = 0.0;
 constexpr double kFollow = 2.0;
 constexpr double kReturning = 1.0;
 constexpr double kAvoiding = 3.0;
@@ -73,6 +74,45 @@ TEST(Events, AReturnIsReachedWhenThePathIsFollowedAgainAndALapIsAWholeTurn) {
   EXPECT_NEAR(events[1].end, 14.2, 1e-9);
   EXPECT_NEAR(events[1].reached, 0.03, 1e-12);
   EXPECT_NEAR(events[2].time, 14.2, 1e-9);
+}
+
+TEST(Events, ASwitchOnTheWayBackToThePathIsJudgedUntilTheNext) {
+  const Scenario scenario = load_scenario("target_switch");  // every 8 s
+  std::vector<double> state(200, kFollow);
+  std::vector<double> gaze(200, 0.01);
+  for (std::size_t k = 75; k < 90; ++k) state[k] = kReturning;
+  for (std::size_t k = 80; k < 95; ++k) gaze[k] = 0.5;
+  std::vector<Event> events =
+      of_kind(events_of(table_of(scenario, state, gaze), scenario, 0.15), EventKind::kSwitch);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].state, ControlState::kReturnToTrajectory);
+  EXPECT_EQ(events[0].outcome, EventOutcome::kReached);
+  EXPECT_NEAR(events[0].reached, 1.5, 1e-9);
+  EXPECT_EQ(events[0].settled, events[0].reached);
+
+  // Before the path is first reached there is nothing to reacquire.
+  for (std::size_t k = 0; k < 90; ++k) state[k] = kLeaving;
+  events = of_kind(events_of(table_of(scenario, state, gaze), scenario, 0.15), EventKind::kSwitch);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_NEAR(events[0].time, 16.0, 1e-9);
+}
+
+TEST(Events, TheSlowestSwitchIsTheOneOfReacquisitionTime) {
+  for (const char* name : {"target_switch", "obstacle_pass"}) {
+    const Scenario scenario = load_scenario(name);
+    for (const char* set : {"published", "extended_tuned"}) {
+      const Gains gains = load_gains(set, joint_names(*scenario.robot));
+      const std::vector<Event> events = of_kind(test::simulated(scenario, gains, 1), EventKind::kSwitch);
+      const RolloutResult result = Rollout(scenario, Stepper::kMidpoint).run(gains);
+      double slowest = NAN;
+      for (const Event& event : events) slowest = std::fmax(slowest, event.settled);
+      const double metric = result.metrics[Metric::kReacquisitionTime];
+      EXPECT_EQ(std::isnan(slowest), std::isnan(metric)) << name << ", " << set;
+      if (!std::isnan(metric)) {
+        EXPECT_NEAR(slowest, metric, 1.01 * scenario.control_period) << name << ", " << set;
+      }
+    }
+  }
 }
 
 TEST(Events, WhatCutsASwitchOffIsSaid) {

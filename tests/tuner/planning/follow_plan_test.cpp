@@ -92,7 +92,9 @@ TEST_P(FollowPlan, GainsWithGovernorAndBarrierFollowItAsWell) {
   EXPECT_LT(found.velocity, 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bundled, FollowPlan, testing::Values("ur10_move", "ur10_switch", "ur10_return"));
+INSTANTIATE_TEST_SUITE_P(Bundled, FollowPlan,
+                         testing::Values("ur10_move", "ur10_switch", "ur10_return", "ur10_fastest_circle",
+                                         "ur10_clear_of_obstacles"));
 
 TEST(FollowPlanOfASwitch, TheGazeIsAtTheNextTargetWhenThePlanSaysSo) {
   const test::TemporaryFolder folder;

@@ -149,8 +149,8 @@ void expect_same_optimum(PlanTask task, From from = From::kTheSameGuess) {
   ipopt->Options()->SetNumericValue("tol", 1e-9);
   ASSERT_EQ(ipopt->Initialize(), Ipopt::Solve_Succeeded);
   ASSERT_EQ(ipopt->OptimizeTNLP(Ipopt::GetRawPtr(tnlp)), Ipopt::Solve_Succeeded) << task.name;
-  EXPECT_NEAR(ours.result.last.objective, tnlp->objective(), 1e-4 * std::abs(tnlp->objective())) << task.name;
-  testing::Test::RecordProperty(task.name + "_ours", std::to_string(ours.result.last.objective));
+  EXPECT_NEAR(ours.objective(), tnlp->objective(), 1e-4 * std::abs(tnlp->objective())) << task.name;
+  testing::Test::RecordProperty(task.name + "_ours", std::to_string(ours.objective()));
   testing::Test::RecordProperty(task.name + "_ipopt", std::to_string(tnlp->objective()));
   const Trajectory theirs = program.trajectory(tnlp->solution());
   EXPECT_NEAR(ours.trajectory.durations[0], theirs.durations[0], 1e-4 * theirs.durations[0]) << task.name;

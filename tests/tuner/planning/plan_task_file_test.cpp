@@ -166,6 +166,8 @@ TEST(PlanTaskFile, SaysWhatIsWrong) {
   EXPECT_THAT(message_of("task: track\nscenario: moving_target\n"), HasSubstr("needs a duration"));
   EXPECT_THAT(message_of("task: switch\nscenario: target_switch\nat: 9\n"),
               AllOf(HasSubstr("task.yaml:3"), HasSubstr("every 8 s")));
+  EXPECT_THAT(message_of("task: switch\nscenario: moving_target\nat: 8\n"),
+              AllOf(HasSubstr("task.yaml:3"), HasSubstr("moving_target never switches its target")));
   EXPECT_THAT(message_of("task: return\nscenario: moving_target\n"), HasSubstr("needs a start"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("12 .. 100000"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nclearance: 0.3\n"),

@@ -210,7 +210,7 @@ TEST(PlanTasks, AMovePastObstaclesKeepsClearOfThemAndWithoutThemItWouldNot) {
   EXPECT_LT(closest, 0.9 * clearance);
   // The way around takes the joint with the longest way no time; it costs smoothness, more than the residuals
   // leave open.
-  EXPECT_GT(around.planned.result.last.objective, straight.planned.result.last.objective + 1e-6);
+  EXPECT_GT(around.planned.objective(), straight.planned.objective() + 1e-6);
 }
 
 TEST(PlanTasks, AccelerationAndJerkLimitsAreKept) {

@@ -11,6 +11,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/planning/tasks/controller_motion.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
@@ -49,15 +50,39 @@ TEST(PlanVariants, WithTimeToSpareAMoveIsTheSmoothestOfAll) {
 TEST(PlanVariants, WhatTheLeastTimeIsEnoughForIsFeasibleAndNothingShorter) {
   PlanTask task = load_plan_task("ur10_move");
   const double least = least_time(task);
+  double least_effort = INFINITY;
   for (const double factor : {0.9, 0.99, 1.001, 1.02, 1.2}) {
     task.duration = factor * least;
     const PlannedTrajectory planned = solved(plan_problem(task));
     EXPECT_EQ(planned.result.status, factor < 1.0 ? PlanStatus::kInfeasible : PlanStatus::kSolved) << factor;
+    // Less time is never smoother.
+    if (factor > 1.0) {
+      EXPECT_LT(planned.objective(), least_effort) << factor;
+      least_effort = planned.objective();
+    }
     // What cannot be is asked of the goal; the start is as it is.
     if (factor < 1.0) {
       EXPECT_THAT(sentence(worst_violation(planned)), HasSubstr("goal of"));
     }
   }
+}
+
+TEST(PlanVariants, WhatIsFarFromFeasibleIsCalledSoBeforeTheStepsRunOut) {
+  PlanTask task = load_plan_task("ur10_fastest_circle");
+  task.duration = 0.2;
+  task.knots = 30;
+  int last = 0;
+  const PlannedTrajectory planned =
+      solved(plan_problem(task), [&last](const SequentialQuadraticProgress& at) {
+        last = std::max(last, at.iteration);
+        return true;
+      });
+  EXPECT_EQ(planned.result.status, PlanStatus::kInfeasible);
+  EXPECT_LT(last, SequentialQuadraticOptions{}.max_iterations - 1);
+  const auto limits = binding_limits(planned);
+  ASSERT_FALSE(limits.empty());
+  for (const BindingLimit& limit : limits)
+    EXPECT_GE(std::abs(limit.value), std::abs(limit.bound) * (1.0 - 1e-4));
 }
 
 TEST(PlanVariants, SlowLimitsTakeTheTimeTheyTake) {

@@ -28,12 +28,16 @@ TEST(Yardstick, WritesARowAnEventAndLeavesEmptyWhatThereIsNot) {
   Measure missed = solved;
   missed.event.outcome = EventOutcome::kNotReached;
   missed.event.reached = NAN;
+  missed.event.state = ControlState::kReturnToTrajectory;
   const std::string text = yardstick_csv({solved, infeasible, missed});
-  EXPECT_THAT(text, HasSubstr("\ns,switch,8,1.5,0.5,3,s,reached,velocity of elbow_joint,0.325,solved\n"));
-  EXPECT_THAT(text, HasSubstr("\n\"with, comma\",switch,8,1.5,,,s,reached,velocity of "
+  EXPECT_THAT(
+      text,
+      HasSubstr("\ns,switch,8,followTrajectory,1.5,0.5,3,s,reached,velocity of elbow_joint,0.325,solved\n"));
+  EXPECT_THAT(text, HasSubstr("\n\"with, comma\",switch,8,followTrajectory,1.5,,,s,reached,velocity of "
                               "elbow_joint,,infeasible\n"));
-  EXPECT_THAT(text, HasSubstr("\ns,switch,8,,0.5,,s,not before the next switch,velocity of "
-                              "elbow_joint,0.325,solved\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\ns,switch,8,returnToTrajectory,,0.5,,s,not before the next switch,velocity of "
+                        "elbow_joint,0.325,solved\n"));
   // Every column is declared, and no row has another number of them.
   const auto table = CsvTable::parse(text, "yardstick.csv");
   EXPECT_EQ(table.rows(), 3U);

@@ -14,6 +14,8 @@ constexpr double kLeastStrength = 1e-4;  // of the strongest limit's
 struct Activity {
   std::map<int, bool> upper;
   double strength = 0.0;
+  double beyond = -INFINITY;  ///< relative to the limit
+  Eigen::Index worst = 0;     ///< its row
 };
 
 std::vector<Stretch> stretches_of(const Activity& activity, const std::vector<double>& time) {
@@ -49,7 +51,12 @@ std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
     // A velocity limit has two rows at a knot; they count once.
     Activity& activity = found[{meaning.limit, meaning.part}];
     activity.upper.insert_or_assign(meaning.knot, upper);
-    activity.strength += std::abs(y);
+    activity.strength += std::abs(y) / planned.weight;
+    const double beyond = upper ? row[i] - bound : bound - row[i];
+    if (beyond > activity.beyond) {
+      activity.beyond = beyond;
+      activity.worst = i;
+    }
   }
   std::vector<BindingLimit> limits;
   limits.reserve(found.size());
@@ -62,6 +69,11 @@ std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
     limit.stretches = stretches_of(activity, time);
     limit.first = limit.stretches.front().from;
     limit.last = limit.stretches.back().to;
+    const Eigen::Index worst = activity.worst;
+    const bool upper = activity.upper.at(program.meaning(worst).knot);
+    limit.value = program.natural(worst, row[worst]);
+    limit.bound = program.natural(worst, upper ? program.bounds.upper[worst] : program.bounds.lower[worst]);
+    limit.unit = program.meaning(worst).unit;
     limit.strength = activity.strength;
     strongest = std::max(strongest, limit.strength);
     limits.push_back(std::move(limit));

@@ -19,6 +19,9 @@ struct BindingLimit {
   double share = 0.0;  ///< of the knots at which it is active
   double first = 0.0;  ///< s, of the first and the last of them
   double last = 0.0;
+  double value = 0.0;              ///< the one farthest beyond the limit, or at it
+  double bound = 0.0;              ///< the limit there
+  std::string unit;                ///< of both
   double strength = 0.0;           ///< sum of its multipliers: seconds, or cost, per unit of relief
   std::vector<Stretch> stretches;  ///< in order of time
 };

@@ -58,12 +58,17 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
   std::vector<std::string> notes;
   const Trajectory& trajectory = planned.trajectory;
   const double duration = trajectory.durations.front();
-  const double smoothness = planned.result.last.objective - duration;
+  const double smoothness = planned.objective() - duration;
   if (!task.duration && smoothness > kTellingSmoothness * duration)
     notes.push_back(
         fmt::format("smoothness counts as much as {:.2g} s beside the duration: a smaller `smoothness` than "
                     "{:.2g} may find a shorter one",
                     smoothness, task.smoothness));
+  if (planned.weight != 1.0)
+    notes.push_back(
+        fmt::format("so near what is feasible the objective counts {:.0e} of itself beside the limits; the "
+                    "KKT residual is that of the program so weighed",
+                    planned.weight));
   if (trajectory.time.back() > problem.target_until + kSwitchRoom)
     notes.push_back(fmt::format(
         "it ends at {:.4g} s, after the targets' next switch at {:.4g} s: the gaze stays with the "
@@ -107,7 +112,8 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
       {"phases", fmt::format("{}", fmt::join(phases, ", "))},
       {"knots", std::to_string(trajectory.time.size())},
       {"violation", fmt::format("{:.3g}", last.violation)},
-      {"objective", fmt::format("{:.9g}", last.objective)},
+      {"objective", fmt::format("{:.9g}", planned.objective())},
+      {"objective_weight", fmt::format("{:.3g}", planned.weight)},
       {"kkt_stationarity", fmt::format("{:.3g}", last.stationarity)},
       {"kkt_complementarity", fmt::format("{:.3g}", last.complementarity)},
       {"interior_point_steps", std::to_string(planned.interior_iterations)}};

@@ -19,6 +19,8 @@ constexpr double kLeastMu = 1e-10;               // and the least mean
 constexpr int kHalvings = 4;                     // of a step before its damping grows instead
 constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
+constexpr double kLessViolation = 0.9;  // of the least mean so far,
+constexpr int kPatience = 25;           // within so many steps, or the price is too low
 constexpr double kLargestDamping = 1e10;
 constexpr double kSmallestDamping = 3e-7;  // steps along which nothing changes stay short
 constexpr double kCorrectable = 0.01;      // violation after a step that a correction can make up for,
@@ -67,8 +69,9 @@ class Solver {
       }
       // Multipliers as large as penalties round by as much more.
       const double rounding = std::max(1.0, 0.1 * y.lpNorm<Eigen::Infinity>());
-      if (now.stationarity <= rounding * options_.stationarity &&
-          now.complementarity <= rounding * options_.complementarity && at_penalty(y)) {
+      const bool settled = now.stationarity <= rounding * options_.stationarity &&
+                           now.complementarity <= rounding * options_.complementarity;
+      if ((settled || no_less_violated(now.iteration)) && at_penalty(y)) {
         // What is violated stays violated at this price. A higher one, then it is settled.
         if (price_ >= kHighestPrice) {
           result.status = PlanStatus::kInfeasible;
@@ -76,6 +79,7 @@ class Solver {
         }
         price_ *= kPriceFactor;
         error_ = INFINITY;
+        least_ = {now.iteration, INFINITY};
         quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
         filter_.clear();
         mu = 1.0;
@@ -116,6 +120,14 @@ class Solver {
       const double slack = std::isfinite(bound) ? std::abs(row_[i] - bound) : 1.0;
       now.complementarity += std::abs(y[i]) * slack;
     }
+  }
+
+  /// Whether the last steps made nothing of the violation.
+  bool no_less_violated(int iteration) {
+    double sum = 0.0;
+    for (Index i = 0; i < row_.size(); ++i) sum += violation(program_.bounds, i, row_[i]);
+    if (sum < kLessViolation * least_.sum) least_ = {iteration, sum};
+    return iteration - least_.iteration >= kPatience;
   }
 
   /// Whether a violated row pulls with all it may.
@@ -274,7 +286,11 @@ class Solver {
   double dearest_ = 0.0;     ///< penalty of any elastic row
   double price_ = 1.0;       ///< of violations, times their penalty
   double error_ = INFINITY;  ///< the least so far
-  bool stopped_ = false;     ///< by the observer
+  struct {
+    int iteration = 0;
+    double sum = INFINITY;
+  } least_;               ///< violation at this price
+  bool stopped_ = false;  ///< by the observer
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };
 

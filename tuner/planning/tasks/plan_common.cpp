@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
@@ -76,7 +75,7 @@ TimeGrid PlanCommon::grid(std::vector<Phase> phases) const {
 }
 
 void PlanCommon::no_pose(const Vec3& tool) const {
-  throw InputError(fmt::format("{}: {} cannot reach ({:.4g}, {:.4g}, {:.4g}) m within its joint limits",
+  throw OutOfReach(fmt::format("{}: {} cannot reach ({:.4g}, {:.4g}, {:.4g}) m within its joint limits",
                                shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
 }
 

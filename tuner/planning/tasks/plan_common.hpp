@@ -26,7 +26,7 @@ struct PlanCommon {
   double first_duration(double otherwise) const;
   /// What the slowest joint takes for its way (n) [rad, m] at half its velocity limit, at least 0.2 s.
   double likely_duration(const JointVector& way) const;
-  /// Throws the InputError that the tool cannot be at a point [m].
+  /// Throws that the tool cannot be at a point [m].
   [[noreturn]] void no_pose(const Vec3& tool) const;
 };
 

@@ -9,7 +9,7 @@
 #include "core/common/error.hpp"
 #include "core/trajectory/quintic.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "tuner/planning/tasks/plan_common.hpp"
+#include "tuner/planning/tasks/given_states.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
@@ -254,6 +254,7 @@ PlanProblem plan_problem(const PlanTask& task) {
   common.robot = std::make_shared<const RobotModel>(plant_model(task.scenario));
   if (!task.start.rollout.empty()) common.controller = controller_motion(task, *common.robot);
   common.start = start_state(task, *common.robot, common.controller ? &*common.controller : nullptr);
+  check_given_states(common);
   PlanProblem problem;
   switch (task.kind) {
     case PlanKind::kMove:

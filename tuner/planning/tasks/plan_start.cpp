@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/tasks/tool_motion.hpp"
 
@@ -43,7 +42,7 @@ StartState start_state(const PlanTask& task, const RobotModel& robot, const Cont
   const auto pose = pose_at(robot, tool, target.at(from).position, scenario.start_position,
                             BestPose::kLargestManipulability);
   if (!pose) {
-    throw InputError(
+    throw OutOfReach(
         fmt::format("{}: {} cannot have its tool at ({:.4g}, {:.4g}, {:.4g}) m with its z axis on the target "
                     "within its joint limits; "
                     "move the path, or give a start",

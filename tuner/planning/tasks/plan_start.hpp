@@ -1,10 +1,17 @@
 #pragma once
 // The state a plan starts from.
 
+#include "core/common/error.hpp"
 #include "tuner/planning/tasks/controller_motion.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
 namespace armtune {
+
+/// The arm cannot be where the task wants it.
+class OutOfReach : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 struct StartState {
   JointVector position, velocity;  ///< n each [rad, m and per s]
@@ -12,7 +19,7 @@ struct StartState {
 };
 
 /// As the task gives it: where the controller was (null: no rollout), a state, or a pose on the path with the
-/// path's velocity. Throws InputError.
+/// path's velocity. Throws InputError, OutOfReach where no pose is on the path.
 StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
 }  // namespace armtune

@@ -207,8 +207,11 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   if (task.kind == PlanKind::kSwitch &&
       task.scenario.active_target(task.at + task.scenario.control_period) ==
           task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
-    map.required("at").fail(fmt::format("{} switches no target at {} s; it does every {} s",
-                                        task.scenario.name, task.at, task.scenario.switch_every));
+    map.required("at").fail(
+        task.scenario.switch_every > 0.0 && task.scenario.targets.size() > 1
+            ? fmt::format("{} switches no target at {} s; it does every {} s", task.scenario.name, task.at,
+                          task.scenario.switch_every)
+            : fmt::format("{} never switches its target; choose another scenario", task.scenario.name));
   if (task.clearance > 0.0 && task.scenario.obstacles.empty())
     map.required("clearance").fail(task.scenario.name + " has no obstacles");
   return task;

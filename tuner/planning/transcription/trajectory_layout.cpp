@@ -125,7 +125,7 @@ void TrajectoryProgram::lay_out_bounds() {
     halving_rows.push_back(rows.rows());
     const int block = rows.add_diagonal({duration_column_[p]});
     rows.values(rows.block(block))[0] = 1.0;
-    add_bounds(1, phase.shortest, phase.longest, false);
+    add_bounds(1, phase.shortest, phase.longest, true);  // time never runs backwards
   }
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/control/state_machine.hpp"
-
 namespace armtune {
 namespace {
 
@@ -37,6 +35,7 @@ struct Columns {
     event.kind = kind;
     event.time = time[row];
     event.gaze = gaze[row];
+    event.state = static_cast<ControlState>(static_cast<int>(state[row]));
     event.position.resize(static_cast<Eigen::Index>(position.size()));
     event.velocity.resize(static_cast<Eigen::Index>(position.size()));
     for (std::size_t i = 0; i < position.size(); ++i) {
@@ -50,6 +49,13 @@ struct Columns {
   std::size_t leaves(ControlState state_then, std::size_t first, std::size_t end) const {
     while (first < end && in(first, state_then)) ++first;
     return first;
+  }
+
+  /// First row from `first` on from which the gaze is under its threshold until before `end`; `end` if it is
+  /// not at last.
+  std::size_t settles(double threshold, std::size_t first, std::size_t end) const {
+    while (end > first && gaze[end - 1] < threshold) --end;
+    return end;
   }
 
   double path_error(const HarmonicPath& path, std::size_t first, std::size_t last) const {
@@ -70,14 +76,15 @@ void add_switches(const Columns& columns, const Scenario& scenario, double thres
     const double at = turn * scenario.switch_every;
     const std::size_t first = columns.row_at(at);
     const std::size_t next = columns.row_at(at + scenario.switch_every);
-    if (first >= next || !columns.in(first, ControlState::kFollowTrajectory)) continue;
-    const std::size_t last = columns.leaves(ControlState::kFollowTrajectory, first, next);
+    if (first >= next || columns.in(first, ControlState::kLeaveSingularity)) continue;
+    const std::size_t last = columns.in(first, ControlState::kFollowTrajectory)
+                                 ? columns.leaves(ControlState::kFollowTrajectory, first, next)
+                                 : next;
     Event event = columns.begin(EventKind::kSwitch, first);
     event.end = columns.time[std::min(last, columns.rows() - 1)];
-    std::size_t outside = first;  // one behind the last row outside
-    for (std::size_t row = first; row < last; ++row) {
-      if (columns.gaze[row] >= threshold) outside = row + 1;
-    }
+    const std::size_t outside = columns.settles(threshold, first, last);
+    const std::size_t for_good = columns.settles(threshold, first, next);
+    event.settled = columns.time[std::min(for_good, columns.rows() - 1)] - event.time;
     std::size_t judged = last;  // rows whose distance from the path counts
     if (outside < last) {
       event.outcome = outside == first ? EventOutcome::kAlreadyThere : EventOutcome::kReached;

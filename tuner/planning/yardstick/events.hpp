@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/state_machine.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/scenario.hpp"
 
@@ -35,6 +36,10 @@ struct Event {
   double time = 0.0;     ///< when it begins [s]
   double end = 0.0;      ///< what ended it at the latest: next switch, end of rollout, state or turn [s]
   double reached = 0.0;  ///< NaN: not before its end
+  ControlState state = ControlState::kFollowTrajectory;  ///< in charge when it begins
+  /// kSwitch: until the gaze is under its threshold for good, whatever state is in charge, or until the next
+  /// switch or the end [s]: what reacquisition/time is the largest of.
+  double settled = 0.0;
   double gaze = 0.0;     ///< angle to the active target at its beginning [rad]
   JointVector position;  ///< (n) at its beginning [rad, m]
   JointVector velocity;
@@ -48,8 +53,10 @@ struct Event {
 inline constexpr double kSwitchHold = 0.5;
 
 /// In order of time. rollout: rollout_<scenario>.csv, in whose rows times are counted; gaze_threshold: below
-/// it a target counts as acquired [rad]. Events that begin while the path is not followed are left out, and
-/// so are turns that are not whole. Throws InputError if a column is missing.
+/// it a target counts as acquired [rad]. A switch that begins while the path is followed is judged for as
+/// long as it is; one that begins on the way back to it, or aside of an obstacle, until the next. Those
+/// before the path is first reached are left out, and so are turns that are not whole. Throws InputError if a
+/// column is missing.
 std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold);
 
 }  // namespace armtune

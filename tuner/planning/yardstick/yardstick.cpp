@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
 #include "core/control/obstacle_impedance.hpp"
 #include "core/trajectory/gaze.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/planning/tasks/plan_start.hpp"
 
 namespace armtune {
 namespace {
@@ -69,7 +69,7 @@ Measure planned_measure(const PlanTask& task, const Event& event, const PlanObse
   PlanProblem problem;
   try {
     problem = plan_problem(task);
-  } catch (const InputError&) {
+  } catch (const OutOfReach&) {
     if (!event.position.allFinite() || !event.velocity.allFinite()) throw;
     found.status = MeasureStatus::kInfeasible;  // the path is where the arm cannot be
     found.held_back_by = "reach of the arm";
@@ -198,11 +198,12 @@ Measure measure(const Event& event, const Scenario& scenario, const YardstickOpt
 }
 
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario) {
-  double largest = NAN;
+  const Measure* slowest = nullptr;
   for (const Measure& m : measures) {
-    if (m.event.kind == EventKind::kSwitch && m.scenario == scenario) largest = std::fmax(largest, m.limit);
+    if (m.event.kind != EventKind::kSwitch || m.scenario != scenario) continue;
+    if (slowest == nullptr || m.event.settled > slowest->event.settled) slowest = &m;
   }
-  return largest;
+  return slowest == nullptr ? NAN : slowest->limit;
 }
 
 }  // namespace armtune

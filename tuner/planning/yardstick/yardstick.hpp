@@ -57,8 +57,8 @@ double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Traject
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 
-/// The largest of the limits of a scenario's switches [s]: of the longest time to the next target, which
-/// reacquisition/time is, no more than this is the arm's. NaN where no switch has one.
+/// The limit of that of a scenario's switches which took longest, which is the one that reacquisition/time is
+/// of [s]. NaN where it has none, or where there is no switch.
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario);
 
 }  // namespace armtune

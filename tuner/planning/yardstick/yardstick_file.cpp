@@ -11,10 +11,10 @@ std::string yardstick_csv(const std::vector<Measure>& measures) {
   for (const Column& column : yardstick_columns()) text += (text.empty() ? "" : ",") + column.name;
   text += '\n';
   for (const Measure& m : measures) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", cell(m.scenario), name(m.event.kind),
-                        cell(m.event.time), cell(m.event.reached), cell(m.limit), cell(m.ratio()),
-                        unit(m.event.kind), words(m.event.outcome), cell(m.held_back_by), cell(m.clearance),
-                        words(m.status));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(m.scenario), name(m.event.kind),
+                        cell(m.event.time), name(m.event.state), cell(m.event.reached), cell(m.limit),
+                        cell(m.ratio()), unit(m.event.kind), words(m.event.outcome), cell(m.held_back_by),
+                        cell(m.clearance), words(m.status));
   }
   return text;
 }
@@ -28,6 +28,7 @@ std::vector<Column> yardstick_columns() {
        "again; lap: rms of the gaze angle over one turn of the path",
        {}},
       {"time", "s", "when it begins", {}},
+      {"state", "", "of the controller, then", {}},
       {"reached", "s, rad", "what the controller reached, counted in rows of the recording", {}},
       {"limit", "s, rad", "the least found within the arm's limits from the same state on", {}},
       {"ratio", "1", "reached / limit; empty where either is missing or the limit is 0", {}},
