@@ -10,11 +10,6 @@ void write_pose(Json& json, const Pose& pose) {
   json.numbers("q", {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()});
 }
 
-void write_limit(Json& json, const char* name, const std::optional<double>& limit) {
-  json.key(name);
-  limit ? json.number(*limit) : json.null();
-}
-
 Pose read_pose(yaml::MapReader& map) {
   const auto p = map.required("p").as_numbers(3);
   const auto q = map.required("q").as_numbers(4);
@@ -41,8 +36,8 @@ void write_arm(Json& json, const Arm& arm) {
     write_pose(json, joint.pose);
     json.number("velocity_limit", joint.velocity_limit);
     json.number("effort_limit", joint.effort_limit);
-    write_limit(json, "lower", joint.lower);
-    write_limit(json, "upper", joint.upper);
+    json.number("lower", joint.lower);
+    json.number("upper", joint.upper);
     json.end_object();
   }
   json.end_array();

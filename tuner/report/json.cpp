@@ -84,9 +84,26 @@ void Json::null() {
   text_ += "null";
 }
 
+void Json::texts(const std::vector<std::string>& values) {
+  begin_array();
+  for (const std::string& value : values) text(value);
+  end_array();
+}
+
+void Json::numbers(const std::vector<double>& values) {
+  begin_array();
+  for (const double value : values) number(value);
+  end_array();
+}
+
 void Json::number(std::string_view name, double value) {
   key(name);
   number(value);
+}
+
+void Json::number(std::string_view name, const std::optional<double>& value) {
+  key(name);
+  value ? number(*value) : null();
 }
 
 void Json::integer(std::string_view name, long value) {
@@ -106,16 +123,12 @@ void Json::text(std::string_view name, std::string_view value) {
 
 void Json::texts(std::string_view name, const std::vector<std::string>& values) {
   key(name);
-  begin_array();
-  for (const std::string& value : values) text(value);
-  end_array();
+  texts(values);
 }
 
 void Json::numbers(std::string_view name, const std::vector<double>& values) {
   key(name);
-  begin_array();
-  for (const double value : values) number(value);
-  end_array();
+  numbers(values);
 }
 
 }  // namespace armtune::report

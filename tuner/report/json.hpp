@@ -2,6 +2,7 @@
 // JSON text that may stand inside an HTML page: `<` is written as \u003c, so that nothing in it ends a script
 // element or begins a comment.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,12 @@ class Json {
   void boolean(bool value);
   void text(std::string_view value);
   void null();
+  void texts(const std::vector<std::string>& values);
+  void numbers(const std::vector<double>& values);
 
   /// key and value of an object.
   void number(std::string_view name, double value);
+  void number(std::string_view name, const std::optional<double>& value);  ///< null where there is none
   void integer(std::string_view name, long value);
   void boolean(std::string_view name, bool value);
   void text(std::string_view name, std::string_view value);

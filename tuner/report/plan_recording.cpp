@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <sstream>
+#include <utility>
 
 #include "core/common/error.hpp"
-#include "tuner/report/buckets.hpp"
-#include "tuner/report/replay.hpp"
+#include "tuner/report/run_builder.hpp"
 
 namespace armtune::report {
 namespace {
-
-struct GroupOf {
-  const char* prefix;
-  const char* group;
-  const char* unit;
-};
-
-/// Of columns whose names begin so.
-constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
-                               {"desired/position/", "position", "m"},
-                               {"error/position/", "position_error", "m"},
-                               {"gaze/angle", "gaze", "rad"},
-                               {"obstacle/distance", "clearance", "m"}};
 
 /// What a joint does, with its unit where it turns and where it slides.
 struct Quantity {
@@ -93,37 +80,22 @@ std::string limit_words(const std::string& limit, const std::string& part) {
 
 Run plan_run_of(const CsvTable& motion, const SceneScenario* scenario, const Arm* arm,
                 const Resolution& resolution) {
-  const std::vector<double> time = motion.numbers(motion.column("time"));
-  std::vector<double> from_start = time;
-  for (double& t : from_start) t -= time.front();
-  Run run;
-  if (!time.empty()) run.end = from_start.back();
-  const Buckets buckets(time.size(), resolution.buckets);
-  run.time = quantize(buckets.times(from_start));
-  const auto add = [&](std::size_t column, const std::string& group, const char* unit) {
-    run.columns.push_back(
-        {motion.header()[column], group, unit, quantize(buckets.extremes(motion.numbers(column)))});
-  };
-  for (const GroupOf& g : kGroups) {
-    for (std::size_t c = 0; c < motion.header().size(); ++c) {
-      if (motion.header()[c].starts_with(g.prefix)) add(c, g.group, g.unit);
-    }
-  }
-  const std::vector<std::string> joints = joints_of(motion);
-  for (const std::string& joint : joints) {
+  RunBuilder builder(motion, resolution);
+  builder.add_task_columns();
+  for (const std::string& joint : joints_of(motion)) {
+    const std::string prefix = "joint/" + joint + "/";
     const bool sliding = slides(arm, joint);
     for (const Quantity& quantity : kQuantities) {
-      const auto column = motion.find("joint/" + joint + "/" + quantity.name);
-      if (column)
-        add(*column, joint_group(sliding, quantity.name), sliding ? quantity.sliding : quantity.turning);
+      const std::string name = prefix + quantity.name;
+      if (const auto column = motion.find(name))
+        builder.add(name, joint_group(sliding, quantity.name), sliding ? quantity.sliding : quantity.turning,
+                    motion.numbers(*column));
     }
-    for (const char* ratio : {"velocity_ratio", "torque_ratio"}) {
-      add(motion.column("joint/" + joint + "/" + ratio), ratio, "1");
-    }
+    for (const char* ratio : {"velocity_ratio", "torque_ratio"})
+      builder.add(prefix + ratio, ratio, "1", motion.numbers(motion.column(prefix + ratio)));
   }
-  if (scenario != nullptr && arm != nullptr && !time.empty())
-    run.replay = replay_of(motion, *scenario, *arm, time, resolution.replay_rate);
-  return run;
+  builder.add_replay(scenario, arm);
+  return std::move(builder.run);
 }
 
 std::vector<PlanLimit> plan_limits_of(const CsvTable& limits, const Arm* arm, double start) {

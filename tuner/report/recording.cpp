@@ -2,30 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "tuner/report/buckets.hpp"
-#include "tuner/report/replay.hpp"
+#include "tuner/report/run_builder.hpp"
 
 namespace armtune::report {
 namespace {
-
-struct GroupOf {
-  const char* prefix;
-  const char* group;
-  const char* unit;
-};
-
-/// Of columns whose names begin so.
-constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
-                               {"desired/position/", "position", "m"},
-                               {"error/position/", "position_error", "m"},
-                               {"error/orientation/", "orientation_error", "rad"},
-                               {"error/linear_velocity/", "linear_velocity_error", "m/s"},
-                               {"error/angular_velocity/", "angular_velocity_error", "rad/s"},
-                               {"gaze/angle", "gaze", "rad"},
-                               {"compensation_error", "theta", "N m"},
-                               {"obstacle/distance", "clearance", "m"},
-                               {"manipulability", "manipulability", "m^3"}};
 
 std::string joint_column(const ArmJoint& joint, const char* what) {
   return "joint/" + joint.name + "/" + what;
@@ -39,29 +21,15 @@ std::vector<double> torque_ratio(const CsvTable& rollout, const ArmJoint& joint)
   return values;
 }
 
-void add_columns(const CsvTable& rollout, const Arm* arm, const Buckets& buckets, Run& run) {
-  const auto add = [&](const std::string& name, const char* group, const char* unit,
-                       const std::vector<double>& values) {
-    run.columns.push_back({name, group, unit, quantize(buckets.extremes(values))});
-  };
-  for (const GroupOf& g : kGroups) {
-    for (std::size_t c = 0; c < rollout.header().size(); ++c) {
-      const std::string& name = rollout.header()[c];
-      if (!name.starts_with(g.prefix)) continue;
-      const bool error = name.starts_with("error/");
-      add(name, g.group, g.unit,
-          error ? tracked(rollout, c, name.starts_with("error/position/")) : rollout.numbers(c));
-    }
-  }
-  if (arm == nullptr) return;
-  for (const ArmJoint& joint : arm->joints) {
+void add_joint_columns(const CsvTable& rollout, const Arm& arm, RunBuilder& builder) {
+  for (const ArmJoint& joint : arm.joints) {
     const std::string ratio = joint_column(joint, "velocity_ratio");
-    add(ratio, "velocity_ratio", "1", rollout.numbers(rollout.column(ratio)));
-    add(joint_column(joint, "torque_ratio"), "torque_ratio", "1", torque_ratio(rollout, joint));
+    builder.add(ratio, "velocity_ratio", "1", rollout.numbers(rollout.column(ratio)));
+    builder.add(joint_column(joint, "torque_ratio"), "torque_ratio", "1", torque_ratio(rollout, joint));
     // Of scenarios with a plan.
     const std::string error = joint_column(joint, "error");
     if (const auto c = rollout.find(error))
-      add(error, "joint_error", joint.prismatic ? "m" : "rad", rollout.numbers(*c));
+      builder.add(error, "joint_error", joint.prismatic ? "m" : "rad", rollout.numbers(*c));
   }
 }
 
@@ -112,20 +80,13 @@ std::vector<std::string> joints_of(const CsvTable& rollout) {
 
 Run run_of(const CsvTable& rollout, const SceneScenario* scenario, const Arm* arm,
            const Resolution& resolution) {
-  Run run;
-  const std::vector<double> time = rollout.numbers(rollout.column("time"));
-  if (!time.empty()) run.start = time.front();
-  std::vector<double> since = time;
-  for (double& t : since) t -= run.start;
-  if (!since.empty()) run.end = since.back();
-  const Buckets buckets(time.size(), resolution.buckets);
-  run.time = quantize(buckets.times(since));
-  add_columns(rollout, arm, buckets, run);
-  add_states(rollout, since, run);
-  if (scenario != nullptr && arm != nullptr && !time.empty()) {
-    run.replay = replay_of(rollout, *scenario, *arm, time, resolution.replay_rate);
-  }
-  return run;
+  RunBuilder builder(rollout, resolution);
+  builder.run.start = builder.began();
+  builder.add_task_columns();
+  if (arm != nullptr) add_joint_columns(rollout, *arm, builder);
+  add_states(rollout, builder.since(), builder.run);
+  builder.add_replay(scenario, arm);
+  return std::move(builder.run);
 }
 
 }  // namespace armtune::report

@@ -7,11 +7,6 @@
 namespace armtune::report {
 namespace {
 
-void write_optional(Json& json, const char* key, const std::optional<double>& value) {
-  json.key(key);
-  value ? json.number(*value) : json.null();
-}
-
 void write_row(Json& json, const MetricRow& row) {
   const MetricField& f = field(row.metric);
   json.begin_object();
@@ -34,6 +29,13 @@ void write_table(Json& json, const Table& table) {
   json.end_object();
 }
 
+void write_judged(Json& json, const Judged& judged) {
+  json.begin_object();
+  json.text("measure", judged.measure);
+  array(json, "tables", judged.tables, write_table);
+  json.end_object();
+}
+
 void write_evaluations(Json& json, const Evaluations& e) {
   json.begin_object();
   json.texts("phase", e.phases);
@@ -41,9 +43,7 @@ void write_evaluations(Json& json, const Evaluations& e) {
   json.numbers("objective", e.objective);
   array(json, "feasible", e.feasible, [](Json& out, bool feasible) { out.boolean(feasible); });
   json.numbers("violation", e.violation);
-  if (!e.native.empty()) {
-    array(json, "native", e.native, [](Json& out, bool native) { out.boolean(native); });
-  }
+  array_if_any(json, "native", e.native, [](Json& out, bool native) { out.boolean(native); });
   json.integer("start", e.start);
   json.integer("chosen", e.chosen);
   json.end_object();
@@ -104,7 +104,7 @@ void write_front(Json& json, const Front& front) {
     out.number("value", limit.second);
     out.end_object();
   });
-  write_optional(json, "hypervolume", front.hypervolume);
+  json.number("hypervolume", front.hypervolume);
   json.end_object();
 }
 
@@ -113,12 +113,12 @@ void write_histogram(Json& json, const Histogram& histogram) {
   json.text("metric", field(histogram.metric).name);
   json.text("unit", field(histogram.metric).unit);
   json.text("scenario", histogram.scenario);
-  write_optional(json, "limit", histogram.limit);
+  json.number("limit", histogram.limit);
   array(json, "counts", histogram.counts,
         [](Json& out, std::size_t count) { out.integer(static_cast<long>(count)); });
   json.integer("failed", static_cast<long>(histogram.failed));
   json.numbers("edges", histogram.edges);
-  write_optional(json, "nominal", histogram.nominal);
+  json.number("nominal", histogram.nominal);
   json.end_object();
 }
 
@@ -139,10 +139,7 @@ void write_robustness(Json& json, const Robustness& r) {
 
 void write_pairs(Json& json, const char* key, const std::vector<std::pair<std::string, std::string>>& pairs) {
   array(json, key, pairs, [](Json& out, const std::pair<std::string, std::string>& entry) {
-    out.begin_array();
-    out.text(entry.first);
-    out.text(entry.second);
-    out.end_array();
+    out.texts({entry.first, entry.second});
   });
 }
 
@@ -169,35 +166,17 @@ std::string report_json(const ReportData& data) {
   json.end_object();
   json.texts("sets", data.sets);
   array(json, "tables", data.tables, write_table);
-  if (data.judged) {
-    json.key("judged");
-    json.begin_object();
-    json.text("measure", data.judged->measure);
-    array(json, "tables", data.judged->tables, write_table);
-    json.end_object();
-  }
+  value_if_any(json, "judged", data.judged, write_judged);
   array(json, "robots", data.arms, write_arm);
   array(json, "scenarios", data.scenarios, write_scenario);
-  if (data.evaluations) {
-    json.key("evaluations");
-    write_evaluations(json, *data.evaluations);
-  }
-  if (!data.gains.empty()) array(json, "gains", data.gains, write_gain);
-  if (!data.sensitivity.empty()) array(json, "sensitivity", data.sensitivity, write_sensitivity);
-  if (!data.margins.empty()) array(json, "margins", data.margins, write_margin);
-  if (!data.yardstick.empty()) array(json, "yardstick", data.yardstick, write_yardstick);
-  if (data.front) {
-    json.key("front");
-    write_front(json, *data.front);
-  }
-  if (data.robustness) {
-    json.key("robustness");
-    write_robustness(json, *data.robustness);
-  }
-  if (data.plan) {
-    json.key("plan");
-    write_plan(json, *data.plan);
-  }
+  value_if_any(json, "evaluations", data.evaluations, write_evaluations);
+  array_if_any(json, "gains", data.gains, write_gain);
+  array_if_any(json, "sensitivity", data.sensitivity, write_sensitivity);
+  array_if_any(json, "margins", data.margins, write_margin);
+  array_if_any(json, "yardstick", data.yardstick, write_yardstick);
+  value_if_any(json, "front", data.front, write_front);
+  value_if_any(json, "robustness", data.robustness, write_robustness);
+  value_if_any(json, "plan", data.plan, write_plan);
   json.key("provenance");
   json.begin_object();
   json.text("command", data.command);

@@ -17,10 +17,7 @@ void write_series(Json& json, const Series& series) {
 
 /// [from, to]
 void write_stretch(Json& json, const std::pair<double, double>& stretch) {
-  json.begin_array();
-  json.number(stretch.first);
-  json.number(stretch.second);
-  json.end_array();
+  json.numbers({stretch.first, stretch.second});
 }
 
 void write_replay(Json& json, const Replay& replay) {
@@ -97,11 +94,7 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
   json.begin_object();
   json.text("name", scenario.name);
   json.number("duration", scenario.duration);
-  array(json, "path", scenario.path, [](Json& out, const Vec3& p) {
-    out.begin_array();
-    for (int axis = 0; axis < 3; ++axis) out.number(p[axis]);
-    out.end_array();
-  });
+  array(json, "path", scenario.path, [](Json& out, const Vec3& p) { out.numbers({p.x(), p.y(), p.z()}); });
   json.number("influence_radius", scenario.influence_radius);
   json.key("obstacles");
   json.begin_array();
@@ -117,7 +110,7 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
                         name(ControlState::kFollowPlan)});
   json.integer("robot", scenario.arm);
   array(json, "runs", scenario.runs, write_run);
-  if (!scenario.limits.empty()) array(json, "limits", scenario.limits, write_limit);
+  array_if_any(json, "limits", scenario.limits, write_limit);
   json.end_object();
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+// What plots and a replay show of a rollout and of a plan alike.
+
+#include "tuner/report/buckets.hpp"
+#include "tuner/report/recording.hpp"
+
+namespace armtune::report {
+
+/// A run being made from a CSV, whose time counts from its first row.
+class RunBuilder {
+ public:
+  /// End and time axis; start is the caller's. table must outlive it. Throws InputError naming the file if it has no times.
+  RunBuilder(const CsvTable& table, const Resolution& resolution);
+
+  /// Time of the first row [s], 0 without rows; and of every row since.
+  double began() const { return time_.empty() ? 0.0 : time_.front(); }
+  const std::vector<double>& since() const { return since_; }
+
+  /// A plot of one value per row.
+  void add(const std::string& name, const std::string& group, const char* unit,
+           const std::vector<double>& values);
+  /// Plots of the columns that are not a joint's: tool, errors, gaze, distance from obstacles and the like,
+  /// as far as the file has them.
+  void add_task_columns();
+  /// The replay, where there is a scene and at least one row. Throws InputError naming the file if a joint's
+  /// column is missing.
+  void add_replay(const SceneScenario* scenario, const Arm* arm);
+
+  Run run;  ///< as far as it is made
+
+ private:
+  const CsvTable& table_;
+  std::vector<double> time_, since_;
+  Buckets buckets_;
+  double replay_rate_;
+};
+
+}  // namespace armtune::report
