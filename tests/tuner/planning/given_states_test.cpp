@@ -66,6 +66,7 @@ TEST(GivenStates, AnObstacleThatIsCloserAtTheStartIsNamed) {
     for (std::size_t i = 1; i < robot.joints.size(); ++i)  // the first stands still
       nearest = std::min(nearest, (poses.p_0B[i] - center).norm());
   }
+  EXPECT_NEAR(clearance_at(robot, task.start.position, task.at, task.scenario.obstacles), nearest, 1e-12);
   task.clearance = 0.999 * nearest;
   EXPECT_EQ(refusal(task), "");
   task.clearance = 1.001 * nearest;

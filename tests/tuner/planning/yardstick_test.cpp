@@ -5,9 +5,11 @@
 
 #include <cmath>
 
+#include "core/control/obstacle_impedance.hpp"
 #include "core/trajectory/gaze.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tests/tuner/support/events.hpp"
+#include "tuner/planning/tasks/given_states.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 
@@ -94,7 +96,8 @@ TEST(Yardstick, WhatIsOnTargetToBeginWithNeedsNoPlanAndHasNoRatio) {
   EXPECT_EQ(found.status, MeasureStatus::kThereAtOnce);
   EXPECT_EQ(found.limit, 0.0);
   EXPECT_TRUE(std::isnan(found.ratio()));
-  EXPECT_THAT(yardstick_csv({found}), HasSubstr(",0,followTrajectory,0,0,,s,already there,,,there at once\n"));
+  EXPECT_THAT(yardstick_csv({found}),
+              HasSubstr(",0,followTrajectory,0,0,,s,already there,,,there at once\n"));
   event.reached = 1.8;  // it went off target once more
   event.outcome = EventOutcome::kReached;
   found = measure(event, scenario, {}, {});
@@ -154,6 +157,27 @@ TEST(Yardstick, ALimitBeyondTheNextSwitchIsCalledThat) {
   hasty.switch_every = 8.0 / std::ceil(8.0 / (0.5 * found.limit));  // an even number until 16 s
   ASSERT_LT(hasty.switch_every, found.limit);
   EXPECT_EQ(measure(switches[1], hasty, {}, {}).status, MeasureStatus::kPastNextSwitch);
+}
+
+TEST(Yardstick, AToolThatIsNearestToAnObstacleLeavesRoomForAPlan) {
+  Scenario scenario = load_scenario("obstacle_pass");
+  const RobotModel robot = plant_model(scenario);
+  Event event;
+  event.kind = EventKind::kReturn;
+  event.position = scenario.start_position;
+  event.velocity = JointVector::Zero(robot.n());
+  Poses poses;
+  forward_kinematics(robot.chain, event.position, poses);
+  HarmonicPath before_the_tool;
+  before_the_tool.center = poses.p_0T + 0.2 * poses.R_0T.col(2);
+  scenario.obstacles = {{"before the tool", before_the_tool}};
+  const std::vector<Vec3> centers{before_the_tool.center};
+  ASSERT_GT(obstacle_distance(poses, centers), 0.21) << "no joint is as near";
+  YardstickOptions options;
+  options.clearance = 0.205;
+  const PlanTask task = task_of(event, scenario, options);
+  EXPECT_NEAR(task.clearance, 0.2, 1e-5);
+  EXPECT_NO_THROW(plan_problem(task));
 }
 
 TEST(Yardstick, PlansKeepClearOfObstaclesAsFarAsTheArmIsWhenItBegins) {

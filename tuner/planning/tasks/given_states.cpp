@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -13,13 +14,27 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a limit
 
-/// Throws where the state that `key` gives breaks one of the term's limits.
-void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const char* key,
-           const char* advice) {
+Knot at_rest(const RobotModel& robot, const JointVector& q, double time) {
+  Knot knot;
+  knot.time = time;
+  knot.q = q;
+  forward_kinematics(robot.chain, q, knot.poses);
+  knot.qd = knot.qdd = JointVector::Zero(robot.n());
+  return knot;
+}
+
+std::vector<double> values(const KnotTerm& term, const Knot& knot) {
   std::vector<double> value(term.rows.size());
   KnotRows rows;
   rows.value = value.data();
-  term.evaluate(state, rows);
+  term.evaluate(knot, rows);
+  return value;
+}
+
+/// Throws where the state that `key` gives breaks one of the term's limits.
+void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const char* key,
+           const char* advice) {
+  const std::vector<double> value = values(term, state);
   for (std::size_t row = 0; row < value.size(); ++row) {
     const bool below = value[row] < term.lower - kRounding;
     if (!below && value[row] <= term.upper + kRounding) continue;
@@ -34,11 +49,7 @@ void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const 
 
 void check_given_states(const PlanCommon& common) {
   const PlanTask& task = common.task;
-  const Chain& chain = common.robot->chain;
-  Knot knot;
-  knot.time = task.at;
-  knot.q = common.start.position;
-  forward_kinematics(chain, knot.q, knot.poses);
+  Knot knot = at_rest(*common.robot, common.start.position, task.at);
   if (task.clearance > 0.0) {
     for (const NamedPath& obstacle : task.scenario.obstacles)
       check(clear_of(*common.robot, {0, 0}, obstacle.name, obstacle.path, task.clearance), knot, task,
@@ -51,13 +62,19 @@ void check_given_states(const PlanCommon& common) {
     knot.qdd = common.start.acceleration;
     check(torque, knot, task, "start", kLessTorque);
   }
-  if (task.goal.size() > 0) {
-    knot.q = task.goal;
-    forward_kinematics(chain, knot.q, knot.poses);
-    knot.qd.setZero(common.n());
-    knot.qdd.setZero(common.n());
-    check(torque, knot, task, "goal", kLessTorque);
+  if (task.goal.size() > 0)
+    check(torque, at_rest(*common.robot, task.goal, task.at), task, "goal", kLessTorque);
+}
+
+double clearance_at(const RobotModel& robot, const JointVector& q, double time,
+                    const std::vector<NamedPath>& obstacles) {
+  double least = std::numeric_limits<double>::infinity();
+  const Knot knot = at_rest(robot, q, time);
+  for (const NamedPath& obstacle : obstacles) {
+    for (const double distance : values(clear_of(robot, {0, 0}, obstacle.name, obstacle.path, 1.0), knot))
+      least = std::min(least, distance);
   }
+  return least;
 }
 
 }  // namespace armtune

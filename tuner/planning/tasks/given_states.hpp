@@ -9,4 +9,9 @@ namespace armtune {
 /// give the torque that the start or the goal takes.
 void check_given_states(const PlanCommon& common);
 
+/// How far the arm at q (n) [rad, m] is at a time [s] from the nearest of the obstacles, by all points that a
+/// plan keeps clear [m]; infinite without obstacles.
+double clearance_at(const RobotModel& robot, const JointVector& q, double time,
+                    const std::vector<NamedPath>& obstacles);
+
 }  // namespace armtune

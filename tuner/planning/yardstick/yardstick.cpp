@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/control/obstacle_impedance.hpp"
 #include "core/trajectory/gaze.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
+#include "tuner/planning/tasks/given_states.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 #include "tuner/planning/tasks/plan_start.hpp"
 
@@ -19,17 +19,6 @@ constexpr double kLongestInterval = 0.025;  // s, of a lap's grid
 constexpr double kLongestWithSwitch = 0.0125;
 constexpr double kAtOnce = 1.001;       // times the shortest duration of a plan
 constexpr double kShortestHold = 0.02;  // s
-
-double distance_at_start(const Event& event, const Scenario& scenario) {
-  const RobotModel robot = plant_model(scenario);
-  Poses poses;
-  forward_kinematics(robot.chain, event.position, poses);
-  std::vector<Vec3> centers;
-  centers.reserve(scenario.obstacles.size());
-  for (const NamedPath& obstacle : scenario.obstacles)
-    centers.push_back(obstacle.path.at(event.time).position);
-  return obstacle_distance(poses, centers);
-}
 
 /// The longest interval of a lap's grid [s].
 double lap_interval(const Event& event, const Scenario& scenario) {
@@ -133,7 +122,8 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
   task.limits.effort = options.effort;
   task.knots = options.knots;
   if (options.clearance > 0.0 && !scenario.obstacles.empty()) {
-    const double room = distance_at_start(event, scenario) - kClearanceRoom;
+    const RobotModel robot = plant_model(scenario);
+    const double room = clearance_at(robot, event.position, event.time, scenario.obstacles) - kClearanceRoom;
     task.clearance = std::max(0.0, std::min(options.clearance, room));
   }
   switch (event.kind) {
