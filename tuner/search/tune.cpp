@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "tuner/journal/evaluator.hpp"
+#include "tuner/search/requests.hpp"
 #include "tuner/search/seen.hpp"
 #include "tuner/search/starts.hpp"
 #include "tuner/search/sweep.hpp"
@@ -142,26 +142,15 @@ std::string Run::budget_used_up() const {
 }
 
 void Run::serve(const char* phase, std::vector<Request>& requests, long most) {
-  const std::size_t left = evaluations_left(most);
-  std::vector<Candidate> candidates;
-  std::set<std::vector<double>> chosen;
-  for (const Request& request : requests) {
-    for (const SolverPoint& point : request.points) {
-      if (seen().at(point.x) || chosen.contains(point.x)) continue;
-      if (candidates.size() == left) break;
-      candidates.push_back({point.difference ? "gradient" : phase, point.x});
-      chosen.insert(point.x);
-    }
-  }
+  std::size_t left = evaluations_left(most);
+  const auto candidates = candidates_of(
+      requests, phase, [this](const std::vector<double>& x) { return seen().at(x) != nullptr; },
+      [&left](std::size_t) { return left > 0 && left-- > 0; });
   out_.interrupted = evaluator_.stopped() || (!candidates.empty() && !evaluate(candidates));
-  for (Request& request : requests) {
-    request.go_on = !out_.interrupted;
-    for (const SolverPoint& point : request.points) {
-      const SolverValue* known = seen().at(point.x);
-      if (!known) break;
-      request.values.push_back(*known);
-    }
-  }
+  answer(requests, !out_.interrupted, [this](std::size_t, const std::vector<double>& x) {
+    const SolverValue* known = seen().at(x);
+    return known ? std::optional(*known) : std::nullopt;
+  });
 }
 
 std::string Run::reason(const std::vector<SolverOutcome>& outcomes) const {
