@@ -9,7 +9,8 @@ namespace armtune::report {
 /// A run being made from a CSV, whose time counts from its first row.
 class RunBuilder {
  public:
-  /// End and time axis; start is the caller's. table must outlive it. Throws InputError naming the file if it has no times.
+  /// End and time axis; start is the caller's. table must outlive it. Throws InputError naming the file if it
+  /// has no times.
   RunBuilder(const CsvTable& table, const Resolution& resolution);
 
   /// Time of the first row [s], 0 without rows; and of every row since.
