@@ -52,8 +52,11 @@ class Tree {
       if (chain.motion[k] == JointMotion::kRevolute) {
         parent = SimTK::MobilizedBody::Pin(parent, X_PB0, body, SimTK::Transform());
       } else {
-        // Simbody slides along x, our joints along z.
-        const SimTK::Transform x_to_z(SimTK::Rotation(-SimTK::Pi / 2, SimTK::YAxis));
+        // Simbody slides along x, our joints along z: a turn by -pi/2 about y. Not by the constructor from
+        // angle and axis, which writes through a view of a row that is larger than what is left of the matrix
+        // (Row<3, double, 3>): g++ sees that as an access beyond its end once the sanitizers let it look.
+        const SimTK::Mat33 R(0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0);
+        const SimTK::Transform x_to_z(SimTK::Rotation(R, true));
         parent = SimTK::MobilizedBody::Slider(parent, X_PB0 * x_to_z, body, x_to_z);
       }
     }

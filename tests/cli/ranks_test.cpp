@@ -126,6 +126,30 @@ TEST_F(Ranks, TuneTheSameByteForByteAsThreads) {
   }
 }
 
+// Ranks are told per job which engine simulates it: a search has both.
+TEST_F(Ranks, SearchInTheNativeEngineAsOneProcessDoes) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         test::kShortNativeSearch);
+  const Finished done = alone(tune(files.path(), files / "one", {"--workers", "1"}, "24"));
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const std::string expected = without_time(files / "one/evaluations.csv");
+  for (const char* rows :
+       {"start,simbody,", "start,native,", "sweep,native,", "search,native,", "verify,simbody,"}) {
+    EXPECT_THAT(expected, HasSubstr(rows));
+  }
+  for (const int ranks : {2, 4}) {
+    const std::string folder = "ranks" + std::to_string(ranks);
+    const Finished parallel = run(ranks, tune(files.path(), files / folder, {}, "24"));
+    ASSERT_EQ(parallel.exit_code, 0) << parallel.err;
+    EXPECT_EQ(without_time(files / folder + "/evaluations.csv"), expected) << folder;
+    for (const char* file :
+         {"/gains.yaml", "/errors.csv", "/start/errors.csv", "/study.yaml", "/rollout_short.csv"}) {
+      EXPECT_EQ(test::read_text(files / folder + file), test::read_text(files / "one" + file))
+          << folder << file;
+    }
+  }
+}
+
 TEST_F(Ranks, FindTheSameFrontAndSensitivitiesAsThreads) {
   const ShortStudy files;
   ASSERT_EQ(alone(tune(files.path(), files / "run", {})).exit_code, 0);

@@ -94,13 +94,9 @@ TEST(Resume, ATuningKilledAgainAndAgainEndsAsIfItHadNotBeen) {
   EXPECT_EQ(test::read_text(files / "killed/run.yaml"), before);
 }
 
-const std::string kNativeSearch =
-    "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 2]}]\n"
-    "search: {algorithm: COBYLA, max_evaluations: 24, seed: 1, engine: native, verify_share: 0.4}\n";
-
 TEST(Resume, ANativeSearchKilledInItsLastStepsEndsAsIfItHadNotBeen) {
   const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
-                         kNativeSearch);
+                         test::kShortNativeSearch);
   ASSERT_EQ(run_program({"tune", files.path(), "--no-analysis", "--out", files / "whole"}).exit_code, 0);
   run_and_kill({"tune", files.path(), "--no-analysis", "--out", files / "killed"},
                files / "killed/journal.txt", 19);
@@ -112,7 +108,7 @@ TEST(Resume, ANativeSearchKilledInItsLastStepsEndsAsIfItHadNotBeen) {
 
 TEST(Resume, AnInterruptedNativeSearchLeavesSimbodysFigures) {
   const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
-                         kNativeSearch);
+                         test::kShortNativeSearch);
   const test::TemporaryFolder folder;
   Program program({"tune", files.path(), "--no-analysis", "--out", files / "run"}, folder.path());
   while (program.running() && finished_in(files / "run/journal.txt") < 6) {

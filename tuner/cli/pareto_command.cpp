@@ -198,23 +198,14 @@ int run(Arguments args, Team& team) {
       args.folder + "/columns.csv",
       columns_csv({{"pareto.csv", pareto_columns(study, options)},
                    {"evaluations.csv", evaluation_columns(study, criteria_columns(study, options))}}));
-  Provenance p;
-  p.command = command_line();
-  p.inputs = {study.source, study.gains};
-  if (study.warm) p.inputs.push_back(study.warm->source);
-  add_inputs(study.scenarios, p.inputs);
-  p.seed = study.solver.seed;
-  p.workers = workers.count();
-  p.wall_seconds = seconds();
-  p.extra = {{"study", shown_path(study.source)},
-             {"start", stem(study.gains)},
-             {"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
-             {"evaluations", fmt::format("{}", result.evaluations)},
-             {"stepper", name(study.stepper)},
-             {"engine", engine_text(study)},
-             {"points", fmt::format("{}", result.front.size())},
-             {"verified", verified ? "true" : "false"},
-             {"hypervolume", fmt::format("{}", result.hypervolume)}};
+  const Provenance p = study_provenance(study, workers.count(), seconds(),
+                                        {{"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
+                                         {"evaluations", fmt::format("{}", result.evaluations)},
+                                         {"stepper", name(study.stepper)},
+                                         {"engine", engine_text(study)},
+                                         {"points", fmt::format("{}", result.front.size())},
+                                         {"verified", verified ? "true" : "false"},
+                                         {"hypervolume", fmt::format("{}", result.hypervolume)}});
   write_text_file(args.folder + "/run.yaml", run_yaml(p));
 
   fmt::print("{}", pareto_table(study, options, result));

@@ -27,8 +27,11 @@ std::string tune_help() {
 Also in search: global and global_share (another algorithm first, for that part of the evaluations), starts
 (several local searches at once), differences (forward, central) and difference_step; engine: native searches
 in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and leaves
-verify_share of the evaluations to Simbody, whose figures alone are reported (it sees the best few also where
-max_minutes are over). warm_start: from, parameters, box, step, as the options above.
+verify_share of the evaluations and of max_minutes to Simbody, whose figures alone are reported.
+max_minutes is wall time from start to last evaluation, of all sessions of a resumed run together: evaluations
+under way when it is over are finished; Simbody's last steps are within it (time for the best few is kept from
+what the start took, and they are simulated even if that was too little); fresh rollouts, report and analysis
+(--no-analysis) come after it. warm_start: from, parameters, box, step, as the options above.
 )";
   text += "\nGains (study file, parameters; * tuned by default):\n";
   for (const GainField& field : gain_fields()) {

@@ -14,7 +14,6 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
-#include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/workers/simulate_points.hpp"
 
@@ -35,6 +34,21 @@ std::string robust_text(const Study& study) {
   return fmt::format(" ({} of {} arms each)",
                      risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
                      study.robust->samples);
+}
+
+Provenance study_provenance(const Study& study, int workers, double seconds,
+                            const std::vector<std::pair<std::string, std::string>>& found) {
+  Provenance p;
+  p.command = command_line();
+  p.inputs = {study.source, study.gains};
+  if (study.warm) p.inputs.push_back(study.warm->source);
+  add_inputs(study.scenarios, p.inputs);
+  p.seed = study.solver.seed;
+  p.workers = workers;
+  p.wall_seconds = seconds;
+  p.extra = {{"study", shown_path(study.source)}, {"start", stem(study.gains)}};
+  p.extra.insert(p.extra.end(), found.begin(), found.end());
+  return p;
 }
 
 std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, const ReportOptions& options) {
@@ -128,23 +142,14 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
                                       {"evaluations.csv", evaluation_columns(study)}};
   columns.insert(columns.end(), yardsticks[1].columns.begin(), yardsticks[1].columns.end());
   write_text_file(folder + "/columns.csv", columns_csv(columns));
-  Provenance p;
-  p.command = command_line();
-  p.inputs = {study.source, study.gains};
-  if (study.warm) p.inputs.push_back(study.warm->source);
-  add_inputs(study.scenarios, p.inputs);
-  p.seed = study.solver.seed;
-  p.workers = workers;
-  p.wall_seconds = seconds;
-  p.extra = {{"study", shown_path(study.source)},
-             {"start", stem(study.gains)},
-             {"evaluations", fmt::format("{}", result.evaluations)},
-             {"algorithm", search_text(study)},
-             {"stepper", name(study.stepper)},
-             {"engine", engine_text(study)},
-             {"ended", result.reason},
-             {"feasible", result.best.feasible ? "true" : "false"},
-             {"objective", fmt::format("{}", result.best.objective)}};
+  const Provenance p = study_provenance(study, workers, seconds,
+                                        {{"evaluations", fmt::format("{}", result.evaluations)},
+                                         {"algorithm", search_text(study)},
+                                         {"stepper", name(study.stepper)},
+                                         {"engine", engine_text(study)},
+                                         {"ended", result.reason},
+                                         {"feasible", result.best.feasible ? "true" : "false"},
+                                         {"objective", fmt::format("{}", result.best.objective)}});
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 

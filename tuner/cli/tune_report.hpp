@@ -2,10 +2,12 @@
 // What `armtune tune` writes and prints of a study and its result.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
+#include "tuner/run/run_folder.hpp"
 #include "tuner/search/tune.hpp"
 #include "tuner/workers/team.hpp"
 
@@ -23,6 +25,11 @@ std::string search_text(const Study& study);
 std::string engine_text(const Study& study);
 /// " (worst of 5 arms each)" where a study tunes on samples.
 std::string robust_text(const Study& study);
+
+/// Of a search of the study, by whichever command. workers: of the search; found: further keys of run.yaml,
+/// after the study and its start.
+Provenance study_provenance(const Study& study, int workers, double seconds,
+                            const std::vector<std::pair<std::string, std::string>>& found);
 
 /// Fresh rollouts of both gain sets, start and tuned: the figures that are reported, and the recordings.
 std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, const ReportOptions& options);

@@ -89,14 +89,26 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
   return whole && taken == candidates.size();
 }
 
+void Evaluator::use(Minutes minutes, double kept) {
+  minutes_ = minutes;
+  kept_ = kept;
+  time_was_up_ = false;
+}
+
 bool Evaluator::time_left() {
-  if (study_.max_minutes <= 0.0) return true;
-  if (journal_ != nullptr && journal_->time_was_up()) return count_ < *journal_->time_was_up();
-  // What is recorded was begun in time.
-  if (journal_ != nullptr && journal_->records() > count_) return true;
-  if (seconds() < 60.0 * study_.max_minutes) return true;
-  if (journal_ != nullptr) journal_->time_is_up(count_);
-  return false;
+  time_was_up_ = study_.max_minutes > 0.0 && is_time_up();
+  return !time_was_up_;
+}
+
+bool Evaluator::is_time_up() {
+  if (journal_ != nullptr) {
+    if (const auto recorded = journal_->time_was_up(minutes_)) return count_ >= *recorded;
+    // What is recorded was begun in time.
+    if (journal_->records() > count_) return false;
+  }
+  if (seconds() + kept_ < 60.0 * study_.max_minutes) return false;
+  if (journal_ != nullptr) journal_->time_is_up(count_, minutes_);
+  return true;
 }
 
 }  // namespace armtune

@@ -38,13 +38,20 @@ class Evaluator {
   /// where it was before.
   bool stopped() const { return stop_ && !recalls(count_); }
 
-  /// False once the study's max_minutes are over. A run that goes on takes them to be over where they were
-  /// before, and counts its minutes on.
+  /// From here on minutes are over `kept` [s] before the study's max_minutes are: a search's, for what has to
+  /// follow it; the run's with nothing kept. At first they are the run's.
+  void use(Minutes minutes, double kept = 0.0);
+
+  /// False once the minutes are over. A run that goes on takes them to be over where they were before, and
+  /// counts its minutes on.
   bool time_left();
+  /// Whether they were over when they were looked at last.
+  bool time_was_up() const { return time_was_up_; }
 
  private:
   bool next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,
                     const TakeIn& take_in);
+  bool is_time_up();
   double seconds() const;
   bool recalls(std::uint64_t number) const { return journal_ != nullptr && journal_->find(number); }
   std::optional<Evaluation> recall(std::uint64_t number, const Candidate& candidate, Engine engine) const;
@@ -54,6 +61,9 @@ class Evaluator {
   const std::atomic<bool>& stop_;
   Journal* journal_;
   std::uint64_t count_ = 0;  ///< given out so far
+  Minutes minutes_ = Minutes::kRun;
+  double kept_ = 0.0;  ///< [s]
+  bool time_was_up_ = false;
   std::chrono::steady_clock::time_point began_;
 };
 

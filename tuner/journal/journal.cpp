@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kDigits = 16;
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
+constexpr std::string_view kTimeUp = "time-up";
+constexpr std::string_view kSearchTimeUp = "search-time-up";
 
 std::string checksum(std::string_view payload) {
   Fnv1a hash;
@@ -208,8 +210,8 @@ void Journal::take(std::string_view payload, long place) {
       throw std::invalid_argument(fmt::format("gives number {} a second time", record.number));
     }
     seconds_ = std::max(seconds_, record.seconds);
-  } else if (kind == "time-up") {
-    time_was_up_ = number_in(rest);
+  } else if (kind == kTimeUp || kind == kSearchTimeUp) {
+    time_was_up_[kind == kTimeUp ? Minutes::kRun : Minutes::kSearch] = number_in(rest);
   } else if (kind == "complete") {
     exit_code_ = static_cast<int>(number_in(rest));
   } else {
@@ -249,9 +251,14 @@ void Journal::append(const JournalRecord& record) {
   seconds_ = std::max(seconds_, record.seconds);
 }
 
-void Journal::time_is_up(std::uint64_t number) {
-  write(fmt::format("time-up\t{}", number));
-  time_was_up_ = number;
+std::optional<std::uint64_t> Journal::time_was_up(Minutes minutes) const {
+  const auto found = time_was_up_.find(minutes);
+  return found == time_was_up_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Journal::time_is_up(std::uint64_t number, Minutes minutes) {
+  write(fmt::format("{}\t{}", minutes == Minutes::kRun ? kTimeUp : kSearchTimeUp, number));
+  time_was_up_[minutes] = number;
 }
 
 void Journal::complete(int exit_code) {

@@ -14,6 +14,10 @@
 
 namespace armtune {
 
+/// Whose minutes: those of the whole run, or what a search may use of them that leaves some for its last
+/// steps.
+enum class Minutes { kRun, kSearch };
+
 class Journal {
  public:
   /// Begins one, its header on disk. Throws InputError if the file is there already or cannot be made.
@@ -32,9 +36,9 @@ class Journal {
   /// Appends a record and hands it to the disk. Throws std::runtime_error if the disk refuses it.
   void append(const JournalRecord& record);
 
-  /// The number of the evaluation before which the time was up, if that happened.
-  std::optional<std::uint64_t> time_was_up() const { return time_was_up_; }
-  void time_is_up(std::uint64_t number);
+  /// The number of the evaluation before which those minutes were over, if that happened.
+  std::optional<std::uint64_t> time_was_up(Minutes minutes = Minutes::kRun) const;
+  void time_is_up(std::uint64_t number, Minutes minutes = Minutes::kRun);
 
   /// Exit code of the program, once everything the run was to make is written.
   std::optional<int> exit_code() const { return exit_code_; }
@@ -54,7 +58,7 @@ class Journal {
   AppendFile file_;
   long size_ = 0;                         ///< of the file [bytes]
   std::map<std::uint64_t, long> places_;  ///< of the finished: where their lines begin
-  std::optional<std::uint64_t> time_was_up_;
+  std::map<Minutes, std::uint64_t> time_was_up_;
   std::optional<int> exit_code_;
   double seconds_ = 0.0;
 };

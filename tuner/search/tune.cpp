@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "tuner/journal/evaluator.hpp"
+#include "tuner/search/last_steps.hpp"
+#include "tuner/search/requests.hpp"
 #include "tuner/search/seen.hpp"
 #include "tuner/search/starts.hpp"
 #include "tuner/search/sweep.hpp"
@@ -24,9 +25,6 @@ WarmStart at_start(const Study& study) {
   warm.gains = study.space.start;
   return warm;
 }
-
-/// Step of the last search, on Simbody, from the best of another engine: of the box between the bounds.
-constexpr double kLastStep = 0.02;
 
 constexpr const char* kSweep = "sweep";
 
@@ -54,11 +52,9 @@ class Run {
   bool evaluate(const std::vector<Candidate>& candidates);
   void take_in(const char* phase, Evaluation e);
   Seen& seen() { return seen_[engine_]; }
-  /// Evaluations that are kept for Simbody behind another engine.
-  long kept_to_verify() const;
   /// Evaluations that the run may have when the engine is done.
   long most_in(Engine engine) const {
-    return study_.max_evaluations - (engine == Engine::kSimbody ? 0 : kept_to_verify());
+    return study_.max_evaluations - (engine == Engine::kSimbody ? 0 : kept_evaluations(study_));
   }
   /// Evaluations until there are `most`; none once time is up.
   std::size_t evaluations_left(long most);
@@ -107,18 +103,15 @@ bool Run::evaluate(const std::vector<Candidate>& candidates) {
                          [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
 }
 
-long Run::kept_to_verify() const {
-  const double share = std::round(study_.verify_share * static_cast<double>(study_.max_evaluations));
-  constexpr long kAlways =
-      static_cast<long>(Seen::kBest) + 2;  // the best inside the box, the best of the sweep
-  return std::max(kAlways, static_cast<long>(share));
-}
-
 bool Run::start() {
   const std::vector<double> x = study_.space.start_point();
   if (!evaluate({{"start", x}})) return false;
-  // A budget too small for two engines is Simbody's.
-  if (study_.engine == Engine::kSimbody || evaluations_left(most_in(study_.engine)) == 0) return true;
+  if (study_.engine == Engine::kSimbody) return true;
+  evaluator_.use(Minutes::kSearch, kept_seconds(study_, seen().start->seconds));
+  if (evaluations_left(most_in(study_.engine)) == 0) {  // too small a budget for two engines is Simbody's
+    evaluator_.use(Minutes::kRun);
+    return true;
+  }
   engine_ = study_.engine;
   return evaluate({{"start", x}});
 }
@@ -138,30 +131,20 @@ std::size_t Run::evaluations_left(long most) {
 }
 
 std::string Run::budget_used_up() const {
-  return fmt::format("budget used up after {} evaluations", out_.evaluations);
+  return fmt::format("{} used up after {} evaluations", evaluator_.time_was_up() ? "time" : "budget",
+                     out_.evaluations);
 }
 
 void Run::serve(const char* phase, std::vector<Request>& requests, long most) {
-  const std::size_t left = evaluations_left(most);
-  std::vector<Candidate> candidates;
-  std::set<std::vector<double>> chosen;
-  for (const Request& request : requests) {
-    for (const SolverPoint& point : request.points) {
-      if (seen().at(point.x) || chosen.contains(point.x)) continue;
-      if (candidates.size() == left) break;
-      candidates.push_back({point.difference ? "gradient" : phase, point.x});
-      chosen.insert(point.x);
-    }
-  }
+  std::size_t left = evaluations_left(most);
+  const auto candidates = candidates_of(
+      requests, phase, [this](const std::vector<double>& x) { return seen().at(x) != nullptr; },
+      [&left](std::size_t) { return left > 0 && left-- > 0; });
   out_.interrupted = evaluator_.stopped() || (!candidates.empty() && !evaluate(candidates));
-  for (Request& request : requests) {
-    request.go_on = !out_.interrupted;
-    for (const SolverPoint& point : request.points) {
-      const SolverValue* known = seen().at(point.x);
-      if (!known) break;
-      request.values.push_back(*known);
-    }
-  }
+  answer(requests, !out_.interrupted, [this](std::size_t, const std::vector<double>& x) {
+    const SolverValue* known = seen().at(x);
+    return known ? std::optional(*known) : std::nullopt;
+  });
 }
 
 std::string Run::reason(const std::vector<SolverOutcome>& outcomes) const {
@@ -239,11 +222,12 @@ std::vector<Candidate> Run::to_verify() {
 
 void Run::verify() {
   if (engine_ == Engine::kSimbody || out_.interrupted) return;
-  const long most = std::min(study_.max_evaluations, out_.evaluations + kept_to_verify());
+  const long most = std::min(study_.max_evaluations, out_.evaluations + kept_evaluations(study_));
   const std::string searched = out_.reason;
   // These few are simulated also when time is up: without them there is no result.
   const auto candidates = to_verify();
   engine_ = Engine::kSimbody;
+  evaluator_.use(Minutes::kRun);
   if (!candidates.empty() && !evaluate(candidates)) return interrupt();
   if (!seen().best_inside()) return;
   JoinedSearch last = search_from(seen().best_inside()->x);

@@ -37,10 +37,10 @@ struct Study {
   std::string global_algorithm;  ///< searches before the local one does; empty: none
   double global_share = 0.5;     ///< its part of the evaluations that start and sweep leave
   long max_evaluations = 300;    ///< start and sweep included
-  double max_minutes = 0.0;      ///< 0: no limit
+  double max_minutes = 0.0;      ///< of wall time, from the start to the last evaluation; 0: no limit
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
-  double verify_share = 0.1;         ///< with another engine: part of the evaluations left to Simbody
+  double verify_share = 0.1;         ///< with another engine: part of evaluations and minutes left to Simbody
 };
 
 /// The study's solver, with the initial step that its warm start begins with.

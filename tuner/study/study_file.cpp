@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/common/error.hpp"
@@ -11,6 +10,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/map_reader.hpp"
+#include "tuner/study/parameter_keys.hpp"
 #include "tuner/study/search_keys.hpp"
 #include "tuner/study/study.hpp"
 
@@ -108,123 +108,6 @@ void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constr
     }
     constraints[c].hopeless.kind = Hopeless::Kind::kNever;
   }
-}
-
-/// Entries that a name stands for: one number, or all of a field.
-std::vector<GainEntry> find_entries(const yaml::Node& node, const std::vector<GainEntry>& all) {
-  const std::string name = node.as_string();
-  std::vector<GainEntry> found;
-  std::vector<std::string> names;
-  for (const GainEntry& entry : all) {
-    if (entry.name == name || entry.field->name == name) found.push_back(entry);
-    if (names.empty() || names.back() != entry.field->name) names.emplace_back(entry.field->name);
-    names.push_back(entry.name);
-  }
-  if (found.empty())
-    node.fail("'" + name + "' is no gain" + suggestion(name, names) + "; see armtune tune --help");
-  return found;
-}
-
-Parameter default_parameter(const GainEntry& entry, const Gains& start) {
-  Parameter p;
-  p.entry = entry;
-  p.start = value(start, entry);
-  if (entry.field->search == SearchRange::kCriticalDamping) {
-    const double Kp = start.task_space_gains_p[static_cast<Eigen::Index>(entry.component)];
-    p.lower = 0.0;
-    p.upper = std::max(0.25 * Kp * Kp, 2.0 * p.start);
-    p.scale = Scale::kLinear;
-  } else {
-    p.lower = p.start * entry.field->lower_factor;
-    p.upper = p.start * entry.field->upper_factor;
-  }
-  return p;
-}
-
-template <typename List>
-auto find_by_name(List& list, const std::string& name) {
-  return std::find_if(list.begin(), list.end(), [&name](const auto& p) { return p.entry.name == name; });
-}
-
-/// One entry of `parameters`: which gains, then fixed, linked, or tuned between bounds.
-void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, ParameterSpace& space) {
-  yaml::MapReader map(node);
-  const auto entries = find_entries(map.required("name"), all);
-  const yaml::Node* fixed = map.optional("fixed");
-  const yaml::Node* link = map.optional("link");
-  const yaml::Node* lower = map.optional("lower");
-  const yaml::Node* upper = map.optional("upper");
-  const yaml::Node* start = map.optional("start");
-  const std::string scale = map.string("scale", "");
-  const double factor = map.number_in("factor", 1.0, 0.0, kInfinity);
-  if (!scale.empty() && scale != "log" && scale != "linear")
-    map.required("scale").fail("'" + scale + "' is not one of: log, linear");
-  map.finish();
-  if (fixed != nullptr && link != nullptr) node.fail("give at most one of: fixed, link");
-  for (const GainEntry& entry : entries) {
-    // A link knows its parameter by its place: once there is one, nothing may change places.
-    const bool linked = find_by_name(space.links, entry.name) != space.links.end();
-    if (linked || (!space.links.empty() && find_by_name(space.free, entry.name) != space.free.end())) {
-      node.fail(entry.name + " stands here again after a link was made; name every gain before the links");
-    }
-    if (const auto old = find_by_name(space.free, entry.name); old != space.free.end()) space.free.erase(old);
-    if (fixed != nullptr) {
-      value(space.start, entry) = fixed->as_number();
-    } else if (link != nullptr) {
-      const auto target = find_by_name(space.free, link->as_string());
-      if (target == space.free.end()) {
-        link->fail("'" + link->as_string() + "' is not a tuned parameter listed before this one");
-      }
-      space.links.push_back({entry, static_cast<std::size_t>(target - space.free.begin()), factor});
-    } else {
-      if (start != nullptr) value(space.start, entry) = start->as_number();
-      Parameter p = default_parameter(entry, space.start);
-      if (!scale.empty()) p.scale = scale == "log" ? Scale::kLog : Scale::kLinear;
-      if (lower != nullptr) p.lower = lower->as_number();
-      if (upper != nullptr) p.upper = upper->as_number();
-      space.free.push_back(p);
-    }
-  }
-}
-
-ParameterSpace read_space(const yaml::Node* node, const Gains& start,
-                          const std::vector<std::string>& joints) {
-  ParameterSpace space;
-  space.start = start;
-  const auto all = gain_entries(joints);
-  if (node == nullptr) {
-    for (const GainEntry& entry : all) {
-      if (entry.field->search != SearchRange::kNone) space.free.push_back(default_parameter(entry, start));
-    }
-    return space;
-  }
-  for (const yaml::Node& item : node->items()) read_parameter(item, all, space);
-  return space;
-}
-
-std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<GainEntry>& all,
-                                  const ParameterSpace& space) {
-  std::vector<SweepAxis> axes;
-  double points = 1.0;
-  for (const yaml::Node& item : node.items()) {
-    yaml::MapReader map(item);
-    SweepAxis& axis = axes.emplace_back();
-    for (const yaml::Node& name : map.required("parameters").items()) {
-      for (const GainEntry& entry : find_entries(name, all)) {
-        const auto found = find_by_name(space.free, entry.name);
-        if (found == space.free.end()) name.fail(entry.name + " is not tuned by this study");
-        axis.parameters.push_back(static_cast<std::size_t>(found - space.free.begin()));
-      }
-    }
-    axis.factors = map.required("factors").as_numbers();
-    for (const double f : axis.factors) {
-      if (!(f > 0.0)) map.required("factors").fail(fmt::format("factor {} is not above zero", f));
-    }
-    points *= static_cast<double>(axis.factors.size());
-    map.finish();
-  }
-  if (points > 1e5) node.fail(fmt::format("{:.0f} points; at most 100000", points));
-  return axes;
 }
 
 SampleSet read_samples(const yaml::Node& node) {

@@ -8,42 +8,19 @@
 #include "core/trajectory/gaze_motion.hpp"
 #include "core/trajectory/harmonic_path.hpp"
 #include "tests/core/support/arms.hpp"
+#include "tests/core/support/sight.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune {
 namespace {
 
-using test::random_vec3;
+using test::gains_for_gaze;
+using test::Sight;
+using test::sight;
 using test::WorstError;
 
 constexpr double kRounding = 1e-12;
-
-Gains gains_for_gaze() {
-  Gains gains;
-  gains.slerpAngularErrorThreshold = 0.15;
-  gains.slerpDurationErrorGain = 2.5;
-  return gains;
-}
-
-/// A tool whose z axis is `angle` away from the line to the target.
-struct Sight {
-  Poses poses;
-  Eigen::Quaterniond Q_0T;
-  Vec3 p_0G;
-  double angle;
-};
-
-Sight sight(std::mt19937& generator, double angle) {
-  Sight s;
-  s.angle = angle;
-  s.Q_0T = test::random_orientation(generator);
-  s.poses.R_0T = s.Q_0T.toRotationMatrix();
-  s.poses.p_0T = random_vec3(generator, 1.0);
-  const Vec3 axis = s.poses.R_0T * Vec3(std::cos(1.0), std::sin(1.0), 0.0);  // perpendicular to z
-  s.p_0G = s.poses.p_0T + 0.8 * (Eigen::AngleAxisd(angle, axis) * s.poses.R_0T.col(2));
-  return s;
-}
 
 /// With tool and target at rest.
 GazeControl::Output update(GazeControl& control, const Gains& gains, const Sight& s, double time) {
@@ -192,91 +169,6 @@ TEST(GazeControl, NeverSlerpsForLessThanATwentiethOfASecond) {
   const auto out = update(control, gains, s, 0.025);
   // Half way at half of 0.05 s; by 0.01 s the slerp would be over and the next one at its start.
   EXPECT_NEAR(out.desired.orientation.angularDistance(s.Q_0T), 0.5, 1e-7);
-}
-
-/// Tool and target that move, and a slerp between them that began at t = 0.
-struct MovingSlerp {
-  HarmonicPath tool, target;
-  Mat3 R_0T;
-  Eigen::Quaterniond Q_0T;
-  GazeControl control;
-  Gains gains = gains_for_gaze();
-  double duration = 0.0;
-
-  MovingSlerp(std::mt19937& generator, bool feedforward) {
-    const Sight s = sight(generator, 1.2);
-    R_0T = s.poses.R_0T;
-    Q_0T = s.Q_0T;
-    tool = {s.poses.p_0T, 0.6, 0.0, {{1, Vec3::Zero(), Vec3(0.1, 0.05, -0.1)}}};
-    target = {s.p_0G, 0.7, 0.0, {{1, Vec3::Zero(), Vec3(-0.1, 0.1, 0.05)}}};
-    gains.gaze_feedforward = feedforward;
-    duration = gains.slerpDurationErrorGain * s.angle;
-    EXPECT_TRUE(at(0.0, control).slerping);
-  }
-  /// The output at t of a controller in this state.
-  GazeControl::Output at(double t, GazeControl& state) const {
-    return state.update(gains, R_0T, Q_0T, tool.at(t), target.at(t), t);
-  }
-  OrientationPoint desired(double t) const {
-    GazeControl state = control;
-    return at(t, state).desired;
-  }
-};
-
-TEST(GazeControl, WithFeedForwardASlerpsReferenceTurnsAsItsOrientationDoes) {
-  std::mt19937 generator(558);
-  WorstError velocity("wd", 1e-10);  // a difference at h = 1e-3 of turns of some 1 rad/s
-  WorstError acceleration("wd'", 1e-9);
-  double published = 0.0;
-  for (int sample = 0; sample < 20; ++sample) {
-    const std::mt19937 same = generator;
-    const MovingSlerp slerp(generator, true);
-    generator = same;
-    const MovingSlerp without(generator, false);
-    const double t = slerp.duration * test::random_number(generator, 0.1, 0.9);
-    const auto R = [&](double h) { return Mat3(slerp.desired(t + h).orientation.toRotationMatrix()); };
-    const Mat3 W = test::derivative(R) * R(0.0).transpose();
-    const Vec3 w = 0.5 * Vec3(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1));
-    const auto rate = [&](double h) { return slerp.desired(t + h).angular_velocity; };
-    velocity.compare(slerp.desired(t).angular_velocity, w, "random", 1.0);
-    acceleration.compare(slerp.desired(t).angular_acceleration, test::derivative(rate), "random", 1.0);
-    EXPECT_EQ(slerp.desired(t).orientation.coeffs(), without.desired(t).orientation.coeffs());
-    published = std::max(published, (without.desired(t).angular_velocity - w).norm());
-  }
-  EXPECT_GT(published, 0.05) << "the published one leaves the goal's motion out";
-}
-
-TEST(GazeControl, WithFeedForwardASlerpEndsWithTheZAxisOnTheLineAndTurningWithIt) {
-  std::mt19937 generator(559);
-  WorstError worst("u and u'", 1e-10);  // the last 1e-12 of the slerp
-  for (int sample = 0; sample < 20; ++sample) {
-    const MovingSlerp slerp(generator, true);
-    const double t = slerp.duration * (1.0 - 1e-12);
-    const OrientationPoint end = slerp.desired(t);
-    const MotionPoint<Vec3> u = gaze_direction(slerp.tool.at(t), slerp.target.at(t));
-    const Vec3 z = end.orientation * Vec3::UnitZ();
-    worst.compare(z, u.position, "z");
-    worst.compare(Vec3(end.angular_velocity.cross(z)), u.velocity, "w x z", 0.1);
-  }
-}
-
-TEST(GazeControl, BelowTheThresholdTheDesiredOrientationTurnsWithTheLineOnlyWithFeedForward) {
-  std::mt19937 generator(561);
-  Gains gains = gains_for_gaze();
-  for (int sample = 0; sample < 10; ++sample) {
-    const Sight s = sight(generator, 0.1);
-    const MotionPoint<Vec3> tool{s.poses.p_0T, random_vec3(generator, 0.3), random_vec3(generator, 0.3)};
-    const MotionPoint<Vec3> target{s.p_0G, random_vec3(generator, 0.3), random_vec3(generator, 0.3)};
-    const TurnRate line = direction_rate(gaze_direction(tool, target));
-    for (const bool feedforward : {false, true}) {
-      gains.gaze_feedforward = feedforward;
-      GazeControl control;
-      const auto out = control.update(gains, s.poses.R_0T, s.Q_0T, tool, target, 0.0);
-      EXPECT_FALSE(out.slerping);
-      EXPECT_EQ(out.desired.angular_velocity, feedforward ? line.velocity : Vec3(0.0, 0.0, 0.0));
-      EXPECT_EQ(out.desired.angular_acceleration, feedforward ? line.acceleration : Vec3(0.0, 0.0, 0.0));
-    }
-  }
 }
 
 TEST(GazeControl, StretchesASlerpThatTheJointsCannotFollow) {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <ratio>
 
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
@@ -81,8 +83,13 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
 TEST_F(Recall, TheTimeIsUpWhereItWas) {
   study_.max_evaluations = 100000;
   study_.solver.x_tolerance = 0.0;
-  study_.max_minutes = 1.0 / 60.0;
   Workers workers(study_.scenarios, study_.stepper, 1);
+  // Time for some ten evaluations, on whatever machine.
+  const auto began = std::chrono::steady_clock::now();
+  workers.run({&study_.space.start, 1}, stop_);
+  study_.max_minutes =
+      std::chrono::duration<double, std::ratio<60>>(10.0 * (std::chrono::steady_clock::now() - began))
+          .count();
   TuneResult whole;
   {
     const auto journal = begin();
@@ -132,6 +139,51 @@ TEST_F(Recall, MinutesOfEarlierSessionsCount) {
   next(evaluator, "search", {study_.space.start_point()});
   EXPECT_FALSE(evaluator.time_left());
   EXPECT_EQ(journal->time_was_up(), 2U);
+}
+
+TEST_F(Recall, ASearchLeavesTheTimeThatIsKept) {
+  study_.max_minutes = 1.0;
+  Workers workers(study_.scenarios, study_.stepper, 1);
+  const std::vector<double> x = study_.space.start_point();
+  const std::vector<RolloutResult> results(study_.scenarios.size());
+  {
+    const auto journal = begin();
+    journal->append({0, "start", 49.0, x, results});
+  }
+  {
+    const auto journal = resume();
+    Evaluator evaluator(study_, workers, stop_, journal.get());
+    next(evaluator, "start", {x});
+    evaluator.use(Minutes::kSearch, 5.0);
+    EXPECT_TRUE(evaluator.time_left()) << "49 s of 55";
+    evaluator.use(Minutes::kSearch, 11.0);
+    EXPECT_FALSE(evaluator.time_left()) << "49 s of 49";
+    EXPECT_TRUE(evaluator.time_was_up());
+    evaluator.use(Minutes::kRun);
+    EXPECT_TRUE(evaluator.time_left()) << "49 s of 60";
+    EXPECT_FALSE(evaluator.time_was_up());
+    journal->append({1, "verify", 61.0, x, results});
+  }
+  {
+    const auto journal = resume();
+    Evaluator evaluator(study_, workers, stop_, journal.get());
+    next(evaluator, "start", {x});
+    next(evaluator, "verify", {x});
+    EXPECT_FALSE(evaluator.time_left());
+    EXPECT_EQ(journal->time_was_up(Minutes::kSearch), 1U);
+    EXPECT_EQ(journal->time_was_up(Minutes::kRun), 2U);
+  }
+  // Gone on with, each ends where it did, whatever is kept now.
+  const auto journal = resume();
+  Evaluator evaluator(study_, workers, stop_, journal.get());
+  evaluator.use(Minutes::kSearch, 0.0);
+  EXPECT_TRUE(evaluator.time_left());
+  next(evaluator, "start", {x});
+  EXPECT_FALSE(evaluator.time_left());
+  evaluator.use(Minutes::kRun);
+  EXPECT_TRUE(evaluator.time_left());
+  next(evaluator, "verify", {x});
+  EXPECT_FALSE(evaluator.time_left());
 }
 
 }  // namespace

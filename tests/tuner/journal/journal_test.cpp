@@ -99,10 +99,13 @@ TEST_F(JournalFile, RemembersWhenTheTimeWasUpAndThatTheRunIsComplete) {
     const auto journal = resumed(path);
     EXPECT_FALSE(journal->time_was_up().has_value());
     EXPECT_FALSE(journal->exit_code().has_value());
+    journal->time_is_up(4, Minutes::kSearch);
+    EXPECT_FALSE(journal->time_was_up().has_value()) << "a search's minutes are not the run's";
     journal->time_is_up(6);
     journal->complete(3);
   }
   const auto journal = resumed(path);
+  EXPECT_EQ(journal->time_was_up(Minutes::kSearch), 4U);
   EXPECT_EQ(journal->time_was_up(), 6U);
   EXPECT_EQ(journal->exit_code(), 3);
 }

@@ -5,126 +5,20 @@
 
 #include <cmath>
 
-#include "sim/csv/error_report.hpp"
+#include "tests/tuner/report/support/two_sets.hpp"
 #include "tuner/report/findings.hpp"
 #include "tuner/report/tables.hpp"
 
 namespace armtune::report {
 namespace {
 
+using test::errors_of;
+using test::result_of;
+using test::two_sets;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
-
-/// A result with these metrics alone.
-ScenarioResult result_of(const std::string& scenario, const std::vector<std::pair<Metric, double>>& values,
-                         const std::string& joint = "elbow",
-                         RolloutStatus status = RolloutStatus::kCompleted) {
-  ScenarioResult result;
-  result.scenario = scenario;
-  result.result.status = status;
-  result.result.metrics.max_ratio_joint = joint;
-  for (const auto& [metric, value] : values) result.result.metrics[metric] = value;
-  return result;
-}
-
-CsvTable errors_of(const std::vector<ScenarioResult>& results) {
-  return CsvTable::parse(errors_csv(results), "errors.csv");
-}
-
-std::vector<Table> two_sets() {
-  const auto start = errors_of({result_of("a", {{Metric::kOrientationMax, 0.4},
-                                                {Metric::kPositionMax, 0.01},
-                                                {Metric::kEffortRateRms, 100.0},
-                                                {Metric::kObstacleMinClearance, 0.2},
-                                                {Metric::kJointVelocityMaxRatio, 0.7},
-                                                {Metric::kJointVelocityMaxRatioTime, 2.0}}),
-                                result_of("b", {{Metric::kOrientationMax, 0.9},
-                                                {Metric::kJointVelocityMaxRatio, 0.6},
-                                                {Metric::kJointVelocityMaxRatioTime, 5.0}})});
-  const auto tuned = errors_of({result_of("a",
-                                          {{Metric::kOrientationMax, 0.1},
-                                           {Metric::kPositionMax, 0.01},
-                                           {Metric::kEffortRateRms, 150.0},
-                                           {Metric::kObstacleMinClearance, 0.1},
-                                           {Metric::kJointVelocityMaxRatio, 0.5},
-                                           {Metric::kJointVelocityMaxRatioTime, 1.0}},
-                                          "shoulder"),
-                                result_of("b",
-                                          {{Metric::kOrientationMax, 0.1},
-                                           {Metric::kJointVelocityMaxRatio, 0.88},
-                                           {Metric::kJointVelocityMaxRatioTime, 6.012}},
-                                          "wrist")});
-  return tables_of({start, tuned});
-}
-
-TEST(Tables, PutTheSetsOfAScenarioSideBySide) {
-  const auto tables = two_sets();
-  ASSERT_EQ(tables.size(), 2U);
-  EXPECT_EQ(tables[0].scenario, "a");
-  EXPECT_EQ(value_of(tables[0], Metric::kOrientationMax, 0), 0.4);
-  EXPECT_EQ(value_of(tables[0], Metric::kOrientationMax, 1), 0.1);
-  EXPECT_TRUE(std::isnan(value_of(tables[1], Metric::kPositionMax, 0))) << "no set has one in b: no row";
-  for (const MetricRow& row : tables[1].rows) EXPECT_NE(row.metric, Metric::kPositionMax);
-  EXPECT_TRUE(std::isnan(value_of(tables[0], Metric::kGazeRms, 0)));
-  EXPECT_THAT(tables[1].status, ElementsAre("completed", "completed"));
-}
-
-TEST(Tables, KeepTheirColumnsWhereASetHasNoFile) {
-  const auto tables = tables_of({std::nullopt, errors_of({result_of("a", {{Metric::kPositionMax, 1.0}})})});
-  ASSERT_EQ(tables.size(), 1U);
-  EXPECT_TRUE(std::isnan(value_of(tables[0], Metric::kPositionMax, 0)));
-  EXPECT_EQ(value_of(tables[0], Metric::kPositionMax, 1), 1.0);
-  EXPECT_THAT(tables[0].status, ElementsAre("", "completed"));
-}
-
-TEST(Tables, HaveEveryMetricUntilAsked) {
-  auto tables =
-      tables_of({errors_of({result_of("a", {{Metric::kPositionXMax, 1.0}, {Metric::kPositionMax, 2.0}})})});
-  EXPECT_EQ(value_of(tables[0], Metric::kPositionXMax, 0), 1.0) << "no headline";
-  auto asked = tables;
-  keep_rows(asked, {Metric::kPositionXMax});
-  EXPECT_EQ(asked[0].rows.size(), 2U);
-  keep_rows(tables, {});
-  ASSERT_EQ(tables[0].rows.size(), 1U);
-  EXPECT_EQ(tables[0].rows[0].metric, Metric::kPositionMax);
-}
-
-TEST(Changes, AreMeanRatiosOverTheTermsScenarios) {
-  const auto tables = two_sets();
-  const auto one = changes(tables, {{Metric::kOrientationMax, {"a"}}}, 1);
-  ASSERT_EQ(one.size(), 1U);
-  EXPECT_DOUBLE_EQ(one[0].ratio, 0.1 / 0.4);
-  const auto both = changes(tables, {{Metric::kOrientationMax, {}}}, 1);
-  // Rounding of a logarithm and an exponential.
-  EXPECT_NEAR(both[0].ratio, std::sqrt(0.1 / 0.4 * 0.1 / 0.9), 1e-14);
-  EXPECT_TRUE(changes(tables, {{Metric::kGazeRms, {}}}, 1).empty()) << "there is no such value";
-  EXPECT_THAT(both[0].scenarios, ElementsAre("a", "b"));
-  EXPECT_THAT(one[0].scenarios, ElementsAre("a"));
-}
-
-TEST(Changes, PutTheBestFirstWhicheverDirectionIsBetter) {
-  const auto found = changes(
-      two_sets(),
-      {{Metric::kEffortRateRms, {}}, {Metric::kObstacleMinClearance, {}}, {Metric::kOrientationMax, {}}}, 1);
-  ASSERT_EQ(found.size(), 3U);
-  EXPECT_EQ(found[0].metric, Metric::kOrientationMax);
-  EXPECT_EQ(found[1].metric, Metric::kEffortRateRms) << "half as much again";
-  EXPECT_EQ(found[2].metric, Metric::kObstacleMinClearance) << "half the clearance is twice as bad";
-}
-
-TEST(Changes, TheWorstStepIsOfOneScenarioNotOfTheirMean) {
-  const auto worst =
-      worst_step(two_sets(), {Metric::kJointVelocityMaxRatio, Metric::kObstacleMinClearance}, 1);
-  ASSERT_TRUE(worst);
-  EXPECT_EQ(worst->metric, Metric::kObstacleMinClearance) << "half of it is worse than 0.6 to 0.88";
-  EXPECT_EQ(worst->scenario, "a");
-  EXPECT_EQ(worst->before, 0.2);
-  EXPECT_EQ(worst->after, 0.1);
-  EXPECT_EQ(worst_step(two_sets(), {Metric::kJointVelocityMaxRatio}, 1)->scenario, "b") << "a got better";
-  EXPECT_FALSE(worst_step(two_sets(), {Metric::kOrientationMax}, 1)) << "better in both";
-}
 
 TEST(Verdict, NamesTheJointClosestToItsLimitWithPlaceAndTime) {
   EXPECT_EQ(closest_joint(two_sets(), 1), "wrist comes closest to its velocity limit, 88 % at 6.01 s in b");

@@ -22,6 +22,9 @@ inline const std::string kShortConstraints =
     "  - {metric: joint_velocity/max_ratio, at_most: 0.9}\n"
     "  - {metric: joint_effort/max_ratio, at_most: 1}\n";
 inline const std::string kShortSearch = "search: {algorithm: COBYLA, max_evaluations: 12, seed: 1}\n";
+inline const std::string kShortNativeSearch =
+    "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 2]}]\n"
+    "search: {algorithm: COBYLA, max_evaluations: 24, seed: 1, engine: native, verify_share: 0.4}\n";
 
 /// Files of the study in a folder of their own: study.yaml, gains.yaml, short.yaml, short_realistic.yaml.
 class ShortStudy {

@@ -1,5 +1,5 @@
 // The part of the contract that data.ts states which plans alone have.
-import type { Group } from "./data";
+import type { Group } from "./run_data";
 
 /** A limit of one joint or axis that a plan keeps. Times from the plan's start, s. */
 export interface PlanLimit {

@@ -1,0 +1,133 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::ShortStudy;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class WarmStudyFile : public testing::Test {
+ protected:
+  /// Writes the study with this warm start and gives its path.
+  std::string with(const std::string& warm) const {
+    return files_.write("warm.yaml", test::read_text(files_.path()) + "warm_start:\n  " + warm + "\n");
+  }
+  std::string refusal(const std::string& warm) const {
+    const std::string path = with(warm);
+    const std::string message = test::refusal([&] { load_study(path); });
+    EXPECT_THAT(message, testing::StartsWith(path + ":"));
+    EXPECT_THAT(message, HasSubstr("key 'warm_start"));
+    return message;
+  }
+  /// A gains file, the study's own but for the two that are tuned.
+  void gains(const std::string& name, double rx, double slerp) const {
+    Gains gains = load_study(files_.path()).space.start;
+    gains.task_space_gains_p[3] = rx;
+    gains.slerpDurationErrorGain = slerp;
+    files_.write(name, gains_yaml(gains, {}));
+  }
+
+  ShortStudy files_;
+};
+
+TEST_F(WarmStudyFile, BeginsAtTheGainsOfAFileOrARunFolder) {
+  gains("other.yaml", 40.0, 3.0);
+  std::filesystem::create_directories(files_ / "run");
+  gains("run/gains.yaml", 40.0, 3.0);
+  for (const char* from : {"from: other.yaml", "from: run"}) {
+    const Study study = load_study(with(from));
+    ASSERT_TRUE(study.warm);
+    const WarmPoint point = warm_point(study.space, *study.warm);
+    const Gains there = study.space.gains_at(point.x);
+    EXPECT_NEAR(there.task_space_gains_p[3], 40.0, 1e-12);
+    EXPECT_NEAR(there.slerpDurationErrorGain, 3.0, 1e-12);
+    EXPECT_EQ(study.space.start.task_space_gains_p[3], 25.0) << "the start stays the start";
+    EXPECT_EQ(point.lower, (std::vector<double>{0.0, 0.0}));
+    EXPECT_EQ(point.upper, (std::vector<double>{1.0, 1.0}));
+    EXPECT_TRUE(point.clamped.empty());
+  }
+}
+
+TEST_F(WarmStudyFile, NamedParametersComeFromThereTheOthersFromTheStart) {
+  gains("other.yaml", 40.0, 3.0);
+  for (const char* name : {"task_space_gains_p/rx", "task_space_gains_p"}) {
+    const Study study = load_study(with(std::string("from: other.yaml\n  parameters: [") + name + "]"));
+    const Gains there = study.space.gains_at(warm_point(study.space, *study.warm).x);
+    EXPECT_NEAR(there.task_space_gains_p[3], 40.0, 1e-12);
+    EXPECT_EQ(there.slerpDurationErrorGain, study.space.start.slerpDurationErrorGain);
+  }
+}
+
+TEST_F(WarmStudyFile, ItsBoxIsAPartOfTheRangeAroundThePointAndEndsAtTheBounds) {
+  gains("other.yaml", 60.0, 2.5);  // the upper bound, and the middle
+  const Study study = load_study(with("from: other.yaml\n  box: 0.3"));
+  const WarmPoint point = warm_point(study.space, *study.warm);
+  EXPECT_EQ(point.upper[0], 1.0);
+  EXPECT_DOUBLE_EQ(point.lower[0], 0.85);
+  EXPECT_DOUBLE_EQ(point.lower[1], 0.35);
+  EXPECT_DOUBLE_EQ(point.upper[1], 0.65);
+}
+
+TEST_F(WarmStudyFile, GainsOutsideTheBoundsBeginAtTheNearerAndAreNamed) {
+  gains("other.yaml", 400.0, 0.5);
+  const Study study = load_study(with("from: other.yaml"));
+  const WarmPoint point = warm_point(study.space, *study.warm);
+  EXPECT_EQ(point.x, (std::vector<double>{1.0, 0.0}));
+  ASSERT_EQ(point.clamped.size(), 2U);
+  EXPECT_THAT(point.clamped[0],
+              AllOf(HasSubstr("other.yaml"), HasSubstr("task_space_gains_p/rx 400"), HasSubstr("10 .. 60")));
+}
+
+TEST_F(WarmStudyFile, ReadsBackFromItsResolvedFormWithTheGainsKeptBesideIt) {
+  gains("other.yaml", 40.0, 3.0);
+  const ShortStudy searched(
+      test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+      "search: {algorithm: SLSQP, global: ISRES, global_share: 0.3, starts: 3, differences: central,\n"
+      "         difference_step: 0.02}\n"
+      "warm_start: {from: other.yaml, parameters: [task_space_gains_p], box: 0.4, step: 0.07}\n");
+  searched.write("other.yaml", test::read_text(files_ / "other.yaml"));
+  const Study study = load_study(searched.path());
+  files_.write("kept.yaml", gains_yaml(study.warm->gains, {}));
+  const std::string text = study_yaml(study, "gains.yaml", "kept.yaml");
+  std::filesystem::remove(files_ / "other.yaml");
+  std::filesystem::remove(searched / "other.yaml");
+  const Study again = load_study(files_.write("resolved.yaml", text));
+  EXPECT_EQ(study_yaml(again, "gains.yaml", "kept.yaml"), text);
+  const WarmPoint a = warm_point(study.space, *study.warm);
+  const WarmPoint b = warm_point(again.space, *again.warm);
+  EXPECT_EQ(b.x, a.x);
+  EXPECT_EQ(b.lower, a.lower);
+  EXPECT_EQ(b.upper, a.upper);
+  EXPECT_EQ(again.warm->step, 0.07);
+  EXPECT_EQ(again.global_algorithm, "ISRES");
+  EXPECT_EQ(again.global_share, 0.3);
+  EXPECT_EQ(again.starts, 3U);
+  EXPECT_EQ(again.solver.differences, Differences::kCentral);
+  EXPECT_EQ(again.solver.difference_step, 0.02);
+  EXPECT_FALSE(load_study(files_.write("cold.yaml", study_yaml(study, "gains.yaml"))).warm);
+}
+
+TEST_F(WarmStudyFile, WhatCannotBeBegunAtIsRefused) {
+  gains("other.yaml", 40.0, 3.0);
+  EXPECT_THAT(refusal("from: nowhere.yaml"), HasSubstr("nowhere.yaml"));
+  EXPECT_THAT(refusal("box: 0.5"), HasSubstr("from"));
+  EXPECT_THAT(refusal("from: other.yaml\n  parameters: [adaptation_gain]"),
+              AllOf(HasSubstr(":"), HasSubstr("'adaptation_gain' is not tuned by this study")));
+  EXPECT_THAT(refusal("from: other.yaml\n  parameters: [task_space_gains_p/rxx]"),
+              HasSubstr("did you mean 'task_space_gains_p/rx'"));
+  EXPECT_THAT(refusal("from: other.yaml\n  parameters: []"), HasSubstr("empty"));
+  EXPECT_THAT(refusal("from: other.yaml\n  box: 0"), HasSubstr("above 0"));
+  EXPECT_THAT(refusal("from: other.yaml\n  box: 2"), HasSubstr("2"));
+  EXPECT_THAT(refusal("from: other.yaml\n  step: 0.9"), HasSubstr("0.9"));
+  EXPECT_THAT(refusal("from: other.yaml\n  boxes: 0.9"), HasSubstr("did you mean 'box'"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,19 @@
+#pragma once
+// The last steps on Simbody after a search in another engine, and what that leaves for them: evaluations,
+// and wall time.
+
+#include "tuner/study/study.hpp"
+
+namespace armtune {
+
+/// Initial step of the last search, from the best of another engine: of the box between the bounds.
+constexpr double kLastStep = 0.02;
+
+/// The study's verify_share, and at least what it takes to judge what was found.
+long kept_evaluations(const Study& study);
+
+/// Of the study's max_minutes [s]: verify_share of them, but no less than judging what was found takes, and
+/// no more than all kept_evaluations do. one: how long Simbody simulates one [s].
+double kept_seconds(const Study& study, double one);
+
+}  // namespace armtune

@@ -1,0 +1,26 @@
+#pragma once
+// What searches in lock step ask for as candidates to simulate, and what they are told of them.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tuner/journal/evaluator.hpp"
+#include "tuner/search/together.hpp"
+
+namespace armtune {
+
+/// Points asked for that are not known, each once, in the order of the requests; those for differences are of
+/// phase "gradient". known: whether a point was simulated before. allowed: asked before each candidate,
+/// whether its search may have one more; where not, the rest of that request is left out.
+std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
+                                     const std::function<bool(const std::vector<double>& x)>& known,
+                                     const std::function<bool(std::size_t search)>& allowed);
+
+/// Hands each request the values of its points up to the first that has none. value: of a point, as a search
+/// is to see it; none if it was not simulated.
+void answer(
+    std::vector<Request>& requests, bool go_on,
+    const std::function<std::optional<SolverValue>(std::size_t search, const std::vector<double>& x)>& value);
+
+}  // namespace armtune

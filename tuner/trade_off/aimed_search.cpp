@@ -1,0 +1,120 @@
+#include "tuner/trade_off/aimed_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/common/error.hpp"
+#include "tuner/search/requests.hpp"
+
+namespace armtune {
+
+AimedSearch::AimedSearch(const Study& study, const ParetoOptions& options, Workers& workers,
+                         const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal)
+    : study_(study),
+      options_(options),
+      callbacks_(callbacks),
+      evaluator_(study, workers, stop, journal),
+      box_(study.warm ? warm_point(study.space, *study.warm) : WarmPoint{}) {}
+
+bool AimedSearch::evaluate(const std::vector<Candidate>& candidates) {
+  const Engine engine = objective_ ? study_.engine : Engine::kSimbody;  // the start's figures are reported
+  out_.interrupted =
+      !evaluator_.next(candidates, {engine, end_limits(objective_)},
+                       [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
+  return !out_.interrupted;
+}
+
+void AimedSearch::take_in(const char* phase, Evaluation e) {
+  ParetoPoint point;
+  point.evaluation = out_.evaluations++;
+  point.e = std::move(e);
+  const bool first = !objective_;
+  if (first)
+    objective_.emplace(study_.terms, study_.constraints, study_.scenarios, point.e.results, study_.source);
+  objective_->judge(point.e);
+  for (const Criterion& criterion : options_.criteria) {
+    point.costs.push_back(cost(criterion, point.e, study_.scenarios));
+  }
+  if (first) {
+    check_reference(point.costs);
+    if (callbacks_.begin) callbacks_.begin(*objective_);
+  }
+  known_[point.e.x] = {{point.e.objective, point.e.relative}, point.costs};
+  if (callbacks_.evaluated) callbacks_.evaluated(phase, point.e);
+  if (out_.evaluations == 1) out_.start = point;
+  archive_.add(std::move(point));
+  if (callbacks_.progress) {
+    callbacks_.progress({shown_, out_.evaluations, options_.max_evaluations, archive_.points().size()});
+  }
+}
+
+bool AimedSearch::start() {
+  shown_ = "start";
+  if (!evaluate({{"start", study_.space.start_point()}})) return false;
+  if (!study_.warm || known_.contains(box_.x) || out_.evaluations >= options_.max_evaluations) return true;
+  return evaluate({{"warm", box_.x}});
+}
+
+void AimedSearch::check_reference(const Costs& start) const {
+  for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
+    if (std::isfinite(start[k]) && start[k] != 0.0) continue;
+    throw InputError(fmt::format(
+        "{}: {} of the start gains is {}, which gives the front no reference; name another criterion",
+        study_.source, options_.criteria[k].name(), start[k]));
+  }
+}
+
+/// What an aim's search is told of a point.
+SolverValue AimedSearch::seen_from(const Aim& aim, const Known& known) const {
+  const Costs& reference = out_.start.costs;
+  // A criterion that a rollout did not give counts as twice the start's: the study's own constraints say why.
+  const auto relative = [&](std::size_t c) {
+    const double cost = known.costs[c];
+    return (std::isnan(cost) ? reference[c] + std::abs(reference[c]) : cost) / std::abs(reference[c]);
+  };
+  SolverValue value = {relative(aim.k), known.value.constraints};
+  for (std::size_t c = 0; c < aim.levels.size(); ++c) {
+    const bool held = std::isfinite(aim.levels[c]);
+    value.constraints.push_back(held ? relative(c) - aim.levels[c] / std::abs(reference[c]) : -1.0);
+  }
+  return value;
+}
+
+/// left: what each aim's budget still allows; a point that two ask for counts for the first.
+void AimedSearch::serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,
+                        std::vector<Request>& requests) {
+  const bool in_time = evaluator_.time_left();
+  const auto candidates = candidates_of(
+      requests, phase, [this](const std::vector<double>& x) { return known_.contains(x); },
+      [&](std::size_t search) { return in_time && left[search] > 0 && left[search]-- > 0; });
+  if (!candidates.empty()) evaluate(candidates);
+  answer(requests, !out_.interrupted, [&](std::size_t search, const std::vector<double>& x) {
+    const auto known = known_.find(x);
+    return known == known_.end() ? std::nullopt : std::optional(seen_from(aims[search], known->second));
+  });
+}
+
+void AimedSearch::minimise(const char* phase, const std::string& shown, const std::vector<Aim>& aims) {
+  if (out_.interrupted) return;
+  shown_ = shown;
+  std::vector<JoinedSearch> searches;
+  std::vector<long> left;
+  for (const Aim& aim : aims) {
+    JoinedSearch& search = searches.emplace_back();
+    search.problem.start = aim.x;
+    search.problem.lower = box_.lower;
+    search.problem.upper = box_.upper;
+    for (std::size_t i = 0; i < box_.x.size(); ++i) {
+      search.problem.start[i] = std::clamp(aim.x[i], box_.lower[i], box_.upper[i]);
+    }
+    search.problem.constraint_count = objective_->constraint_count() + aim.levels.size();
+    search.options = aim.solver;
+    left.push_back(aim.budget);
+  }
+  minimize_together(searches, [&](std::vector<Request>& requests) { serve(phase, aims, left, requests); });
+}
+
+}  // namespace armtune
