@@ -105,7 +105,11 @@ report::Scene scene_of_plan(const PlanTask& task) {
 [[nodiscard]] int infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
   fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
   show_limits(binding_limits(planned), "in the way:");
-  fmt::print("Give it more time, wider limits or tolerances, or another start; no trajectory was written.\n");
+  fmt::print(
+      "Give it more time, wider limits or tolerances, another start, or, where little is missing, more than "
+      "{} "
+      "knots; no trajectory was written.\n",
+      planned.trajectory.time.size());
   return kNoFeasiblePoint;
 }
 

@@ -10,8 +10,7 @@ constexpr int kCoarsest = 24;  // intervals of the longest phase
 constexpr int kFactor = 3;     // from one grid to the next
 // Multipliers near the edge of what is feasible grow without bound beside the objective, and a violation is
 // dear only so far: before a task is called infeasible the objective must weigh next to nothing.
-constexpr double kWeights[] = {1.0, 1e-3, 1e-6};
-constexpr double kHopeless = 0.1;  // violation on a coarse grid that no finer one undoes
+constexpr double kWeights[] = {1.0, 1e-6};
 
 /// Every phase with its part of `longest` intervals, at least 4 and never more than wanted.
 TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
@@ -97,7 +96,6 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
     planned.trajectory = program->trajectory(planned.result.z);
     planned.program = program;
     if (planned.result.status == PlanStatus::kInterrupted) break;
-    if (planned.result.status == PlanStatus::kInfeasible && planned.result.last.violation > kHopeless) break;
   }
   return planned;
 }

@@ -15,15 +15,15 @@ using TaskOnGrid = std::function<TrajectoryTask(const TimeGrid&)>;
 struct PlannedTrajectory {
   Trajectory trajectory;
   SequentialQuadraticResult result;
-  std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid, unless infeasible
+  std::shared_ptr<TrajectoryProgram> program;  ///< on the fine grid, unless interrupted
   double weight = 1.0;                         ///< what the program's objective is multiplied with
   int interior_iterations = 0;                 ///< on all grids
 
   double objective() const { return result.last.objective / weight; }
 };
 
-/// Solves on `grid` from the guess on. kInfeasible: not even with an objective that weighs a millionth; the
-/// program is then that of the grid on which this was found, perhaps a coarse one.
+/// Solves on `grid` from the guess on. kInfeasible: on this grid not even with an objective that weighs a
+/// millionth. That a coarse one has no solution says nothing.
 PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer);
 

@@ -43,6 +43,7 @@ void write_run(Json& json, const Run& run) {
   json.integer("set", static_cast<long>(run.set));
   json.text("status", run.status);
   json.text("reason", run.reason);
+  json.number("start", run.start);
   json.number("end", run.end);
   array(json, "states", run.states, [](Json& out, const StateChange& change) {
     out.begin_object();

@@ -67,6 +67,27 @@ TEST(PlanVariants, WhatTheLeastTimeIsEnoughForIsFeasibleAndNothingShorter) {
   }
 }
 
+TEST(PlanVariants, ACoarseGridsWantOfKnotsIsNoVerdict) {
+  // One joint under an acceleration limit a, which changes in straight lines from knot to knot: from rest to
+  // rest over N intervals takes 2 sqrt(way / a / (1 - 2 / N)) at least.
+  PlanTask task = load_plan_task("ur10_move");
+  task.limits.acceleration = JointVector::Constant(6, 0.3);
+  task.start.position = task.scenario.start_position;
+  task.start.position[0] = -6.0;
+  task.start.velocity = task.start.acceleration = JointVector::Zero(6);
+  task.goal = task.start.position;
+  task.goal[0] = 6.0;
+  for (const int knots : {200, 640}) {
+    const double least = 2.0 * std::sqrt(12.0 / 0.3 / (1.0 - 2.0 / knots));
+    task.knots = knots;
+    task.duration = 1.001 * least;
+    EXPECT_EQ(solved(plan_problem(task)).result.status, PlanStatus::kSolved) << knots;
+  }
+  task.knots = 200;
+  task.duration = 0.999 * 2.0 * std::sqrt(12.0 / 0.3 / (1.0 - 2.0 / task.knots));
+  EXPECT_EQ(solved(plan_problem(task)).result.status, PlanStatus::kInfeasible);
+}
+
 TEST(PlanVariants, WhatIsFarFromFeasibleIsCalledSoBeforeTheStepsRunOut) {
   PlanTask task = load_plan_task("ur10_fastest_circle");
   task.duration = 0.2;

@@ -133,7 +133,7 @@ TEST(RunReport, LeavesOutWhatTheFolderDoesNotHold) {
   const TemporaryFolder folder;
   write_run(folder, {"only"}, {{"gains", ".", "errors.csv"}}, 1);
   std::filesystem::remove(folder / "scene.json");
-  const ReportData data = report_of(folder.path());
+  ReportData data = report_of(folder.path());
   EXPECT_EQ(data.kind, RunKind::kSimulate);
   ASSERT_EQ(data.scenarios.size(), 1U);
   ASSERT_EQ(data.scenarios[0].runs.size(), 1U);
@@ -143,7 +143,9 @@ TEST(RunReport, LeavesOutWhatTheFolderDoesNotHold) {
   EXPECT_EQ(data.scenarios[0].arm, -1);
   EXPECT_FALSE(data.evaluations || data.front || data.robustness);
   EXPECT_THAT(data.verdict.details, testing::Contains(HasSubstr("scene.json")));
+  data.scenarios[0].runs[0].start = 8.25;
   const auto json = parsed(report_json(data));
+  EXPECT_EQ(at(json, "scenarios/0/runs/0/start").as_number(), 8.25);
   for (const char* part : {"evaluations", "gains", "sensitivity", "margins", "front", "robustness"}) {
     EXPECT_EQ(json.find(part), nullptr) << part;
   }

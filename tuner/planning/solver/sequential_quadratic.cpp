@@ -20,8 +20,8 @@ constexpr int kHalvings = 4;                     // of a step before its damping
 constexpr double kPriceFactor = 100.0;
 constexpr double kHighestPrice = 100.0;
 constexpr double kLessViolation = 0.9;  // of the least mean so far,
-constexpr int kPatience = 25;           // within so many steps, or the price is too low
-constexpr double kLargestDamping = 1e10;
+constexpr int kPatience = 15;           // within so many steps, or the price is too low
+constexpr double kLargestDamping = 1e6;
 constexpr double kSmallestDamping = 3e-7;  // steps along which nothing changes stay short
 constexpr double kCorrectable = 0.01;      // violation after a step that a correction can make up for,
 constexpr int kCorrectionSteps = 25;       // and the steps that is worth
@@ -77,11 +77,7 @@ class Solver {
           result.status = PlanStatus::kInfeasible;
           break;
         }
-        price_ *= kPriceFactor;
-        error_ = INFINITY;
-        least_ = {now.iteration, INFINITY};
-        quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
-        filter_.clear();
+        raise_price();
         mu = 1.0;
       }
       // Subproblems of long trajectories take their time: the observer hears of each of their steps.
@@ -91,11 +87,19 @@ class Solver {
           result.status = PlanStatus::kInterrupted;
           break;
         }
+        if (now.iteration < options_.max_iterations && price_ < kHighestPrice && at_penalty(y)) {
+          raise_price();  // no further at this one
+          now.damping = options_.damping;
+          mu = 1.0;
+          continue;
+        }
         // No further, and what is violated pulls with the highest price: infeasible, if not to the last
         // digit.
-        if (price_ >= kHighestPrice && at_penalty(y)) result.status = PlanStatus::kInfeasible;
+        if (price_ >= kHighestPrice && (at_penalty(y) || price_untried_))
+          result.status = PlanStatus::kInfeasible;
         break;
       }
+      price_untried_ = false;
     }
     result.z = std::move(z);
     result.multipliers = std::move(y);
@@ -128,6 +132,15 @@ class Solver {
     for (Index i = 0; i < row_.size(); ++i) sum += violation(program_.bounds, i, row_[i]);
     if (sum < kLessViolation * least_.sum) least_ = {iteration, sum};
     return iteration - least_.iteration >= kPatience;
+  }
+
+  void raise_price() {
+    price_ *= kPriceFactor;
+    error_ = INFINITY;
+    least_ = {};
+    price_untried_ = true;
+    quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
+    filter_.clear();
   }
 
   /// Whether a violated row pulls with all it may.
@@ -289,8 +302,9 @@ class Solver {
   struct {
     int iteration = 0;
     double sum = INFINITY;
-  } least_;               ///< violation at this price
-  bool stopped_ = false;  ///< by the observer
+  } least_;                     ///< violation at this price
+  bool price_untried_ = false;  ///< since it was raised no step has been found
+  bool stopped_ = false;        ///< by the observer
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };
 
