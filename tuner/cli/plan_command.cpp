@@ -106,9 +106,8 @@ report::Scene scene_of_plan(const PlanTask& task) {
   fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
   show_limits(binding_limits(planned), "in the way:");
   fmt::print(
-      "Give it more time, wider limits or tolerances, another start, or, where little is missing, more than "
-      "{} "
-      "knots; no trajectory was written.\n",
+      "Give it more time, wider limits or tolerances, another start, or, where little is missing, more\n"
+      "than {} knots; no trajectory was written.\n",
       planned.trajectory.time.size());
   return kNoFeasiblePoint;
 }

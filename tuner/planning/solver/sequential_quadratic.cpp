@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tuner/planning/solver/step_filter.hpp"
+#include "tuner/planning/solver/violation_price.hpp"
 
 namespace armtune {
 namespace {
@@ -17,20 +18,11 @@ constexpr double kSubproblemFirst = 3.0;  // and at the beginning
 constexpr double kStartComplementarity = 100.0;  // x the last change: sum of the pairs to start from,
 constexpr double kLeastMu = 1e-10;               // and the least mean
 constexpr int kHalvings = 4;                     // of a step before its damping grows instead
-constexpr double kPriceFactor = 100.0;
-constexpr double kHighestPrice = 100.0;
-constexpr double kLessViolation = 0.9;  // of the least mean so far,
-constexpr int kPatience = 15;           // within so many steps, or the price is too low
 constexpr double kLargestDamping = 1e6;
 constexpr double kSmallestDamping = 3e-7;  // steps along which nothing changes stay short
 constexpr double kCorrectable = 0.01;      // violation after a step that a correction can make up for,
 constexpr int kCorrectionSteps = 25;       // and the steps that is worth
 constexpr double kTighter = 1e-2;
-
-double violation(const RowBounds& bounds, Index i, double value) {
-  if (std::isnan(value)) return INFINITY;
-  return std::max({0.0, bounds.lower[i] - value, value - bounds.upper[i]});
-}
 
 class Solver {
  public:
@@ -50,15 +42,11 @@ class Solver {
     auto& now = result.last;
     const bool warm = y.size() == program_.rows.rows();
     if (!warm) y.setZero(program_.rows.rows());
-    // No violation is worth it at a price above the multipliers.
-    for (Index i = 0; i < y.size(); ++i) {
-      if (!std::isfinite(program_.bounds.penalty[i])) continue;
-      dearest_ = std::max(dearest_, program_.bounds.penalty[i]);
-      price_ = std::max(price_, 2.0 * std::abs(y[i]) / program_.bounds.penalty[i]);
-    }
-    quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
+    ViolationPrice price(program_.bounds, options_.violation, y);
+    charge(price);
     now.damping = options_.damping;
     double mu = warm ? 1e-4 : 1.0;
+    bool untried = false;  // since the price was raised no step has been found
     program_.linearize(z, residual_, row_);
     for (;; ++now.iteration) {
       measure(z, y, now);
@@ -71,35 +59,41 @@ class Solver {
       const double rounding = std::max(1.0, 0.1 * y.lpNorm<Eigen::Infinity>());
       const bool settled = now.stationarity <= rounding * options_.stationarity &&
                            now.complementarity <= rounding * options_.complementarity;
-      if ((settled || no_less_violated(now.iteration)) && at_penalty(y)) {
+      const bool stuck = price.no_less_violated(now.iteration, row_);
+      if ((settled || stuck) && price.paid(row_, y)) {
         // What is violated stays violated at this price. A higher one, then it is settled.
-        if (price_ >= kHighestPrice) {
+        if (price.highest()) {
           result.status = PlanStatus::kInfeasible;
           break;
         }
-        raise_price();
+        price.raise();
+        charge(price);
+        untried = true;
         mu = 1.0;
       }
       // Subproblems of long trajectories take their time: the observer hears of each of their steps.
       const auto go_on = [&] { return !(stopped_ = observer && !observer(now)); };
-      if (now.iteration == options_.max_iterations || !advance(z, y, mu, now, go_on)) {
+      const bool last = now.iteration == options_.max_iterations;
+      if (last || !advance(z, y, mu, now, go_on)) {
         if (stopped_) {
           result.status = PlanStatus::kInterrupted;
           break;
         }
-        if (now.iteration < options_.max_iterations && price_ < kHighestPrice && at_penalty(y)) {
-          raise_price();  // no further at this one
+        const bool paid = price.paid(row_, y);
+        if (!last && paid && !price.highest()) {  // no further at this one
+          price.raise();
+          charge(price);
+          untried = true;
           now.damping = options_.damping;
           mu = 1.0;
           continue;
         }
-        // No further, and what is violated pulls with the highest price: infeasible, if not to the last
-        // digit.
-        if (price_ >= kHighestPrice && (at_penalty(y) || price_untried_))
-          result.status = PlanStatus::kInfeasible;
+        // No further, and what is violated pulls with the highest price, or does not move at it: infeasible,
+        // if not to the last digit.
+        if (price.highest() && (paid || (untried && !last))) result.status = PlanStatus::kInfeasible;
         break;
       }
-      price_untried_ = false;
+      untried = false;
     }
     result.z = std::move(z);
     result.multipliers = std::move(y);
@@ -126,31 +120,12 @@ class Solver {
     }
   }
 
-  /// Whether the last steps made nothing of the violation.
-  bool no_less_violated(int iteration) {
-    double sum = 0.0;
-    for (Index i = 0; i < row_.size(); ++i) sum += violation(program_.bounds, i, row_[i]);
-    if (sum < kLessViolation * least_.sum) least_ = {iteration, sum};
-    return iteration - least_.iteration >= kPatience;
-  }
-
-  void raise_price() {
-    price_ *= kPriceFactor;
+  /// Subproblems and steps are to go by this price.
+  void charge(const ViolationPrice& price) {
     error_ = INFINITY;
-    least_ = {};
-    price_untried_ = true;
-    quadratic_.bounds.penalty = price_ * program_.bounds.penalty;
+    quadratic_.bounds.penalty = price.penalties();
+    dearest_ = price.dearest();
     filter_.clear();
-  }
-
-  /// Whether a violated row pulls with all it may.
-  bool at_penalty(const VectorXd& y) const {
-    for (Index i = 0; i < row_.size(); ++i) {
-      if (violation(program_.bounds, i, row_[i]) > options_.violation &&
-          std::abs(y[i]) > 0.99 * quadratic_.bounds.penalty[i])
-        return true;
-    }
-    return false;
   }
 
   /// Objective and mean violation: what a step is judged by.
@@ -201,7 +176,7 @@ class Solver {
         const Judged model = modelled(z, p);
         if (now.iteration == 0) filter_.allow(std::max(0.3, 2.0 * before.largest));
         filter_.allow(2.0 * model.largest);  // at this price no less will do
-        const double price = price_ * dearest_ / program_.metric[0];
+        const double price = dearest_ / program_.metric[0];
         const auto acceptable = [&](const Judged& after, double part) {
           return filter_.accepts(before, model, after, part, price);
         };
@@ -296,15 +271,9 @@ class Solver {
   InteriorPoint interior_;
   QuadraticProgram quadratic_;
   StepFilter filter_;
-  double dearest_ = 0.0;     ///< penalty of any elastic row
-  double price_ = 1.0;       ///< of violations, times their penalty
+  double dearest_ = 0.0;     ///< of any elastic row's violation
   double error_ = INFINITY;  ///< the least so far
-  struct {
-    int iteration = 0;
-    double sum = INFINITY;
-  } least_;                     ///< violation at this price
-  bool price_untried_ = false;  ///< since it was raised no step has been found
-  bool stopped_ = false;        ///< by the observer
+  bool stopped_ = false;     ///< by the observer
   VectorXd residual_, row_, gradient_, change_r_, change_c_, trial_r_, trial_c_;
 };
 
