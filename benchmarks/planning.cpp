@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace {
@@ -22,7 +22,7 @@ struct Timing {
 double seconds_of(const armtune::PlanTask& task, armtune::PlannedTrajectory& planned) {
   const auto began = std::chrono::steady_clock::now();
   const armtune::PlanProblem problem = armtune::plan_problem(task);
-  planned = armtune::solve_refining(problem.task, problem.grid, problem.guess, {}, {});
+  planned = armtune::solve_plan(problem);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 

@@ -20,6 +20,7 @@
 #include "tuner/planning/output/ros_trajectory.hpp"
 #include "tuner/planning/output/scenario_file.hpp"
 #include "tuner/planning/output/worst_violation.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -103,11 +104,18 @@ report::Scene scene_of_plan(const PlanTask& task) {
 }
 
 [[nodiscard]] int infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
+  if (planned.too_short) {
+    fmt::print("{}: infeasible: it takes {:.6g} s at least within the limits, and was given {:.6g} s\n",
+               task.name, planned.trajectory.durations.front(), *task.duration);
+    show_limits(binding_limits(planned), "the least time is held back by:");
+    fmt::print("Give it more time, or wider limits or tolerances; no trajectory was written.\n");
+    return kNoFeasiblePoint;
+  }
   fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
   show_limits(binding_limits(planned), "in the way:");
   fmt::print(
-      "Give it more time, wider limits or tolerances, another start, or, where little is missing, more\n"
-      "than {} knots; no trajectory was written.\n",
+      "Give it wider limits or tolerances, another start, or, where little is missing, more than {} knots;\n"
+      "no trajectory was written.\n",
       planned.trajectory.time.size());
   return kNoFeasiblePoint;
 }
@@ -122,13 +130,12 @@ int run(const Arguments& args) {
   ProgressLine line;
   line.show("first guess by inverse kinematics");
   const PlanProblem problem = plan_problem(task);
-  const PlannedTrajectory planned = solve_refining(
-      problem.task, problem.grid, problem.guess, {}, [&](const SequentialQuadraticProgress& at) {
-        line.show(fmt::format("{} knots, step {}: objective {:.6g}, violation {:.1e}, KKT residual {:.1e}",
-                              at.knots, at.iteration, at.objective, at.violation,
-                              std::max(at.stationarity, at.complementarity)));
-        return !stop_requested();
-      });
+  const PlannedTrajectory planned = solve_plan(problem, {}, [&](const SequentialQuadraticProgress& at) {
+    line.show(fmt::format("{} knots, step {}: objective {:.6g}, violation {:.1e}, KKT residual {:.1e}",
+                          at.knots, at.iteration, at.objective, at.violation,
+                          std::max(at.stationarity, at.complementarity)));
+    return !stop_requested();
+  });
   line.clear();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   const SequentialQuadraticProgress& last = planned.result.last;

@@ -11,6 +11,16 @@ constexpr int kFactor = 3;     // from one grid to the next
 // Multipliers near the edge of what is feasible grow without bound beside the objective, and a violation is
 // dear only so far: before a task is called infeasible the objective must weigh next to nothing.
 constexpr double kWeights[] = {1.0, 1e-6};
+constexpr double kWorthOfGuess = 5e-3;  // objective of a guess beside the limits, weighed,
+constexpr double kWorthOfPlan = 0.02;   // and of what is found from there
+
+/// Intervals of the longest phase on each grid, the finest first.
+std::vector<int> sizes_of(const TimeGrid& grid) {
+  std::vector<int> sizes{0};
+  for (const Phase& phase : grid.phases) sizes.front() = std::max(sizes.front(), phase.intervals);
+  while (sizes.back() > kFactor * kCoarsest) sizes.push_back(sizes.back() / kFactor);
+  return sizes;
+}
 
 /// Every phase with its part of `longest` intervals, at least 4 and never more than wanted.
 TimeGrid coarser(const TimeGrid& grid, int longest, int wanted) {
@@ -65,11 +75,8 @@ PlanObserver with_knots(const TimeGrid& grid, const PlanObserver& observer) {
 
 PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                          const SequentialQuadraticOptions& options, const PlanObserver& observer) {
-  int wanted = 0;
-  for (const Phase& phase : grid.phases) wanted = std::max(wanted, phase.intervals);
-  std::vector<int> sizes{wanted};
-  while (sizes.back() > kFactor * kCoarsest) sizes.push_back(sizes.back() / kFactor);
-
+  const std::vector<int> sizes = sizes_of(grid);
+  const int wanted = sizes.front();
   PlannedTrajectory planned;
   planned.trajectory = guess;
   Eigen::VectorXd y;
@@ -89,9 +96,11 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
       y = program->multipliers_from(*planned.program, planned.result.multipliers);
       here.damping = planned.result.last.damping;
     }
-    const Trajectory& from = solved ? planned.trajectory : guess;
-    planned.result =
-        solve(*program, program->unknowns(on_grid(from, level)), y, here, with_knots(level, observer));
+    Trajectory from = on_grid(solved ? planned.trajectory : guess, level);
+    // The dynamics are kept at any price: a guess that breaks them would have to move far, however short its
+    // steps are to be.
+    make_continuous(from);
+    planned.result = solve(*program, program->unknowns(from), y, here, with_knots(level, observer));
     planned.interior_iterations += planned.result.last.interior_iterations;
     planned.trajectory = program->trajectory(planned.result.z);
     planned.program = program;
@@ -101,6 +110,11 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
 }
 
 }  // namespace
+
+TimeGrid coarsest(const TimeGrid& grid) {
+  const std::vector<int> sizes = sizes_of(grid);
+  return coarser(grid, sizes.back(), sizes.front());
+}
 
 PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer) {
@@ -129,6 +143,36 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
     if (planned.result.status == PlanStatus::kSolved || planned.result.status == PlanStatus::kInterrupted)
       break;
   }
+  planned.interior_iterations = steps;
+  return planned;
+}
+
+PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
+                               const SequentialQuadraticOptions& options, const PlanObserver& observer) {
+  PlannedTrajectory planned;
+  Trajectory from = guess;
+  make_continuous(from);
+  planned.program = std::make_shared<TrajectoryProgram>(task(grid));
+  planned.result.z = planned.program->unknowns(from);
+  double objective = planned.program->objective(planned.result.z);
+  int steps = 0;
+  // The guess may be far from smooth: once more by what the objective is found to be.
+  for (const double worth : {kWorthOfGuess, kWorthOfPlan}) {
+    PlannedTrajectory now;
+    now.weight = std::min(1.0, worth / objective);
+    now.program = std::make_shared<TrajectoryProgram>(weighted(task, now.weight)(grid));
+    const Eigen::VectorXd multipliers = planned.result.multipliers * (now.weight / planned.weight);
+    now.result = solve(*now.program, planned.result.z, multipliers, options, with_knots(grid, observer));
+    steps += now.result.last.interior_iterations;
+    // Coming to no end says nothing against what was found before.
+    const bool first = planned.result.multipliers.size() == 0;
+    if (!first && now.result.status != PlanStatus::kSolved && now.result.status != PlanStatus::kInterrupted)
+      break;
+    planned = std::move(now);
+    if (planned.result.status != PlanStatus::kSolved) break;
+    objective = planned.objective();
+  }
+  planned.trajectory = planned.program->trajectory(planned.result.z);
   planned.interior_iterations = steps;
   return planned;
 }

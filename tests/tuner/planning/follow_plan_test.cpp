@@ -9,7 +9,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/scenario_file.hpp"
-#include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune {
 namespace {
@@ -27,7 +27,7 @@ struct Followed {
 Followed follow(const PlanTask& task, const test::TemporaryFolder& folder,
                 const std::string& gains = "published") {
   const PlanProblem problem = plan_problem(task);
-  const PlannedTrajectory planned = solve_refining(problem.task, problem.grid, problem.guess, {}, {});
+  const PlannedTrajectory planned = solve_plan(problem);
   EXPECT_EQ(planned.result.status, PlanStatus::kSolved) << task.name;
   write_text_file(folder / "trajectory.csv", trajectory_csv(task, problem, planned.trajectory));
   const std::string file = folder / planned_scenario_name(task);

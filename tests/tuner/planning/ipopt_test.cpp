@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune {
 namespace {
@@ -136,7 +136,7 @@ void expect_same_optimum(PlanTask task, From from = From::kTheSameGuess) {
   task.knots = 36;
   task.smoothness = 1e-6;
   const PlanProblem problem = plan_problem(task);
-  const PlannedTrajectory ours = solve_refining(problem.task, problem.grid, problem.guess, {}, {});
+  const PlannedTrajectory ours = solve_plan(problem);
   ASSERT_EQ(ours.result.status, PlanStatus::kSolved) << task.name;
 
   TrajectoryProgram program(problem.task(problem.grid));

@@ -14,7 +14,7 @@
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/planning/tasks/controller_motion.hpp"
-#include "tuner/planning/tasks/plan_problem.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune {
 namespace {
@@ -22,6 +22,11 @@ namespace {
 using testing::HasSubstr;
 
 PlannedTrajectory solved(const PlanProblem& problem, const PlanObserver& observer = {}) {
+  return solve_plan(problem, {}, observer);
+}
+
+/// Of a given duration, without a plan of the least time first.
+PlannedTrajectory from_afar(const PlanProblem& problem, const PlanObserver& observer = {}) {
   return solve_refining(problem.task, problem.grid, problem.guess, {}, observer);
 }
 
@@ -60,9 +65,13 @@ TEST(PlanVariants, WhatTheLeastTimeIsEnoughForIsFeasibleAndNothingShorter) {
       EXPECT_LT(planned.objective(), least_effort) << factor;
       least_effort = planned.objective();
     }
-    // What cannot be is asked of the goal; the start is as it is.
+    EXPECT_EQ(planned.too_short, factor < 1.0);
     if (factor < 1.0) {
-      EXPECT_THAT(sentence(worst_violation(planned)), HasSubstr("goal of"));
+      EXPECT_NEAR(planned.trajectory.durations.front(), least, 1e-6 * least);
+      // What cannot be is asked of the goal; the start is as it is.
+      const PlannedTrajectory missed = from_afar(plan_problem(task));
+      EXPECT_EQ(missed.result.status, PlanStatus::kInfeasible);
+      EXPECT_THAT(sentence(worst_violation(missed)), HasSubstr("goal of"));
     }
   }
 }
@@ -82,10 +91,12 @@ TEST(PlanVariants, ACoarseGridsWantOfKnotsIsNoVerdict) {
     task.knots = knots;
     task.duration = 1.001 * least;
     EXPECT_EQ(solved(plan_problem(task)).result.status, PlanStatus::kSolved) << knots;
+    EXPECT_EQ(from_afar(plan_problem(task)).result.status, PlanStatus::kSolved) << knots;
   }
   task.knots = 200;
   task.duration = 0.999 * 2.0 * std::sqrt(12.0 / 0.3 / (1.0 - 2.0 / task.knots));
   EXPECT_EQ(solved(plan_problem(task)).result.status, PlanStatus::kInfeasible);
+  EXPECT_EQ(from_afar(plan_problem(task)).result.status, PlanStatus::kInfeasible);
 }
 
 TEST(PlanVariants, WhatIsFarFromFeasibleIsCalledSoBeforeTheStepsRunOut) {
@@ -94,7 +105,7 @@ TEST(PlanVariants, WhatIsFarFromFeasibleIsCalledSoBeforeTheStepsRunOut) {
   task.knots = 30;
   int last = 0;
   const PlannedTrajectory planned =
-      solved(plan_problem(task), [&last](const SequentialQuadraticProgress& at) {
+      from_afar(plan_problem(task), [&last](const SequentialQuadraticProgress& at) {
         last = std::max(last, at.iteration);
         return true;
       });
@@ -199,7 +210,7 @@ TEST(PlanVariants, StopsBetweenTheStepsOfASubproblem) {
 TEST(PlanVariants, WhatFallsShortIsSaidInItsUnit) {
   PlanTask task = load_plan_task("ur10_move");
   task.duration = 0.4;
-  const PlannedTrajectory planned = solved(plan_problem(task));
+  const PlannedTrajectory planned = from_afar(plan_problem(task));
   ASSERT_EQ(planned.result.status, PlanStatus::kInfeasible);
   const WorstViolation worst = worst_violation(planned);
   EXPECT_THAT(

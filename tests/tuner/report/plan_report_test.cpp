@@ -12,6 +12,7 @@
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/report/run_report.hpp"
 
 namespace armtune::report {
@@ -31,7 +32,7 @@ struct Folder {
   Folder(const std::string& name, int knots) : task(load_plan_task(name)) {
     task.knots = knots;
     problem = plan_problem(task);
-    planned = solve_refining(problem.task, problem.grid, problem.guess, {}, {});
+    planned = solve_plan(problem);
     const auto uses = limit_uses(task, problem, planned);
     files.write("motion.csv", motion_csv(task, problem, planned.trajectory, 401));
     files.write("limits.csv", limits_csv(uses));

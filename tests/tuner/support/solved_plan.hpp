@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tuner/planning/output/limit_use.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune::test {
 
@@ -19,7 +20,7 @@ struct Solved {
   Solved(PlanTask given, int knots) : task(std::move(given)) {
     task.knots = knots;
     problem = plan_problem(task);
-    planned = solve_refining(problem.task, problem.grid, problem.guess, {}, {});
+    planned = solve_plan(problem);
     EXPECT_EQ(planned.result.status, PlanStatus::kSolved) << task.name;
     uses = limit_uses(task, problem, planned);
   }

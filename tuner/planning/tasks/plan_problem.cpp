@@ -278,6 +278,11 @@ PlanProblem plan_problem(const PlanTask& task) {
   const bool has_path_coordinate = task.kind == PlanKind::kFastest;
   if (common.controller && task.kind != PlanKind::kMove && !has_path_coordinate)
     problem.guess = controllers(common.controller->motion, problem.grid);
+  if (task.duration && task.kind != PlanKind::kTrack && !task.least_error) {
+    PlanTask free = task;
+    free.duration.reset();
+    problem.free_duration = std::make_shared<PlanProblem>(plan_problem(free));
+  }
   return problem;
 }
 

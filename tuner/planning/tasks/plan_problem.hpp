@@ -17,6 +17,8 @@ struct PlanProblem {
   MovingPoint gaze_target;  ///< what the plan looks at
   /// The target that the plan looks at is the active one until then [s]; what looks there later is of no use.
   double target_until = std::numeric_limits<double>::infinity();
+  /// The same with its duration free, where one is given that could be.
+  std::shared_ptr<const PlanProblem> free_duration;
 };
 
 /// Throws InputError if no pose of the arm is on the tool's path where the plan needs one, or a rollout does

@@ -45,4 +45,31 @@ Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid) {
   return fine;
 }
 
+void make_continuous(Trajectory& motion) {
+  const Eigen::Index last = motion.position.cols() - 1;
+  const Eigen::MatrixXd& q = motion.position;
+  Eigen::MatrixXd& a = motion.acceleration;
+  const auto h = [&](Eigen::Index k) {
+    return motion.time[static_cast<std::size_t>(k) + 1] - motion.time[static_cast<std::size_t>(k)];
+  };
+  const auto slope = [&](Eigen::Index k) -> Eigen::VectorXd { return (q.col(k + 1) - q.col(k)) / h(k); };
+  // h- a-/6 + (h- + h) a/3 + h a+/6 = slope - slope-: the velocity is continuous at every knot. Elimination
+  // from the first knot on (Thomas), the right-hand sides in a.
+  Eigen::VectorXd diagonal(last + 1);
+  diagonal[0] = h(0) / 3.0;
+  a.col(0) = slope(0) - motion.velocity.col(0);
+  for (Eigen::Index k = 1; k <= last; ++k) {
+    const double before = h(k - 1) / 6.0;
+    const double factor = before / diagonal[k - 1];
+    diagonal[k] = h(k - 1) / 3.0 + (k < last ? h(k) / 3.0 : 0.0) - factor * before;
+    a.col(k) = (k < last ? slope(k) : Eigen::VectorXd(motion.velocity.col(k))) - slope(k - 1) -
+               factor * a.col(k - 1);
+  }
+  a.col(last) /= diagonal[last];
+  for (Eigen::Index k = last - 1; k >= 0; --k)
+    a.col(k) = (a.col(k) - h(k) / 6.0 * a.col(k + 1)) / diagonal[k];
+  for (Eigen::Index k = 0; k < last; ++k)
+    motion.velocity.col(k + 1) = motion.velocity.col(k) + h(k) * (a.col(k) + a.col(k + 1)) / 2.0;
+}
+
 }  // namespace armtune

@@ -24,4 +24,8 @@ TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 /// trajectory's.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
+/// Gives the motion the velocities and accelerations of the cubic spline through its positions that begins
+/// and ends with the velocities it has (de Boor, A Practical Guide to Splines, chapter IV): at least 2 knots.
+void make_continuous(Trajectory& motion);
+
 }  // namespace armtune

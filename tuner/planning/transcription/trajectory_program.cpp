@@ -17,6 +17,12 @@ int TrajectoryProgram::column(int knot, int order, int coordinate) const {
   return (knot * m_ + coordinate) * 3 + order;
 }
 
+double TrajectoryProgram::objective(const VectorXd& z) {
+  VectorXd residual, row;
+  evaluate(z, residual, row);
+  return cost.dot(z) + 0.5 * residual.squaredNorm();
+}
+
 double TrajectoryProgram::scale(int order, int coordinate) const {
   const Coordinate& c = task_.coordinates[static_cast<std::size_t>(coordinate)];
   return order == 0 ? 1.0 : order == 1 ? c.velocity_scale : c.acceleration_scale;

@@ -72,6 +72,7 @@ class TrajectoryProgram : public NonlinearProgram {
 
   void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& residual, const Eigen::VectorXd& y) override;
 
+  double objective(const Eigen::VectorXd& z);
   const TrajectoryTask& task() const { return task_; }
   Eigen::VectorXd unknowns(const Trajectory& trajectory) const;
   Trajectory trajectory(const Eigen::VectorXd& z) const;

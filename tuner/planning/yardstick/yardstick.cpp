@@ -6,8 +6,8 @@
 #include "core/trajectory/gaze.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/tasks/given_states.hpp"
-#include "tuner/planning/tasks/plan_problem.hpp"
 #include "tuner/planning/tasks/plan_start.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
 
 namespace armtune {
 namespace {
@@ -64,7 +64,7 @@ Measure planned_measure(const PlanTask& task, const Event& event, const PlanObse
     found.held_back_by = "reach of the arm";
     return found;
   }
-  const PlannedTrajectory planned = solve_refining(problem.task, problem.grid, problem.guess, {}, observer);
+  const PlannedTrajectory planned = solve_plan(problem, {}, observer);
   found.status = status_of(planned.result.status);
   if (found.status == MeasureStatus::kInterrupted) return found;
   found.held_back_by = strongest_limit(planned);
