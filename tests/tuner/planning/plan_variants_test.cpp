@@ -117,6 +117,30 @@ TEST(PlanVariants, WhatIsFarFromFeasibleIsCalledSoBeforeTheStepsRunOut) {
     EXPECT_GE(std::abs(limit.value), std::abs(limit.bound) * (1.0 - 1e-4));
 }
 
+TEST(PlanVariants, UnderJerkLimitsAnArmAtRestHasNoAcceleration) {
+  PlanTask around = load_plan_task("ur10_fastest_circle");
+  around.knots = 60;
+  around.limits.velocity = 0.3;
+  PlanTask move = load_plan_task("ur10_move");
+  move.start.position = move.scenario.start_position;
+  for (PlanTask task : {around, move}) {
+    task.limits.acceleration = JointVector::Constant(6, 1.0);
+    const double free_ends = least_time(task);
+    task.limits.jerk = JointVector::Constant(6, 5.0);
+    const PlannedTrajectory planned = solved(plan_problem(task));
+    ASSERT_EQ(planned.result.status, PlanStatus::kSolved) << sentence(worst_violation(planned));
+    const Trajectory& motion = planned.trajectory;
+    EXPECT_LE(motion.acceleration.col(0).head(6).lpNorm<Eigen::Infinity>(), 1e-7) << task.name;
+    EXPECT_LE(motion.acceleration.rightCols<1>().head(6).lpNorm<Eigen::Infinity>(), 1e-7) << task.name;
+    const double h = motion.time[1] - motion.time[0];
+    const Eigen::MatrixXd jerk = (motion.acceleration.rightCols(motion.acceleration.cols() - 1) -
+                                  motion.acceleration.leftCols(motion.acceleration.cols() - 1)) /
+                                 h;
+    EXPECT_LE(jerk.topRows(6).lpNorm<Eigen::Infinity>(), 5.0 * (1.0 + 1e-6)) << task.name;
+    EXPECT_GT(motion.durations.front(), free_ends) << task.name;
+  }
+}
+
 TEST(PlanVariants, SlowLimitsTakeTheTimeTheyTake) {
   PlanTask task = load_plan_task("ur10_move");
   const JointVector way = (task.goal - task.scenario.start_position).cwiseAbs();

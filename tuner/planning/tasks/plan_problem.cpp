@@ -208,8 +208,9 @@ PlanProblem fastest_problem(const PlanCommon& common) {
     // From rest to rest, from the curve's beginning to its end.
     program.terms.push_back(path_coordinate_at(0, 0.0));
     program.terms.push_back(path_coordinate_at(last, turn));
-    program.terms.push_back(given_state("end", joints, position_units(*common.robot), last,
-                                        {{}, JointVector::Zero(common.n()), {}}));
+    program.terms.push_back(
+        given_state("end", joints, position_units(*common.robot), last,
+                    {{}, JointVector::Zero(common.n()), acceleration_at_rest(common.task)}));
     program.terms.push_back(tool_on_curve(*common.robot, {1, last}, curve, common.task.path_tolerance));
     return program;
   };

@@ -12,9 +12,7 @@ namespace {
 
 constexpr double kLeadIn = 3.0;  // s on the path before the start: the inverse kinematics settles
 
-}  // namespace
-
-StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller) {
+StartState given_start(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller) {
   StartState state;
   if (controller != nullptr) {
     state.position = controller->motion.position.col(0);
@@ -57,6 +55,19 @@ StartState start_state(const PlanTask& task, const RobotModel& robot, const Cont
   state.position = motion.position.col(30);
   if (task.kind != PlanKind::kFastest) state.velocity = motion.velocity.col(30);  // that one begins at rest
   return state;
+}
+
+}  // namespace
+
+StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller) {
+  StartState state = given_start(task, robot, controller);
+  if (state.acceleration.size() == 0 && state.velocity.isZero())
+    state.acceleration = acceleration_at_rest(task);
+  return state;
+}
+
+JointVector acceleration_at_rest(const PlanTask& task) {
+  return JointVector::Zero(task.limits.jerk.size());
 }
 
 }  // namespace armtune

@@ -22,4 +22,8 @@ struct StartState {
 /// path's velocity. Throws InputError, OutOfReach where no pose is on the path.
 StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
+/// Where the task has an arm at rest: zero (n) if jerks are limited, since accelerations then cannot jump;
+/// else empty: any.
+JointVector acceleration_at_rest(const PlanTask& task);
+
 }  // namespace armtune

@@ -34,7 +34,7 @@ struct PlanLimits {
 struct PlanStart {
   JointVector position;      ///< n or empty
   JointVector velocity;      ///< n or empty (at rest)
-  JointVector acceleration;  ///< n or empty (free)
+  JointVector acceleration;  ///< n or empty (free; 0 at rest under a jerk limit)
   std::string rollout;       ///< a rollout's CSV: its row at the plan's start counts
 };
 
