@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/csv/cell.hpp"
+#include "sim/scenario/gains_file.hpp"
 #include "tests/tuner/support/events.hpp"
 
 namespace armtune {
@@ -156,6 +157,44 @@ TEST(Events, AReturnThatAnObstacleOrTheEndCutsOffIsNotReached) {
   EXPECT_NEAR(returns[1].reached, 1.0, 1e-9);
   EXPECT_EQ(returns[2].outcome, EventOutcome::kCutByEnd);
   EXPECT_TRUE(std::isnan(returns[2].reached));
+}
+
+TEST(Events, OfObstaclesTheLeastDistanceMeanwhileCounts) {
+  Scenario scenario = load_scenario("obstacle_pass");
+  scenario.duration = 20.0;
+  const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+  const CsvTable table = test::recording_of(scenario, gains, 5);
+  const std::vector<Event> events =
+      of_kind(events_of(table, scenario, gains.slerpAngularErrorThreshold), EventKind::kReturn);
+  ASSERT_FALSE(events.empty());
+  const std::vector<double> time = table.numbers(table.column("time"));
+  Poses poses;
+  JointVector q(scenario.robot->n());
+  for (const Event& event : events) {
+    double nearest = INFINITY;
+    for (std::size_t row = 0; row < time.size(); ++row) {
+      if (time[row] < event.time || time[row] >= event.end) continue;
+      for (int i = 0; i < scenario.robot->n(); ++i) {
+        const std::string joint = scenario.robot->joints[static_cast<std::size_t>(i)].name;
+        q[i] = table.number(row, table.column("joint/" + joint + "/position"));
+      }
+      forward_kinematics(scenario.robot->chain, q, poses);
+      for (const NamedPath& obstacle : scenario.obstacles) {
+        const Vec3 center = obstacle.path.at(time[row]).position;
+        nearest = std::min(nearest, (poses.p_0T - center).norm());
+        for (std::size_t i = 1; i < scenario.robot->joints.size(); ++i)  // the first stands still
+          nearest = std::min(nearest, (poses.p_0B[i] - center).norm());
+      }
+    }
+    EXPECT_NEAR(event.nearest, nearest, 1e-12) << event.time;
+  }
+  EXPECT_EQ(of_kind(events_of(table_of(load_scenario("target_switch"), std::vector<double>(200, kFollow),
+                                       std::vector<double>(200, 0.01)),
+                              load_scenario("target_switch"), 0.15),
+                    EventKind::kSwitch)
+                .front()
+                .nearest,
+            INFINITY);
 }
 
 TEST(Events, DistanceFromThePathCountsAsLongAsASwitchsPlanLasts) {

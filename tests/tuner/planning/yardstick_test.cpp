@@ -173,6 +173,7 @@ TEST(Yardstick, AToolThatIsNearestToAnObstacleLeavesRoomForAPlan) {
   scenario.obstacles = {{"before the tool", before_the_tool}};
   const std::vector<Vec3> centers{before_the_tool.center};
   ASSERT_GT(obstacle_distance(poses, centers), 0.21) << "no joint is as near";
+  event.nearest = clearance_at(robot, event.position, event.time, scenario.obstacles);
   YardstickOptions options;
   options.clearance = 0.205;
   const PlanTask task = task_of(event, scenario, options);
@@ -180,7 +181,7 @@ TEST(Yardstick, AToolThatIsNearestToAnObstacleLeavesRoomForAPlan) {
   EXPECT_NO_THROW(plan_problem(task));
 }
 
-TEST(Yardstick, PlansKeepClearOfObstaclesAsFarAsTheArmIsWhenItBegins) {
+TEST(Yardstick, PlansKeepClearOfObstaclesAsFarAsTheControllerDid) {
   Scenario scenario = load_scenario("obstacle_pass");
   scenario.duration = 30.0;
   const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
@@ -191,6 +192,8 @@ TEST(Yardstick, PlansKeepClearOfObstaclesAsFarAsTheArmIsWhenItBegins) {
     const PlanTask task = task_of(event, scenario, clear);
     EXPECT_GT(task.clearance, 0.0);
     EXPECT_LE(task.clearance, clear.clearance);
+    EXPECT_LE(task.clearance, event.nearest);
+    EXPECT_GE(task.clearance, std::min(clear.clearance, event.nearest) - 1e-5);
     const Measure with = measure(event, scenario, clear, {});
     const Measure without = measure(event, scenario, {}, {});
     if (without.status == MeasureStatus::kThereAtOnce) continue;
@@ -202,6 +205,10 @@ TEST(Yardstick, PlansKeepClearOfObstaclesAsFarAsTheArmIsWhenItBegins) {
       continue;
     }
     EXPECT_EQ(with.clearance, task.clearance);
+    // The controller kept the same limits, and as clear.
+    if (event.outcome == EventOutcome::kReached) {
+      EXPECT_GE(with.ratio(), 1.0) << event.time;
+    }
     // A limit more can only cost time, but for what another local optimum and the tolerances leave.
     EXPECT_GE(with.limit, without.limit * (1.0 - 1e-3)) << event.time;
     ++kept;

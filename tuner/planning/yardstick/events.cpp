@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "tuner/planning/tasks/given_states.hpp"
 
 namespace armtune {
 namespace {
@@ -30,18 +33,20 @@ struct Columns {
     return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t - 1e-9) - time.begin());
   }
 
+  static JointVector at_row(const std::vector<std::vector<double>>& columns, std::size_t row) {
+    JointVector values(static_cast<Eigen::Index>(columns.size()));
+    for (std::size_t i = 0; i < columns.size(); ++i) values[static_cast<Eigen::Index>(i)] = columns[i][row];
+    return values;
+  }
+
   Event begin(EventKind kind, std::size_t row) const {
     Event event;
     event.kind = kind;
     event.time = time[row];
     event.gaze = gaze[row];
     event.state = static_cast<ControlState>(static_cast<int>(state[row]));
-    event.position.resize(static_cast<Eigen::Index>(position.size()));
-    event.velocity.resize(static_cast<Eigen::Index>(position.size()));
-    for (std::size_t i = 0; i < position.size(); ++i) {
-      event.position[static_cast<Eigen::Index>(i)] = position[i][row];
-      event.velocity[static_cast<Eigen::Index>(i)] = velocity[i][row];
-    }
+    event.position = at_row(position, row);
+    event.velocity = at_row(velocity, row);
     return event;
   }
 
@@ -66,6 +71,21 @@ struct Columns {
         worst = std::max(worst, std::abs(tool[static_cast<std::size_t>(axis)][row] - wanted[axis]));
     }
     return worst;
+  }
+
+  double nearest(const Scenario& scenario, std::size_t first, std::size_t last) const {
+    double least = std::numeric_limits<double>::infinity();
+    if (scenario.obstacles.empty()) return least;
+    const RobotModel robot = plant_model(scenario);
+    for (std::size_t row = first; row < last; ++row)
+      least = std::min(least, clearance_at(robot, at_row(position, row), time[row], scenario.obstacles));
+    return least;
+  }
+
+  /// What the rollout kept in these rows, so that a plan need not keep more.
+  void keep(const Scenario& scenario, std::size_t first, std::size_t last, Event& event) const {
+    event.path_error = path_error(scenario.path, first, last);
+    event.nearest = nearest(scenario, first, last);
   }
 };
 
@@ -96,7 +116,7 @@ void add_switches(const Columns& columns, const Scenario& scenario, double thres
                       : next == columns.rows() ? EventOutcome::kCutByEnd
                                                : EventOutcome::kNotReached;
     }
-    event.path_error = columns.path_error(scenario.path, first, judged);
+    columns.keep(scenario, first, judged, event);
     events.push_back(event);
   }
 }
@@ -113,7 +133,7 @@ void add_returns(const Columns& columns, const Scenario& scenario, std::vector<E
                     : columns.in(last, ControlState::kFollowTrajectory) ? EventOutcome::kReached
                                                                         : EventOutcome::kCutByState;
     event.reached = event.outcome == EventOutcome::kReached ? event.end - event.time : NAN;
-    event.path_error = columns.path_error(scenario.path, row, last);
+    columns.keep(scenario, row, last, event);
     events.push_back(event);
   }
 }
@@ -134,7 +154,7 @@ void add_laps(const Columns& columns, const Scenario& scenario, std::vector<Even
       double sum = 0.0;
       for (std::size_t i = first; i < last; ++i) sum += columns.gaze[i] * columns.gaze[i];
       event.reached = std::sqrt(sum / static_cast<double>(last - first));
-      event.path_error = columns.path_error(scenario.path, first, last);
+      columns.keep(scenario, first, last, event);
       event.times.assign(columns.time.begin() + static_cast<std::ptrdiff_t>(first),
                          columns.time.begin() + static_cast<std::ptrdiff_t>(last));
       events.push_back(event);

@@ -5,7 +5,6 @@
 
 #include "core/trajectory/gaze.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
-#include "tuner/planning/tasks/given_states.hpp"
 #include "tuner/planning/tasks/plan_start.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
@@ -13,7 +12,7 @@ namespace armtune {
 namespace {
 
 constexpr double kToleranceRoom = 1.05;     // beside the rollout's own largest distance from the path
-constexpr double kClearanceRoom = 1e-6;     // m, below the distance at the start, which rounding may change
+constexpr double kClearanceRoom = 1e-6;     // m, below the rollout's own least distance from obstacles
 constexpr double kLongestInterval = 0.025;  // s, of a lap's grid
 // s, where the targets switch during the lap: what its error is then made of takes tens of milliseconds.
 constexpr double kLongestWithSwitch = 0.0125;
@@ -121,11 +120,8 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
   task.limits.velocity = options.velocity;
   task.limits.effort = options.effort;
   task.knots = options.knots;
-  if (options.clearance > 0.0 && !scenario.obstacles.empty()) {
-    const RobotModel robot = plant_model(scenario);
-    const double room = clearance_at(robot, event.position, event.time, scenario.obstacles) - kClearanceRoom;
-    task.clearance = std::max(0.0, std::min(options.clearance, room));
-  }
+  if (options.clearance > 0.0 && !scenario.obstacles.empty())
+    task.clearance = std::max(0.0, std::min(options.clearance, event.nearest - kClearanceRoom));
   switch (event.kind) {
     case EventKind::kSwitch:
       task.kind = PlanKind::kSwitch;

@@ -41,7 +41,8 @@ std::vector<Column> yardstick_columns() {
       {"held_back_by", "", "the limit that costs the plan most, or, if it is infeasible, is in its way", {}},
       {"clearance",
        "m",
-       "that the plan keeps from every obstacle: the gains' influence radius, or the distance at the start; "
+       "that the plan keeps from every obstacle: the gains' influence radius, or the rollout's own least "
+       "distance meanwhile; "
        "empty without obstacles or where they are left out",
        {}},
       {"status",
