@@ -1,12 +1,13 @@
 // How the time of a plan grows with its knots: a UR10 target switch with the least time, on grids of 200 to
-// 20,000 knots, each with all its coarser grids; prints the exponent of a least squares line through the
-// logarithms.
+// 20,000 knots, each with all its coarser grids; prints the exponent from each grid to the next, and that of
+// a least squares line through the logarithms.
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "tuner/planning/tasks/solve_plan.hpp"
@@ -48,8 +49,9 @@ int main(int argc, char** argv) {
   std::vector<Timing> timings;
   timings.reserve(8);
   fmt::print("{}\n", armtune::measured_with());
-  fmt::print("{}: the best of {}\n{:>8} {:>10} {:>12} {:>12} {:>14} {:>12} {:>12}\n", task.name, repeats,
-             "knots", "seconds", "us a knot", "duration s", "interior steps", "violation", "KKT");
+  fmt::print("{}: the best of {}\n{:>8} {:>10} {:>12} {:>10} {:>12} {:>14} {:>12} {:>12}\n", task.name,
+             repeats, "knots", "seconds", "us a knot", "exponent", "duration s", "interior steps",
+             "violation", "KKT");
   for (const int knots : {200, 500, 1000, 2000, 5000, 10000, 20000}) {
     task.knots = knots;
     double best = INFINITY;
@@ -61,8 +63,11 @@ int main(int argc, char** argv) {
       return 1;
     }
     timings.push_back({static_cast<double>(knots), best});
-    fmt::print("{:8} {:10.3f} {:12.1f} {:12.6f} {:14} {:12.1e} {:12.1e}\n", knots, best, 1e6 * best / knots,
-               planned.trajectory.durations.front(), planned.interior_iterations, last.violation,
+    const std::string from_before =
+        timings.size() < 2 ? "" : fmt::format("{:.2f}", exponent({timings.end() - 2, timings.end()}));
+    fmt::print("{:8} {:10.3f} {:12.1f} {:>10} {:12.6f} {:14} {:12.1e} {:12.1e}\n", knots, best,
+               1e6 * best / knots, from_before, planned.trajectory.durations.front(),
+               planned.interior_iterations, last.violation,
                std::max(last.stationarity, last.complementarity));
     std::fflush(stdout);
   }

@@ -98,8 +98,9 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
     }
     Trajectory from = on_grid(solved ? planned.trajectory : guess, level);
     // The dynamics are kept at any price: a guess that breaks them would have to move far, however short its
-    // steps are to be.
-    make_continuous(from);
+    // steps are to be. A coarser grid's solution keeps them nearly, and its accelerations may well have
+    // jumps.
+    if (!solved) make_continuous(from);
     planned.result = solve(*program, program->unknowns(from), y, here, with_knots(level, observer));
     planned.interior_iterations += planned.result.last.interior_iterations;
     planned.trajectory = program->trajectory(planned.result.z);

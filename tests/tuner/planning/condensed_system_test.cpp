@@ -70,9 +70,9 @@ TEST(CondensedSystem, SolvesBothRowsOfTheLinearSystemWhateverTheRowsYield) {
   }
 }
 
-/// Stiff beside its scale: the dual proximal part, 1e-9 / scale, is far larger than G H^-1 G^T.
+/// So stiff that the dual proximal part, 1e-6, is far larger than G H^-1 G^T.
 struct Stiff : DenseProgram {
-  Stiff() : DenseProgram(VectorXd::LinSpaced(8, 2e2, 4e2).asDiagonal(), MatrixXd::Zero(8, 8), four_rows()) {
+  Stiff() : DenseProgram(VectorXd::LinSpaced(8, 4e3, 8e3).asDiagonal(), MatrixXd::Zero(8, 8), four_rows()) {
     program.scale = 1e-6;
   }
   static MatrixXd four_rows() {

@@ -7,12 +7,11 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Beside the program's own curvature, and so the same on every grid.
-constexpr double kPrimalProximal = 1e-8;
-constexpr double kDualProximal = 1e-9;
-constexpr double kMoreProximal = 100.0;  // where rounding leaves no positive definite matrix,
-constexpr int kMoreOften = 2;            // and how often
-constexpr int kCorrections = 20;         // of what the dual proximal part moves the rows by
+constexpr double kPrimalProximal = 1e-8;  // beside the program's own curvature, and so the same on every grid
+constexpr double kDualProximal = 1e-6;    // beside rows of size 1: less rounds, more takes more corrections
+constexpr double kMoreProximal = 100.0;   // where rounding leaves no positive definite matrix,
+constexpr int kMoreOften = 2;             // and how often
+constexpr int kCorrections = 20;          // of what the dual proximal part moves the rows by
 
 bool small(const VectorXd& left, double within) {
   return left.lpNorm<Eigen::Infinity>() <= within;
@@ -26,7 +25,7 @@ CondensedSystem::CondensedSystem(const QuadraticProgram& program, NormalMatrix& 
 
 bool CondensedSystem::factorize(const VectorXd& yield) {
   yield_ = &yield;
-  D_ = (yield.array() + kDualProximal / program_.scale).inverse();
+  D_ = (yield.array() + kDualProximal).inverse();
   for (int more = 0; more <= kMoreOften; ++more) {
     delta_ = kPrimalProximal * std::pow(kMoreProximal, more) * program_.scale;
     normal_.assemble((program_.damping.array() + delta_).matrix(), {&ones_, &D_});
