@@ -114,9 +114,9 @@ report::Scene scene_of_plan(const PlanTask& task) {
   fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
   show_limits(binding_limits(planned), "in the way:");
   fmt::print(
-      "Give it wider limits or tolerances, another start, or, where little is missing, more than {} knots;\n"
+      "Give it wider limits or tolerances, another start, or, where little is missing, --knots above {};\n"
       "no trajectory was written.\n",
-      planned.trajectory.time.size());
+      planned.trajectory.time.size() - 1);
   return kNoFeasiblePoint;
 }
 
@@ -146,12 +146,13 @@ int run(const Arguments& args) {
     case PlanStatus::kInfeasible:
       return infeasible(task, planned);
     case PlanStatus::kStalled:
-      fmt::print(stderr,
-                 "{}: no solution after {} steps: violation {:.1e} ({}), KKT residual {:.1e}; give fewer "
-                 "knots, more "
-                 "smoothness or a start closer to the path\n",
-                 task.name, last.iteration, last.violation, sentence(worst_violation(planned)),
-                 std::max(last.stationarity, last.complementarity));
+      fmt::print(
+          stderr,
+          "{}: no solution after {} steps, nor proof that there is none: violation {:.1e} ({}), KKT "
+          "residual {:.1e}; another number of --knots, wider limits or tolerances or another start may "
+          "help\n",
+          task.name, last.iteration, last.violation, sentence(worst_violation(planned)),
+          std::max(last.stationarity, last.complementarity));
       return kFailed;
     case PlanStatus::kSolved:
       break;
@@ -162,10 +163,11 @@ int run(const Arguments& args) {
   show_limits(binding_limits(planned), "held back by:");
   if (const std::string between = between_words(uses); !between.empty()) fmt::print("{}\n", between);
   fmt::print(
-      "{} knots, {} interior point steps on all grids, {:.2f} s; constraint violation {:.1e} of the limit, "
+      "{} intervals between knots, {} interior point steps on all grids, {:.2f} s; constraint violation "
+      "{:.1e} of the limit, "
       "KKT "
       "residual {:.1e}\n",
-      planned.trajectory.time.size(), planned.interior_iterations, seconds, last.violation,
+      planned.trajectory.time.size() - 1, planned.interior_iterations, seconds, last.violation,
       std::max(last.stationarity, last.complementarity));
   Arguments out = args;
   out.folder = folder;
@@ -189,7 +191,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("TASK", args->task, "bundled task, or a task file")->required();
   command->add_option("--out", args->folder,
                       "new folder for trajectory.csv, joint_trajectory.yaml, report.html and the rest");
-  command->add_option("--knots", args->knots, "time grid, in place of the task's")
+  command->add_option("--knots", args->knots, "intervals of the time grid, in place of the task's")
       ->check(CLI::Range(12, 100000));
   command->add_option("--duration", args->duration, "fixed duration [s], in place of the task's")
       ->check(CLI::Range(1e-3, 1e4));

@@ -74,7 +74,7 @@ std::vector<std::pair<double, double>> stretches(const std::string& text, double
 }  // namespace
 
 std::string limit_words(const std::string& limit, const std::string& part) {
-  if (limit == "gaze") return limit;
+  if (part.empty() || limit == "gaze" || limit == "path coordinate") return limit;  // there is one only
   return limit + (limit == "tool path" ? " along " : " of ") + part;
 }
 

@@ -177,7 +177,7 @@ TEST(TrajectoryProgram, NamesEveryRow) {
     EXPECT_GE(meaning.knot, 0);
     EXPECT_LE(meaning.knot, 7);
   }
-  EXPECT_EQ(found["dynamics"], 7 * 7 * 2);
+  EXPECT_EQ(found["motion from knot to knot"], 7 * 7 * 2);
   EXPECT_EQ(found["jerk"], 7 * 3);
   EXPECT_EQ(found["velocity"], 6 * 8 + 8 + 7 * 7);  // at the knots, and inside the intervals
   EXPECT_EQ(found["torque"], 6 * 8);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tuner/report/plan_recording.hpp"
+
 namespace armtune {
 
 WorstViolation worst_violation(const PlannedTrajectory& planned) {
@@ -26,7 +28,7 @@ WorstViolation worst_violation(const PlannedTrajectory& planned) {
 
 std::string sentence(const WorstViolation& worst) {
   const RowMeaning& meaning = worst.meaning;
-  const std::string what = meaning.part.empty() ? meaning.limit : meaning.limit + " of " + meaning.part;
+  const std::string what = report::limit_words(meaning.limit, meaning.part);
   const std::string unit = meaning.unit.empty() ? "" : " " + meaning.unit;
   if (worst.equation)
     return fmt::format("{} is missed by {:.4g}{} at {:.4g} s", what, std::abs(worst.value - worst.bound),

@@ -30,7 +30,7 @@ std::string strongest_limit(const PlannedTrajectory& planned) {
     if (limit.limit == "gaze" || limit.limit == "tool path") continue;  // what was asked for
     return limit.limit + " of " + limit.part;
   }
-  return "nothing";
+  return {};
 }
 
 MeasureStatus status_of(PlanStatus status) {

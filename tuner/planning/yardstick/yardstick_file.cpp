@@ -38,7 +38,10 @@ std::vector<Column> yardstick_columns() {
        "reached; already there; not before the next switch; cut off by the end of the rollout or by an "
        "obstacle that is avoided",
        {}},
-      {"held_back_by", "", "the limit that costs the plan most, or, if it is infeasible, is in its way", {}},
+      {"held_back_by",
+       "",
+       "the limit that costs the plan most, or, if it is infeasible, is in its way; empty: none",
+       {}},
       {"clearance",
        "m",
        "that the plan keeps from every obstacle: the gains' influence radius, or the rollout's own least "
