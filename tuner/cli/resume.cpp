@@ -121,14 +121,21 @@ RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
   header.identity = std::move(identity);
   for (auto& version : versions()) header.identity.push_back(std::move(version));
   header.identity.emplace_back("arithmetic", arithmetic().fingerprint);
-  header.identity.emplace_back("program", hash_of_file("/proc/self/exe"));
+  header.identity.emplace_back(RunHeader::kProgram, hash_of_file("/proc/self/exe"));
   for (auto& input : hashes(inputs)) header.identity.push_back(std::move(input));
   return header;
 }
 
 std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
                                       const RunHeader& header) {
-  if (resume.empty()) return Journal::begin(folder + kJournal, header);
+  if (resume.empty()) {
+    try {
+      return Journal::begin(folder + kJournal, header);
+    } catch (...) {  // the folder is not to be in the way of another try
+      discard_run(folder);
+      throw;
+    }
+  }
   std::string warning;
   constexpr double kPatience = 10.0;  // ranks of a killed run are gone by then
   auto journal = Journal::resume(folder + kJournal, header, warning, kPatience);
@@ -144,6 +151,9 @@ void tell_how_to_go_on(const std::string& command, const std::string& folder) {
 void discard_run(const std::string& folder) {
   std::error_code ignored;
   fs::remove(folder + kJournal, ignored);
+  const fs::path warm = fs::path(folder) / kWarmGains;
+  fs::remove(warm, ignored);
+  fs::remove(warm.parent_path(), ignored);  // where nothing else is in it
   fs::remove(folder, ignored);
 }
 

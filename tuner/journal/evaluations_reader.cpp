@@ -39,7 +39,7 @@ std::vector<EvaluationRow> read_evaluations(const std::string& path, const Study
     const auto found = std::find(header.begin(), header.end(), name);
     if (found == header.end()) {
       throw InputError(
-          fmt::format("{}:1: no column '{}', which a journal of {} has", path, name, study.source));
+          fmt::format("{}:1: no column '{}', which evaluations of {} have", path, name, study.source));
     }
     return static_cast<std::size_t>(found - header.begin());
   };

@@ -28,10 +28,12 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   if (record->x != candidate.x || record->phase != candidate.phase ||
       record->results.size() != study_.scenarios.size()) {
     throw InputError(
-        fmt::format("{}: the search now asks for another point as evaluation {} ({} instead of {}) than the "
-                    "journal holds: its "
-                    "file was changed, or this program searches in another way; begin the run anew",
-                    study_.source, number, candidate.phase, record->phase));
+        fmt::format("{}: as evaluation {} the search now asks for {} than the journal holds: its file was "
+                    "changed, or this program searches in another way; begin the run anew",
+                    study_.source, number,
+                    record->phase == candidate.phase
+                        ? std::string("another point")
+                        : fmt::format("a point of phase {}, not {},", candidate.phase, record->phase)));
   }
   Evaluation e;
   e.x = candidate.x;

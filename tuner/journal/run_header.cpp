@@ -28,6 +28,11 @@ std::pair<std::string, std::string> first_difference(const std::string& a, const
 std::string differences(const RunHeader& was, const RunHeader& is) {
   std::string text;
   const auto tell = [&text](const std::string& name, const std::string& before, const std::string& now) {
+    if (name == RunHeader::kProgram) {
+      text += fmt::format("{}the program is another build than the one that began the run",
+                          text.empty() ? "" : "; ");
+      return;
+    }
     const auto [line_before, line_now] = first_difference(before, now);
     text += fmt::format("{}{} was '{}', is '{}'", text.empty() ? "" : "; ", name, line_before, line_now);
   };

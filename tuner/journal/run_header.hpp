@@ -8,6 +8,9 @@
 namespace armtune {
 
 struct RunHeader {
+  /// Name of the identity's entry that is the hash of the program itself.
+  static constexpr const char* kProgram = "program";
+
   std::vector<std::string> arguments;  ///< of the command line: the command and what makes its result
   std::string working_folder;          ///< where relative paths of the arguments begin
   /// Name and value of everything the results depend on; values may have several lines.

@@ -30,11 +30,13 @@ int flags(AppendFile::Open open) {
   return 0;
 }
 
-/// Tries for so long [s]: a run that was killed among ranks takes a moment to be gone.
+/// Tries for so long [s]: a run that was killed among ranks takes a moment to be gone. False with the reason
+/// in errno.
 bool locked(int file, double patience) {
   constexpr std::chrono::milliseconds kBetween(100);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
   while (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR) return false;  // waiting is of no use
     if (std::chrono::steady_clock::now() >= end) return false;
     std::this_thread::sleep_for(kBetween);
   }
@@ -56,8 +58,15 @@ AppendFile::AppendFile(const std::string& path, Open open, double patience)
                                  std::strerror(errno)));
   }
   if (open != Open::kReplace && !locked(file_, patience)) {
+    const int reason = errno;
     ::close(file_);
-    throw InputError(fmt::format("{}: another process is writing it; wait for that run or stop it", path));
+    if (open == Open::kNew && reason != EWOULDBLOCK) ::unlink(name.c_str());
+    throw InputError(
+        reason == EWOULDBLOCK
+            ? fmt::format("{}: another process is writing it; wait for that run or stop it", path)
+            : fmt::format("{}: cannot lock it against other processes: {}; choose a file system "
+                          "that can",
+                          path, std::strerror(reason)));
   }
   if (open == Open::kNew) sync_folder_of(path);
 }

@@ -126,6 +126,18 @@ TEST_F(JournalFile, IsBegunOnlyWhereThereIsNone) {
               HasSubstr("another process is writing it"));
 }
 
+TEST(RunHeader, AnotherBuildIsCalledThatAndNotByItsHash) {
+  RunHeader was;
+  was.identity = {{RunHeader::kProgram, "fnv1a-1"}, {"seed", "7"}};
+  RunHeader is = was;
+  EXPECT_EQ(differences(was, is), "");
+  is.identity[0].second = "fnv1a-2";
+  EXPECT_EQ(differences(was, is), "the program is another build than the one that began the run");
+  is.identity[1].second = "8";
+  EXPECT_EQ(differences(was, is),
+            "the program is another build than the one that began the run; seed was '7', is '8'");
+}
+
 TEST_F(JournalFile, RefusesAnotherRunAndSaysWhatDiffers) {
   const std::string path = written();
   RunHeader other = header_of_run();
