@@ -40,7 +40,7 @@ PlannedTrajectory solve_plan(const PlanProblem& problem, const SequentialQuadrat
   const auto from_afar = [&] {
     return counted(solve_refining(problem.task, problem.grid, problem.guess, options, observer));
   };
-  const PlannedTrajectory rough =
+  PlannedTrajectory rough =
       counted(solve_refining(free.task, coarsest(free.grid), free.guess, options, observer));
   if (rough.result.status == PlanStatus::kInterrupted) return rough;
   if (rough.result.status == PlanStatus::kSolved && given >= kRoomy * rough.trajectory.durations.front()) {
