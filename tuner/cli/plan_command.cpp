@@ -108,7 +108,10 @@ report::Scene scene_of_plan(const PlanTask& task) {
     fmt::print("{}: infeasible: it takes {:.6g} s at least within the limits, and was given {:.6g} s\n",
                task.name, planned.trajectory.durations.front(), *task.duration);
     show_limits(binding_limits(planned), "the least time is held back by:");
-    fmt::print("Give it more time, or wider limits or tolerances; no trajectory was written.\n");
+    fmt::print(
+        "Give it more time, wider limits or tolerances, or, where little is missing, --knots above {};\n"
+        "no trajectory was written.\n",
+        planned.trajectory.time.size() - 1);
     return kNoFeasiblePoint;
   }
   fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));

@@ -10,9 +10,12 @@ constexpr int kCoarsest = 24;  // intervals of the longest phase
 constexpr int kFactor = 3;     // from one grid to the next
 // Multipliers near the edge of what is feasible grow without bound beside the objective, and a violation is
 // dear only so far: before a task is called infeasible the objective must weigh next to nothing.
-constexpr double kWeights[] = {1.0, 1e-6};
-constexpr double kWorthOfGuess = 5e-3;  // objective of a guess beside the limits, weighed,
-constexpr double kWorthOfPlan = 0.02;   // and of what is found from there
+constexpr double kLeastWeight = 1e-6;
+// Where only the smoothness is to gain: what the objective weighs,
+constexpr double kWorthFromAfar = 20.0;
+constexpr double kWorthOfGuess = 5e-3;  // at a guess beside the limits,
+constexpr double kWorthOfPlan = 0.02;   // and of what is found from there,
+constexpr double kMoreWeight = 1e3;     // step by step
 
 /// Intervals of the longest phase on each grid, the finest first.
 std::vector<int> sizes_of(const TimeGrid& grid) {
@@ -65,6 +68,16 @@ bool smoothest(const TrajectoryTask& task) {
          std::none_of(task.terms.begin(), task.terms.end(), costs);
 }
 
+/// As much as it takes for the guess to be worth kWorthFromAfar, where only the smoothness is to gain.
+double first_weight(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess) {
+  TrajectoryTask made = task(grid);
+  if (!smoothest(made)) return 1.0;
+  Trajectory from = on_grid(guess, grid);
+  make_continuous(from);
+  TrajectoryProgram program(std::move(made));
+  return std::min(1.0, kWorthFromAfar / program.objective(program.unknowns(from)));
+}
+
 /// The observer hears of the grid's knots, too.
 PlanObserver with_knots(const TimeGrid& grid, const PlanObserver& observer) {
   return [knots = grid.knots(), &observer](SequentialQuadraticProgress at) {
@@ -110,6 +123,28 @@ PlannedTrajectory refine(const TaskOnGrid& task, const TimeGrid& grid, const Tra
   return planned;
 }
 
+/// A solution whose objective weighed too little to be at its least, with more and more of it.
+PlannedTrajectory weighed_in(PlannedTrajectory planned, const TaskOnGrid& task, const TimeGrid& grid,
+                             const SequentialQuadraticOptions& options, const PlanObserver& observer) {
+  while (planned.result.status == PlanStatus::kSolved) {
+    const double wanted = std::min(1.0, kWorthOfPlan / planned.objective());
+    if (planned.weight > 0.5 * wanted) break;
+    PlannedTrajectory now;
+    now.weight = std::min(wanted, kMoreWeight * planned.weight);
+    now.program = std::make_shared<TrajectoryProgram>(weighted(task, now.weight)(grid));
+    now.result =
+        solve(*now.program, planned.result.z, planned.result.multipliers * (now.weight / planned.weight),
+              options, with_knots(grid, observer));
+    now.interior_iterations = planned.interior_iterations + now.result.last.interior_iterations;
+    now.trajectory = now.program->trajectory(now.result.z);
+    planned.interior_iterations = now.interior_iterations;
+    // Coming to no end says nothing against what was found before.
+    if (now.result.status != PlanStatus::kSolved && now.result.status != PlanStatus::kInterrupted) break;
+    planned = std::move(now);
+  }
+  return planned;
+}
+
 }  // namespace
 
 TimeGrid coarsest(const TimeGrid& grid) {
@@ -121,14 +156,15 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
                                  const SequentialQuadraticOptions& options, const PlanObserver& observer) {
   PlannedTrajectory planned;
   int steps = 0;
-  for (const double weight : kWeights) {
+  const double first = first_weight(task, coarsest(grid), guess);
+  for (const double weight : {first, kLeastWeight * first}) {
     PlannedTrajectory now = refine(weighted(task, weight), grid, guess, options, observer);
     steps += now.interior_iterations;
     // Coming to no end says nothing against what was found before.
     if (now.result.status == PlanStatus::kStalled && planned.result.status == PlanStatus::kInfeasible) break;
     planned = std::move(now);
     planned.weight = weight;
-    if (planned.result.status == PlanStatus::kSolved && weight < 1.0 && !smoothest(task(grid))) {
+    if (planned.result.status == PlanStatus::kSolved && weight < first && !smoothest(task(grid))) {
       // Feasible: from there with all that the objective weighs, and multipliers to match, so that violations
       // are dear enough from the beginning.
       const auto program = std::make_shared<TrajectoryProgram>(task(grid));
@@ -145,7 +181,7 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
       break;
   }
   planned.interior_iterations = steps;
-  return planned;
+  return weighed_in(std::move(planned), task, grid, options, observer);
 }
 
 PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
@@ -153,29 +189,14 @@ PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, con
   PlannedTrajectory planned;
   Trajectory from = guess;
   make_continuous(from);
-  planned.program = std::make_shared<TrajectoryProgram>(task(grid));
-  planned.result.z = planned.program->unknowns(from);
-  double objective = planned.program->objective(planned.result.z);
-  int steps = 0;
-  // The guess may be far from smooth: once more by what the objective is found to be.
-  for (const double worth : {kWorthOfGuess, kWorthOfPlan}) {
-    PlannedTrajectory now;
-    now.weight = std::min(1.0, worth / objective);
-    now.program = std::make_shared<TrajectoryProgram>(weighted(task, now.weight)(grid));
-    const Eigen::VectorXd multipliers = planned.result.multipliers * (now.weight / planned.weight);
-    now.result = solve(*now.program, planned.result.z, multipliers, options, with_knots(grid, observer));
-    steps += now.result.last.interior_iterations;
-    // Coming to no end says nothing against what was found before.
-    const bool first = planned.result.multipliers.size() == 0;
-    if (!first && now.result.status != PlanStatus::kSolved && now.result.status != PlanStatus::kInterrupted)
-      break;
-    planned = std::move(now);
-    if (planned.result.status != PlanStatus::kSolved) break;
-    objective = planned.objective();
-  }
+  TrajectoryProgram whole(task(grid));
+  const Eigen::VectorXd z = whole.unknowns(from);
+  planned.weight = std::min(1.0, kWorthOfGuess / whole.objective(z));
+  planned.program = std::make_shared<TrajectoryProgram>(weighted(task, planned.weight)(grid));
+  planned.result = solve(*planned.program, z, {}, options, with_knots(grid, observer));
+  planned.interior_iterations = planned.result.last.interior_iterations;
   planned.trajectory = planned.program->trajectory(planned.result.z);
-  planned.interior_iterations = steps;
-  return planned;
+  return weighed_in(std::move(planned), task, grid, options, observer);
 }
 
 }  // namespace armtune

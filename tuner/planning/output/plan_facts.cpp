@@ -65,10 +65,10 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
                     "{:.2g} may find a shorter one",
                     smoothness, task.smoothness));
   if (planned.weight != 1.0)
-    notes.push_back(
-        fmt::format("so near what is feasible the objective counts {:.0e} of itself beside the limits; the "
-                    "KKT residual is that of the program so weighed",
-                    planned.weight));
+    notes.push_back(fmt::format(
+        "beside the price of broken limits the objective counts {:.0e} of itself; the KKT residual "
+        "is that of the program so weighed",
+        planned.weight));
   if (trajectory.time.back() > problem.target_until + kSwitchRoom)
     notes.push_back(fmt::format(
         "it ends at {:.4g} s, after the targets' next switch at {:.4g} s: the gaze stays with the "

@@ -85,6 +85,17 @@ double PlanCommon::first_duration(double otherwise) const {
   return otherwise;
 }
 
+double PlanCommon::turning_time() const {
+  double longest = 0.0;
+  const std::vector<Coordinate> joints = coordinates();
+  for (int i = 0; i < n(); ++i) {
+    const double braking =
+        std::abs(start.velocity[i]) / joints[static_cast<std::size_t>(i)].acceleration_scale;
+    longest = std::max(longest, 2.0 * braking);
+  }
+  return longest;
+}
+
 double PlanCommon::likely_duration(const JointVector& way) const {
   return std::max(
       kLeastGuess,

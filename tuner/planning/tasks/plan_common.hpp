@@ -26,6 +26,8 @@ struct PlanCommon {
   double first_duration(double otherwise) const;
   /// What the slowest joint takes for its way (n) [rad, m] at half its velocity limit, at least 0.2 s.
   double likely_duration(const JointVector& way) const;
+  /// What it takes to stop from the start's velocity, and as much again for the way back [s].
+  double turning_time() const;
   /// Throws that the tool cannot be at a point [m].
   [[noreturn]] void no_pose(const Vec3& tool) const;
 };

@@ -53,7 +53,8 @@ PlanProblem move_problem(const PlanCommon& common) {
   const JointVector zero = JointVector::Zero(common.n());
   PlanProblem problem;
   problem.grid = common.grid({common.phase(
-      "move", common.task.knots, common.likely_duration(common.task.goal - common.start.position))});
+      "move", common.task.knots,
+      common.likely_duration(common.task.goal - common.start.position) + common.turning_time())});
   problem.task = [common, zero](const TimeGrid& grid) {
     TrajectoryTask program = common.on(grid);
     program.terms.push_back(given_state("goal", joint_names(*common.robot), position_units(*common.robot),
@@ -184,6 +185,27 @@ PlanProblem return_problem(const PlanCommon& common) {
   return problem;
 }
 
+/// The joints on their `way`, a motion over the path coordinate, as that goes; and itself.
+Trajectory along(const Trajectory& way, const Quintic<double>& coordinate, const TimeGrid& grid) {
+  const double duration = grid.phases.front().duration;
+  const int intervals = grid.intervals();
+  const Eigen::Index n = way.position.rows();
+  Trajectory motion;
+  motion.durations = {duration};
+  motion.position.resize(n + 1, intervals + 1);
+  motion.velocity.resize(n + 1, intervals + 1);
+  motion.acceleration.setZero(n + 1, intervals + 1);
+  for (int k = 0; k <= intervals; ++k) {
+    const double t = duration * k / intervals;
+    const MotionPoint<double> s = coordinate.at(t);
+    const TrajectoryPoint at = point_at(way, way.time.front() + s.position);
+    motion.time.push_back(grid.start + t);
+    motion.position.col(k) << at.position, s.position;
+    motion.velocity.col(k) << at.velocity * s.velocity, s.velocity;
+  }
+  return motion;
+}
+
 PlanProblem fastest_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
   if (scenario.path.frequency == 0.0)
@@ -215,20 +237,12 @@ PlanProblem fastest_problem(const PlanCommon& common) {
     return program;
   };
   const MovingPoint target = active_target(scenario);
-  Trajectory joints = follow(
-      *common.robot, common.start.position, problem.grid, [&](double t) { return scenario.path.at(t); },
-      target);
-  problem.guess = joints;
-  const Eigen::Index n = common.n();
-  const Eigen::Index knots = joints.position.cols();
-  problem.guess.position.conservativeResize(n + 1, knots);
-  problem.guess.velocity.conservativeResize(n + 1, knots);
-  problem.guess.acceleration.conservativeResize(n + 1, knots);
-  for (Eigen::Index k = 0; k < knots; ++k) {
-    problem.guess.position(n, k) = turn * static_cast<double>(k) / static_cast<double>(knots - 1);
-    problem.guess.velocity(n, k) = 1.0;
-    problem.guess.acceleration(n, k) = 0.0;
-  }
+  // The joints' way at the path's own speed, gone from rest to rest in the time that there is.
+  TimeGrid one_turn = problem.grid;
+  one_turn.phases.front().duration = turn;
+  const Trajectory way = follow(
+      *common.robot, common.start.position, one_turn, [&](double t) { return scenario.path.at(t); }, target);
+  problem.guess = along(way, rest_to_rest(0.0, turn, problem.grid.phases.front().duration), problem.grid);
   return problem;
 }
 

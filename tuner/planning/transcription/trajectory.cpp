@@ -45,6 +45,26 @@ Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid) {
   return fine;
 }
 
+Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory) {
+  const std::vector<double> was = trajectory.durations;
+  trajectory.durations.clear();
+  trajectory.time = {grid.start};
+  double start = grid.start;
+  Eigen::Index k = 0;
+  for (std::size_t p = 0; p < grid.phases.size(); ++p) {
+    const Phase& phase = grid.phases[p];
+    const double slower = phase.duration / was[p];
+    trajectory.durations.push_back(phase.duration);
+    for (int i = 1; i <= phase.intervals; ++i) {
+      trajectory.time.push_back(start + phase.duration * i / phase.intervals);
+      trajectory.velocity.col(++k) /= slower;
+      trajectory.acceleration.col(k) /= slower * slower;
+    }
+    start += phase.duration;
+  }
+  return trajectory;
+}
+
 void make_continuous(Trajectory& motion) {
   const Eigen::Index last = motion.position.cols() - 1;
   const Eigen::MatrixXd& q = motion.position;

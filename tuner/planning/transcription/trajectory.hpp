@@ -24,6 +24,10 @@ TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 /// trajectory's.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
+/// The same way, knot by knot, in the durations of the grid, which has as many knots: faster or slower
+/// throughout, but with its own state at the start.
+Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory);
+
 /// Gives the motion the velocities and accelerations of the cubic spline through its positions that begins
 /// and ends with the velocities it has (de Boor, A Practical Guide to Splines, chapter IV): at least 2 knots.
 void make_continuous(Trajectory& motion);

@@ -57,6 +57,7 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
   int dynamics = first_dynamics_;
   int jerk = first_jerk_;
   int inside = first_inside_;
+  int inside_position = first_inside_position_;
   for (int k = 0; k < task_.grid.intervals(); ++k) {
     const auto phase = static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)]);
     const int first = interval_curvature_[static_cast<std::size_t>(k)];
@@ -70,6 +71,12 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
       const bool jerk_row = std::isfinite(limit);
       const double y_jerk = jerk_row ? y[rows.block(jerk++).first_row] : 0.0;
       const double y_inside = coordinate.limits_velocity() ? y[rows.block(inside++).first_row] : 0.0;
+      // Of the two control points of the position, over their unit.
+      double y_early = 0.0, y_late = 0.0;
+      if (coordinate.limits_position()) {
+        y_early = y[rows.block(inside_position++).first_row] / coordinate.position_unit();
+        y_late = y[rows.block(inside_position++).first_row] / coordinate.position_unit();
+      }
       if (first < 0) continue;
       const double sv = scale(1, j);
       const double sa = scale(2, j);
@@ -84,7 +91,9 @@ void TrajectoryProgram::curve_intervals(const VectorXd& z, const VectorXd& y) {
         by_a1 -= y_jerk / (h * h * limit);
         by_h += y_jerk * 2.0 * (a1 - a0) / (h * h * h * limit);
       }
-      C(0, 3) = C(3, 0) = -y_q * sv * by_T;
+      by_a0 += y_late * h / 3.0;
+      by_h += y_late * a0 / 3.0;
+      C(0, 3) = C(3, 0) = (-y_q + y_early / 3.0 + y_late * 2.0 / 3.0) * sv * by_T;
       C(1, 3) = C(3, 1) = by_a0 * sa * by_T;
       C(2, 3) = C(3, 2) = by_a1 * sa * by_T;
       C(3, 3) = by_h * by_T * by_T;

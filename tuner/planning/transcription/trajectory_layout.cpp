@@ -66,6 +66,7 @@ void TrajectoryProgram::lay_out_intervals() {
     const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
     if (std::isfinite(c.jerk)) jerk_limited_.push_back(j);
     if (c.limits_velocity()) velocity_limited_.push_back(j);
+    if (c.limits_position()) position_limited_.push_back(j);
   }
   first_jerk_ = static_cast<int>(rows.blocks().size());
   if (!jerk_limited_.empty())
@@ -85,6 +86,18 @@ void TrajectoryProgram::lay_out_intervals() {
       const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
       rows.add(1, with_duration({column(k, 1, j), column(k, 2, j)}, k));
       add_bounds(1, c.lowest_velocity() / c.velocity_unit(), c.velocity / c.velocity_unit(), false);
+    }
+  }
+  first_inside_position_ = static_cast<int>(rows.blocks().size());
+  if (!position_limited_.empty())
+    groups_.push_back({rows.rows(), "position", kInsidePosition, -1,
+                       2 * static_cast<int>(position_limited_.size()), 0, 1.0});
+  for (int k = 0; k < intervals; ++k) {
+    for (const int j : position_limited_) {
+      const Coordinate& c = task_.coordinates[static_cast<std::size_t>(j)];
+      rows.add(1, with_duration({column(k, 0, j), column(k, 1, j)}, k));
+      rows.add(1, with_duration({column(k, 0, j), column(k, 1, j), column(k, 2, j)}, k));
+      add_bounds(2, c.lower / c.position_unit(), c.upper / c.position_unit(), false);
     }
   }
   if (task_.smoothness.jerk > 0.0 || task_.smoothness.acceleration > 0.0) {

@@ -118,25 +118,24 @@ RowMeaning TrajectoryProgram::meaning(Index row) const {
   const auto offset = static_cast<int>(row - group.first_row);
   RowMeaning meaning;
   meaning.limit = group.limit;
-  const auto of_coordinate = [&](int coordinate, int order) {
-    const Coordinate& c = task_.coordinates[static_cast<std::size_t>(coordinate)];
+  const auto of_coordinate = [&](const Coordinate& c, int order) {
     meaning.part = c.name;
     meaning.unit = c.unit + (order == 0 ? "" : order == 1 ? "/s" : fmt::format("/s^{}", order));
   };
   switch (group.kind) {
     case kDynamics:
-      of_coordinate(offset / 2 % m_, offset % 2);
+      of_coordinate(task_.coordinates[static_cast<std::size_t>(offset / 2 % m_)], offset % 2);
       meaning.knot = offset / 2 / m_;
       break;
     case kJerk:
-    case kInside: {
-      of_coordinate(limited(group)[static_cast<std::size_t>(offset % group.width)], group.order);
+    case kInside:
+    case kInsidePosition:
+      of_coordinate(limited_at(group, offset), group.order);
       meaning.knot = offset / group.width;
       break;
-    }
     case kBounds:
       if (group.term >= 0) {
-        of_coordinate(group.term, group.order);
+        of_coordinate(task_.coordinates[static_cast<std::size_t>(group.term)], group.order);
         meaning.knot = offset;
       } else {
         meaning.unit = "s";
@@ -161,11 +160,11 @@ double TrajectoryProgram::natural(Index row, double value) const {
     case kDynamics:
       return offset % 2 == 0 ? value : value * scale(1, offset / 2 % m_);
     case kJerk:
-    case kInside: {
-      const Coordinate& c = task_.coordinates[static_cast<std::size_t>(
-          limited(group)[static_cast<std::size_t>(offset % group.width)])];
-      return value * (group.kind == kJerk ? c.jerk : c.velocity_unit());
-    }
+      return value * limited_at(group, offset).jerk;
+    case kInside:
+      return value * limited_at(group, offset).velocity_unit();
+    case kInsidePosition:
+      return value * limited_at(group, offset).position_unit();
     case kBounds:
       return value * group.size;
     default: {

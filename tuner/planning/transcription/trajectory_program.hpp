@@ -5,7 +5,8 @@
 //   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
 // Between knots q'' is linear, so its limit holds there as well; q' is a parabola whose control points q', q'
 // + h q''/2, q'+ all keep the velocity limit, and with them the parabola (Farin, Curves and Surfaces for
-// CAGD, chapter 4). Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
+// CAGD, chapter 4); so do those of q, which are q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+, with its limits.
+// Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,13 @@ struct Coordinate {
   double least_velocity = -std::numeric_limits<double>::infinity();
   /// Bounds on q': of both directions the narrower.
   double lowest_velocity() const { return std::max(-velocity, least_velocity); }
+  bool limits_position() const { return std::isfinite(lower) || std::isfinite(upper); }
+  /// What positions are divided by, so that a violation is relative to the limit.
+  double position_unit() const {
+    const double largest =
+        std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
+    return largest > 0.0 ? largest : 1.0;
+  }
   bool limits_velocity() const { return std::isfinite(lowest_velocity()) || std::isfinite(velocity); }
   /// What velocities are divided by, so that a violation is relative to the limit.
   double velocity_unit() const { return std::isfinite(velocity) ? velocity : velocity_scale; }
@@ -83,7 +91,7 @@ class TrajectoryProgram : public NonlinearProgram {
   Eigen::VectorXd multipliers_from(const TrajectoryProgram& coarse, const Eigen::VectorXd& y) const;
 
  private:
-  enum GroupKind { kDynamics, kJerk, kInside, kBounds, kTerm };
+  enum GroupKind { kDynamics, kJerk, kInside, kInsidePosition, kBounds, kTerm };
   struct RowGroup {
     Eigen::Index first_row;
     std::string limit;
@@ -102,9 +110,17 @@ class TrajectoryProgram : public NonlinearProgram {
   bool is_acceleration(int column) const { return column < 3 * m_ * task_.grid.knots() && column % 3 == 2; }
   double scale(int order, int coordinate) const;
   const RowGroup& group_of(Eigen::Index row) const;
-  /// The coordinates whose jerk, or whose velocity between knots, the group limits.
+  /// The coordinates whose jerk, or whose velocity or position between knots, the group limits.
   const std::vector<int>& limited(const RowGroup& group) const {
-    return group.kind == kJerk ? jerk_limited_ : velocity_limited_;
+    return group.kind == kJerk     ? jerk_limited_
+           : group.kind == kInside ? velocity_limited_
+                                   : position_limited_;
+  }
+  /// Of those the one that a row at this offset in the group is of.
+  const Coordinate& limited_at(const RowGroup& group, int offset) const {
+    const int rows_each = group.kind == kInsidePosition ? 2 : 1;
+    const auto place = static_cast<std::size_t>(offset % group.width / rows_each);
+    return task_.coordinates[static_cast<std::size_t>(limited(group)[place])];
   }
   void lay_out_intervals();
   void lay_out_bounds();
@@ -130,8 +146,9 @@ class TrajectoryProgram : public NonlinearProgram {
   int joints_ = 0;
   std::vector<int> duration_column_;  ///< of each phase; -1: fixed
   std::vector<int> phase_of_interval_;
-  int first_dynamics_ = 0, first_jerk_ = 0, first_inside_ = 0;  ///< blocks in rows
-  std::vector<int> jerk_limited_, velocity_limited_;            ///< coordinates
+  /// Blocks in rows.
+  int first_dynamics_ = 0, first_jerk_ = 0, first_inside_ = 0, first_inside_position_ = 0;
+  std::vector<int> jerk_limited_, velocity_limited_, position_limited_;  ///< coordinates
   std::vector<int> interval_curvature_;  ///< of each interval: its first block, -1: none
   std::vector<int> knot_curvature_;      ///< of each knot: its block, -1: none
   int first_smooth_ = -1;                ///< block in residuals; -1: none

@@ -33,6 +33,7 @@ void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, Vect
   int dynamics = first_dynamics_;
   int jerk = first_jerk_;
   int inside = first_inside_;
+  int inside_position = first_inside_position_;
   for (int k = 0; k < intervals; ++k) {
     const auto phase = static_cast<std::size_t>(phase_of_interval_[static_cast<std::size_t>(k)]);
     const double by_T = 1.0 / task_.grid.phases[phase].intervals;
@@ -80,6 +81,24 @@ void TrajectoryProgram::intervals_at(const VectorXd& z, VectorXd& residual, Vect
           d[0] = sv * per;
           d[1] = h / 2.0 * sa * per;
           if (free) d[2] = by_T * a0 / 2.0 * per;
+        }
+      }
+      if (coordinate.limits_position()) {
+        const RowBlock& early = rows.block(inside_position++);
+        const RowBlock& late = rows.block(inside_position++);
+        const double per = 1.0 / coordinate.position_unit();
+        row[early.first_row] = (q0 + h * v0 / 3.0) * per;
+        row[late.first_row] = (q0 + h * (2.0 * v0 / 3.0 + h * a0 / 6.0)) * per;
+        if (derivatives) {
+          double* d = rows.values(early);
+          d[0] = per;
+          d[1] = h / 3.0 * sv * per;
+          if (free) d[2] = by_T * v0 / 3.0 * per;
+          d = rows.values(late);
+          d[0] = per;
+          d[1] = 2.0 * h / 3.0 * sv * per;
+          d[2] = h * h / 6.0 * sa * per;
+          if (free) d[3] = by_T * (2.0 * v0 / 3.0 + h * a0 / 3.0) * per;
         }
       }
       if (first_smooth_ >= 0) {
