@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tuner/planning/output/binding_limits.hpp"
 
 namespace armtune {
@@ -65,6 +68,67 @@ TEST(SolvePlan, WhatIsTooShortIsComparedWithTheLeastTimeWhoseLimitsAreNamed) {
     EXPECT_EQ(planned.trajectory.durations.front(), least);
     EXPECT_FALSE(binding_limits(planned).empty());
   }
+}
+
+TEST(SolvePlan, AlongAPathMoreTimeIsSmootherAndFoundInFewSteps) {
+  PlanTask task = load_plan_task("ur10_fastest_circle");
+  task.knots = 60;
+  const double least = solve_plan(plan_problem(task)).trajectory.durations.front();
+  double before = INFINITY;
+  for (const double factor : {1.01, 1.3, 3.0, 10.0}) {
+    task.duration = factor * least;
+    const PlannedTrajectory planned = solve_plan(plan_problem(task));
+    ASSERT_EQ(planned.result.status, PlanStatus::kSolved) << factor;
+    EXPECT_LT(planned.objective(), before) << factor;
+    EXPECT_LT(planned.interior_iterations, 3000) << factor;
+    // What is weighed is large beside the tolerance, or the least of it would be none.
+    EXPECT_GT(planned.weight * planned.objective(), 1e-3) << factor;
+    before = planned.objective();
+  }
+}
+
+TEST(SolvePlan, WhoMovesTooFastToStopAtTheGoalComesBackToIt) {
+  for (const double speed : {1.0, 2.0, 3.0}) {
+    constexpr double kAcceleration = 3.0;
+    constexpr double kAhead = 0.1;  // rad
+    PlanTask task = load_plan_task("ur10_move");
+    task.limits.acceleration = JointVector::Constant(6, kAcceleration);
+    task.start.position = task.goal = task.scenario.start_position;
+    task.start.velocity = JointVector::Zero(6);
+    task.start.velocity[5] = speed;
+    task.goal[5] += kAhead;
+    const double beyond = speed * speed / (2.0 * kAcceleration) - kAhead;
+    const double exact = speed / kAcceleration + 2.0 * std::sqrt(beyond / kAcceleration);
+    const PlannedTrajectory planned = solve_plan(plan_problem(task));
+    ASSERT_EQ(planned.result.status, PlanStatus::kSolved) << speed;
+    const double found = planned.trajectory.durations.front();
+    EXPECT_GE(found, exact * (1.0 - 1e-6)) << speed;
+    EXPECT_LE(found, exact * 1.01) << speed;  // ends without acceleration, on a grid
+  }
+}
+
+TEST(SolvePlan, AStopIsNotPassedBetweenTheKnotsEither) {
+  PlanTask task = load_plan_task("ur10_move");
+  task.knots = 14;
+  task.limits.acceleration = JointVector::Constant(6, 2.0);
+  const double stop = task.scenario.robot->joints[5].limits.upper;
+  task.start.position = task.goal = task.scenario.start_position;
+  task.start.velocity = JointVector::Zero(6);
+  task.start.velocity[5] = 1.0;  // takes 0.25 rad to stop
+  task.goal[5] = stop - 1.0;
+  task.start.position[5] = stop - 0.27;
+  const PlannedTrajectory planned = solve_plan(plan_problem(task));
+  ASSERT_EQ(planned.result.status, PlanStatus::kSolved);
+  const Trajectory& motion = planned.trajectory;
+  double largest = -INFINITY;
+  for (int i = 0; i <= 2000; ++i) {
+    const double t = motion.time.front() + motion.durations.front() * i / 2000;
+    largest = std::max(largest, point_at(motion, t).position[5]);
+  }
+  EXPECT_GT(largest, stop - 0.02) << "or this test says nothing";
+  EXPECT_LE(largest, stop * (1.0 + 1e-8));
+  task.start.position[5] = stop - 0.2;
+  EXPECT_EQ(solve_plan(plan_problem(task)).result.status, PlanStatus::kInfeasible);
 }
 
 TEST(SolvePlan, WhatNoDurationIsEnoughForIsNotCalledTooShort) {

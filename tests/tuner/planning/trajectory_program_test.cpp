@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "core/trajectory/linear_acceleration.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
@@ -37,6 +38,8 @@ TrajectoryTask everything(const RobotModel& arm) {
   for (int j = 0; j < arm.n(); ++j) {
     Coordinate c;
     c.name = arm.joints[static_cast<std::size_t>(j)].name;
+    if (j != 1) c.upper = 3.0 + j;
+    if (j % 3 == 0) c.lower = -2.0;
     c.velocity = 2.0 + j;
     c.jerk = j % 2 == 0 ? 50.0 : INFINITY;
     c.velocity_scale = 1.5;
@@ -167,6 +170,42 @@ TEST_P(ProgramOf, TakesAMotionApartAndPutsItTogether) {
 
 INSTANTIATE_TEST_SUITE_P(Arms, ProgramOf, testing::Range(0, 3));
 
+TEST(TrajectoryProgram, BetweenKnotsPositionsAreInTheHullOfTheRowsThatLimitThem) {
+  TrajectoryTask task;
+  task.grid.phases = {{"only", 1, 0.7, false}};
+  Coordinate c;
+  c.name = "q";
+  c.lower = -4.0;
+  c.upper = 2.0;
+  task.coordinates = {c};
+  TrajectoryProgram program(task);
+  const double h = 0.7;
+  const MotionPoint<double> start{0.3, -1.1, 2.5};
+  const auto at = [&](double s) { return linear_acceleration(start, -3.5, h, s); };
+  Trajectory motion;
+  motion.time = {0.0, h};
+  motion.durations = {h};
+  motion.position = Eigen::RowVector2d(at(0.0).position, at(h).position);
+  motion.velocity = Eigen::RowVector2d(at(0.0).velocity, at(h).velocity);
+  motion.acceleration = Eigen::RowVector2d(at(0.0).acceleration, at(h).acceleration);
+  VectorXd residual, row;
+  program.evaluate(program.unknowns(motion), residual, row);
+  std::vector<double> control = {motion.position(0, 0)};
+  for (Index i = 0; i < row.size(); ++i) {
+    // Those at the knots come behind.
+    if (program.meaning(i).limit == "position" && control.size() < 3)
+      control.push_back(program.natural(i, row[i]));
+  }
+  control.push_back(motion.position(0, 1));
+  ASSERT_EQ(control.size(), 4U);
+  for (const double u : {0.1, 0.35, 0.6, 0.9}) {
+    const double v = 1.0 - u;
+    const double bernstein = v * v * v * control[0] + 3.0 * u * v * v * control[1] +
+                             3.0 * u * u * v * control[2] + u * u * u * control[3];
+    EXPECT_NEAR(bernstein, at(u * h).position, 1e-14) << u;
+  }
+}
+
 TEST(TrajectoryProgram, NamesEveryRow) {
   const RobotModel arm = test::ur10();
   TrajectoryProgram program(everything(arm));
@@ -180,6 +219,7 @@ TEST(TrajectoryProgram, NamesEveryRow) {
   EXPECT_EQ(found["motion from knot to knot"], 7 * 7 * 2);
   EXPECT_EQ(found["jerk"], 7 * 3);
   EXPECT_EQ(found["velocity"], 6 * 8 + 8 + 7 * 7);  // at the knots, and inside the intervals
+  EXPECT_EQ(found["position"], 5 * 8 + 5 * 7 * 2);  // of all but one joint
   EXPECT_EQ(found["torque"], 6 * 8);
   EXPECT_EQ(found["tool path"], 4 * 3 + 3 + 5 * 3);
   EXPECT_EQ(found["gaze"], 4);

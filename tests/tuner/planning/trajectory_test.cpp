@@ -72,5 +72,23 @@ TEST(MakeContinuous, AnyPositionsAndEndVelocitiesAreKeptByAMotionThatKeepsTheDyn
   EXPECT_LE(row.head(2 * task.grid.intervals()).lpNorm<Eigen::Infinity>(), 1e-12);
 }
 
+TEST(InDurationsOf, TheWayIsTheSameAndTheSpeedGoesWithTheDurations) {
+  const auto wild = [](double t) { return Eigen::Vector3d{std::sin(3.0 * t), 3.0 * std::cos(3.0 * t), 0.0}; };
+  TimeGrid grid = uneven_grid();
+  Trajectory motion = sampled(grid, wild);
+  make_continuous(motion);
+  grid.phases[0].duration *= 2.0;
+  grid.phases[1].duration *= 0.5;
+  const Trajectory slower = in_durations_of(grid, motion);
+  EXPECT_EQ(slower.position, motion.position);
+  EXPECT_EQ(slower.velocity.col(0), motion.velocity.col(0)) << "the start is as it is";
+  EXPECT_NEAR(slower.velocity(0, 4), 0.5 * motion.velocity(0, 4), 1e-15);
+  EXPECT_NEAR(slower.acceleration(0, 4), 0.25 * motion.acceleration(0, 4), 1e-15);
+  EXPECT_NEAR(slower.velocity(0, 9), 2.0 * motion.velocity(0, 9), 1e-15);
+  EXPECT_NEAR(slower.acceleration(0, 9), 4.0 * motion.acceleration(0, 9), 1e-15);
+  EXPECT_NEAR(slower.time[7], grid.start + 1.8, 1e-12);
+  EXPECT_NEAR(slower.time[12], grid.start + 1.8 + 0.65, 1e-12);
+}
+
 }  // namespace
 }  // namespace armtune
