@@ -104,22 +104,16 @@ report::Scene scene_of_plan(const PlanTask& task) {
 }
 
 [[nodiscard]] int infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
-  if (planned.too_short) {
+  if (planned.too_short)
     fmt::print("{}: infeasible: it takes {:.6g} s at least within the limits, and was given {:.6g} s\n",
                task.name, planned.trajectory.durations.front(), *task.duration);
-    show_limits(binding_limits(planned), "the least time is held back by:");
-    fmt::print(
-        "Give it more time, wider limits or tolerances, or, where little is missing, --knots above {};\n"
-        "no trajectory was written.\n",
-        planned.trajectory.time.size() - 1);
-    return kNoFeasiblePoint;
-  }
-  fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
-  show_limits(binding_limits(planned), "in the way:");
-  fmt::print(
-      "Give it wider limits or tolerances, another start, or, where little is missing, --knots above {};\n"
-      "no trajectory was written.\n",
-      planned.trajectory.time.size() - 1);
+  else
+    fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
+  show_limits(binding_limits(planned), planned.too_short ? "the least time is held back by:" : "in the way:");
+  fmt::print("Give it {}, or, where little is missing, --knots above {};\nno trajectory was written.\n",
+             planned.too_short ? "more time, wider limits or tolerances"
+                               : "wider limits or tolerances, another start",
+             planned.trajectory.time.size() - 1);
   return kNoFeasiblePoint;
 }
 

@@ -131,8 +131,10 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
   if (resume.empty()) {
     try {
       return Journal::begin(folder + kJournal, header);
-    } catch (...) {  // the folder is not to be in the way of another try
-      discard_run(folder);
+    } catch (...) {
+      // An empty folder is not to be in the way of another try; what is in it may be another run's.
+      std::error_code ignored;
+      fs::remove(folder, ignored);
       throw;
     }
   }

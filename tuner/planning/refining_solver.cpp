@@ -11,11 +11,11 @@ constexpr int kFactor = 3;     // from one grid to the next
 // Multipliers near the edge of what is feasible grow without bound beside the objective, and a violation is
 // dear only so far: before a task is called infeasible the objective must weigh next to nothing.
 constexpr double kLeastWeight = 1e-6;
-// Where only the smoothness is to gain: what the objective weighs,
-constexpr double kWorthFromAfar = 20.0;
-constexpr double kWorthOfGuess = 5e-3;  // at a guess beside the limits,
-constexpr double kWorthOfPlan = 0.02;   // and of what is found from there,
-constexpr double kMoreWeight = 1e3;     // step by step
+// Where only the smoothness is to gain the objective's scale is ours. Weighed, it is to be this much
+constexpr double kWorthFromAfar = 20.0;  // at a guess from afar,
+constexpr double kWorthOfGuess = 5e-3;   // at one beside the limits,
+constexpr double kWorthOfPlan = 0.02;    // and at least this at what is found,
+constexpr double kMoreWeight = 1e3;      // by way of weights that grow so much at a time
 
 /// Intervals of the longest phase on each grid, the finest first.
 std::vector<int> sizes_of(const TimeGrid& grid) {

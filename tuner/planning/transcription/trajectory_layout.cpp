@@ -111,10 +111,7 @@ void TrajectoryProgram::lay_out_intervals() {
 void TrajectoryProgram::lay_out_bounds() {
   const auto add = [&](const char* name, int order, int j, double lower, double upper) {
     if (!std::isfinite(lower) && !std::isfinite(upper)) return;
-    // Values relative to the limit, so that a violation is, too.
-    const double limit =
-        std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
-    const double size = limit > 0.0 ? limit : 1.0;
+    const double size = unit_of(lower, upper);
     const double per = 1.0 / size;
     groups_.push_back({rows.rows(), name, kBounds, j, 1, order, size});
     std::vector<int> columns;

@@ -22,6 +22,14 @@
 
 namespace armtune {
 
+/// What a value between two bounds is divided by, so that a violation is relative to its limit: the larger of
+/// the finite ones, 1 without one.
+inline double unit_of(double lower, double upper) {
+  const double largest =
+      std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
+  return largest > 0.0 ? largest : 1.0;
+}
+
 /// A joint, or the path coordinate, and its limits (inf: none).
 struct Coordinate {
   std::string name;
@@ -32,12 +40,7 @@ struct Coordinate {
   /// Bounds on q': of both directions the narrower.
   double lowest_velocity() const { return std::max(-velocity, least_velocity); }
   bool limits_position() const { return std::isfinite(lower) || std::isfinite(upper); }
-  /// What positions are divided by, so that a violation is relative to the limit.
-  double position_unit() const {
-    const double largest =
-        std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
-    return largest > 0.0 ? largest : 1.0;
-  }
+  double position_unit() const { return unit_of(lower, upper); }
   bool limits_velocity() const { return std::isfinite(lowest_velocity()) || std::isfinite(velocity); }
   /// What velocities are divided by, so that a violation is relative to the limit.
   double velocity_unit() const { return std::isfinite(velocity) ? velocity : velocity_scale; }
