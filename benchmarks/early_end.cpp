@@ -1,14 +1,15 @@
-// What ending hopeless rollouts early saves: the same study, seed and budget with every constraint's
-// `hopeless` as the study has it, and with `never`. Simulated seconds are free of noise; processor and wall
-// seconds stand beside them. The search sees other values at hopeless points and may take another way: both
-// bests are shown.
+// What ending rollouts early saves: the same study, seed and budget in the native engine, with nothing ended
+// early; with what is beyond repair ended, as the study says; and with the candidates ended, too, that can
+// make no difference to the search any more. Simulated seconds are free of noise; processor seconds stand
+// beside them. The search sees other values at points beyond repair and may take another way; of those that
+// make no difference it sees none, so the last two find the same.
 //
 // Usage: benchmark_early_end [STUDY [ALGORITHM [EVALUATIONS [SEED]]]]
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <ctime>
 #include <exception>
 #include <string>
@@ -21,12 +22,17 @@ namespace {
 
 struct Outcome {
   long evaluations = 0;
-  long hopeless = 0;       ///< evaluations with a rollout that ended early
-  double simulated = 0.0;  ///< [s]; of a study on many arms, of the arm that ended first
+  long hopeless = 0;       ///< evaluations with a rollout that ended beyond repair
+  long outdone = 0;        ///< evaluations that made no difference
+  double simulated = 0.0;  ///< [s]
   double processor = 0.0;  ///< [s]
-  double wall = 0.0;       ///< [s]
   Evaluation best;
 };
+
+bool any(const Evaluation& e, RolloutStatus status) {
+  return std::any_of(e.results.begin(), e.results.end(),
+                     [status](const RolloutResult& r) { return r.status == status; });
+}
 
 Outcome run(const Study& study) {
   constexpr int kWorkers = 1;  // times are compared
@@ -35,26 +41,22 @@ Outcome run(const Study& study) {
   Outcome outcome;
   TuneCallbacks callbacks;
   callbacks.evaluated = [&outcome](const char*, const Evaluation& e) {
-    bool ended = false;
-    for (const RolloutResult& r : e.results) {
-      outcome.simulated += r.end_time;
-      ended = ended || r.status == RolloutStatus::kHopeless;
-    }
-    if (ended) ++outcome.hopeless;
+    if (any(e, RolloutStatus::kHopeless)) ++outcome.hopeless;
+    if (any(e, RolloutStatus::kOutdone)) ++outcome.outdone;
   };
   const std::clock_t ticks = std::clock();
-  const auto began = std::chrono::steady_clock::now();
   TuneResult result = tune(study, workers, never, callbacks);
-  outcome.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   outcome.processor = static_cast<double>(std::clock() - ticks) / CLOCKS_PER_SEC;
+  outcome.simulated = workers.simulated();
   outcome.evaluations = result.evaluations;
   outcome.best = std::move(result.best);
   return outcome;
 }
 
-void print(const char* ends, const Outcome& o) {
-  fmt::print("{:<10}{:>12}{:>15}{:>15.1f}{:>15.1f}{:>10.1f}{:>17.3f}  {:.6f}{}\n", ends, o.evaluations,
-             o.hopeless, o.simulated, o.processor, o.wall, static_cast<double>(o.evaluations) / o.processor,
+void print(const char* ends, const Outcome& o, const Outcome& whole) {
+  fmt::print("{:<26}{:>12}{:>15}{:>15}{:>15.0f}{:>7.1f} %{:>15.1f}{:>12.2f}{:>8.3f}  {:.6f}{}\n", ends,
+             o.evaluations, o.hopeless, o.outdone, o.simulated, 100.0 * o.simulated / whole.simulated,
+             o.processor, static_cast<double>(o.evaluations) / o.processor, whole.processor / o.processor,
              o.best.objective, o.best.feasible ? "" : " (infeasible)");
 }
 
@@ -63,17 +65,26 @@ void compare(const std::vector<std::string>& args) {
   if (args.size() > 1) study.solver.algorithm = algorithm_from_name(args[1]).name;
   if (args.size() > 2) study.max_evaluations = std::stol(args[2]);
   if (args.size() > 3) study.solver.seed = std::stoul(args[3]);
-  fmt::print("{}: {}, seed {}\n{:<10}{:>12}{:>15}{:>15}{:>15}{:>10}{:>17}  {}\n", study.name,
-             study.solver.algorithm, study.solver.seed, "ends", "evaluations", "of them ended",
-             "simulated [s]", "processor [s]", "wall [s]", "per processor s", "best");
-  const Outcome early = run(study);
-  print("by study", early);
-  for (Constraint& c : study.constraints) c.hopeless.kind = Hopeless::Kind::kNever;
-  const Outcome whole = run(study);
-  print("never", whole);
-  fmt::print("simulated {:.1f} %, processor {:.1f} % of whole rollouts; {} best\n",
-             100.0 * early.simulated / whole.simulated, 100.0 * early.processor / whole.processor,
-             early.best.x == whole.best.x ? "the same" : "another");
+  study.engine = Engine::kNative;
+  study.verify_share = 0.0;
+  study.sweep.clear();
+  fmt::print("{}: {}, seed {}\n{:<26}{:>12}{:>15}{:>15}{:>24}{:>15}{:>20}  {}\n", study.name,
+             study.solver.algorithm, study.solver.seed, "ended early", "evaluations", "beyond repair",
+             "no difference", "simulated [s]", "processor [s]", "evaluations/s", "best");
+  Study none = study;
+  for (Constraint& c : none.constraints) c.hopeless.kind = Hopeless::Kind::kNever;
+  none.end_outdone = false;
+  Study hopeless = study;
+  hopeless.end_outdone = false;
+  const Outcome whole = run(none);
+  print("nothing", whole, whole);
+  const Outcome broken = run(hopeless);
+  print("what is beyond repair", broken, whole);
+  const Outcome both = run(study);
+  print("what makes no difference", both, whole);
+  fmt::print("of no difference: simulated {:.1f} %, processor {:.1f} % of the row above; {} best\n",
+             100.0 * both.simulated / broken.simulated, 100.0 * both.processor / broken.processor,
+             both.best.x == broken.best.x ? "the same" : "ANOTHER");
 }
 
 }  // namespace

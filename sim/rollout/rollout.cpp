@@ -41,6 +41,12 @@ const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metric
   return nullptr;
 }
 
+double cost_so_far(const EndCost& cost, const MetricAccumulator& metrics) {
+  double sum = 0.0;
+  for (const EndCost::Share& share : cost.shares) sum += share.at(metrics.so_far(share.metric));
+  return sum;
+}
+
 }  // namespace
 
 Rollout::Rollout(const Scenario& scenario, Stepper stepper, Engine engine)
@@ -50,7 +56,8 @@ Rollout::Rollout(const Scenario& scenario, Stepper stepper, Engine engine)
       theta_true_(theta_of(plant_model_.chain)),
       plant_(make_plant(plant_model_, stepper, engine)) {}
 
-RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits) {
+RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits,
+                           const EndCost& cost) {
   const FlushDenormals flush;
   const double period = scenario_.control_period;
   const int periods = scenario_.periods();
@@ -110,6 +117,13 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
       result.reason = fmt::format("{} reached {:.4g} at {:.3f} s in {}; beyond repair from {:.4g} on",
                                   name(limit->metric), metrics.so_far(limit->metric), time,
                                   name(o.control->state), limit->value);
+      break;
+    }
+    if (cost_so_far(cost, metrics) > cost.beyond) {
+      result.status = RolloutStatus::kOutdone;
+      result.reason = fmt::format(
+          "objective and penalties reached {:.4g} at {:.3f} s in {}; of no use to the search from {:.4g} on",
+          cost_so_far(cost, metrics), time, name(o.control->state), cost.beyond);
       break;
     }
     try {

@@ -8,6 +8,7 @@
 #include "core/control/gains.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/plant/plant.hpp"
+#include "sim/rollout/end_cost.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/rollout/observation.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -16,10 +17,11 @@ namespace armtune {
 
 enum class RolloutStatus {
   kCompleted,
-  kDiverged,    ///< the state left every sensible range, or the engine gave up
-  kHopeless,    ///< it passed one of its end limits, beyond repair
-  kNoSamples,   ///< it ran to the end without a planned motion, but no period counted as tracking
-  kInterrupted  ///< the caller asked it to stop
+  kDiverged,     ///< the state left every sensible range, or the engine gave up
+  kHopeless,     ///< it passed one of its end limits, beyond repair
+  kNoSamples,    ///< it ran to the end without a planned motion, but no period counted as tracking
+  kInterrupted,  ///< the caller asked it to stop
+  kOutdone       ///< it cost more than was of any use
 };
 
 constexpr const char* name(RolloutStatus status) {
@@ -30,6 +32,8 @@ constexpr const char* name(RolloutStatus status) {
       return "diverged";
     case RolloutStatus::kHopeless:
       return "hopeless";
+    case RolloutStatus::kOutdone:
+      return "outdone";
     case RolloutStatus::kNoSamples:
       return "no_samples";
     case RolloutStatus::kInterrupted:
@@ -55,9 +59,10 @@ class Rollout {
 
   /// Runs the scenario from its start with these gains (valid for its robot). Nothing carries over from an
   /// earlier run. Diverging is a status, not an exception.
-  /// limits: metrics, each one that only worsens, that end the rollout when they pass a value; none: it runs
-  /// whole. Up to its end a rollout with limits is the one without.
-  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {});
+  /// limits: metrics, each one that only worsens, that end the rollout when they pass a value; cost: the same
+  /// for a sum of such; none: it runs whole. Up to its end a rollout with limits is the one without.
+  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {},
+                    const EndCost& cost = {});
 
   const Scenario& scenario() const { return scenario_; }
 

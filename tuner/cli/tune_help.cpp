@@ -55,7 +55,13 @@ beyond that of joint_position/min_margin, never for others; a value can be given
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
   }
-  text += "\n";
+  text += R"(
+Where constraints are penalties (search/constraints: penalty), a candidate is also given up once objective and
+penalties so far are more than the algorithm could take: CRS2 and ESCH keep the best they have seen, Nelder-Mead's
+simplex nothing above its worst, so all three go the same way as if it were simulated whole, and the study's best few
+are never given up. Such a row of evaluations.csv has no metrics and says so in its status. search/end_outdone: false
+simulates every candidate whole; others than these three, and robust studies, do so in any case.
+)";
   return text;
 }
 

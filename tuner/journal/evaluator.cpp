@@ -9,6 +9,15 @@
 #include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
+namespace {
+
+/// The bar, if the evaluation ended because of it.
+double beyond(const Evaluation& e, double bar) {
+  const auto outdone = [](const RolloutResult& r) { return r.status == RolloutStatus::kOutdone; };
+  return std::any_of(e.results.begin(), e.results.end(), outdone) ? bar : HUGE_VAL;
+}
+
+}  // namespace
 
 Evaluator::Evaluator(const Study& study, Workers& workers, const std::atomic<bool>& stop, Journal* journal)
     : study_(study), workers_(workers), stop_(stop), journal_(journal) {
@@ -42,6 +51,7 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   e.seconds = record->seconds;
   e.recalled = true;
   e.engine = engine;
+  e.beyond = beyond(e, candidate.bar);
   return e;
 }
 
@@ -64,11 +74,14 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
   std::vector<std::optional<Evaluation>> ready(candidates.size());
   std::vector<std::size_t> missing;
   std::vector<std::vector<double>> points;
+  Conditions with_bars = conditions;
+  with_bars.bars.clear();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     ready[i] = recall(count_ + i, candidates[i], conditions.engine);
     if (ready[i]) continue;
     missing.push_back(i);
     points.push_back(candidates[i].x);
+    with_bars.bars.push_back(candidates[i].bar);
   }
   std::size_t taken = 0;
   const auto take_ready = [&] {
@@ -83,10 +96,11 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
     if (journal_ != nullptr) journal_->append({count_ + i, candidates[i].phase, now, e.x, e.results});
     ready[i] = e;  // not before it is on disk
     ready[i]->seconds = now;
+    ready[i]->beyond = beyond(e, candidates[i].bar);
     take_ready();
   };
   const bool whole =
-      points.empty() || simulate_points(study_, points, workers_, stop_, conditions, finished).has_value();
+      points.empty() || simulate_points(study_, points, workers_, stop_, with_bars, finished).has_value();
   count_ += candidates.size();
   return whole && taken == candidates.size();
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -17,6 +18,7 @@ namespace armtune {
 struct Candidate {
   const char* phase = "";
   std::vector<double> x;
+  double bar = HUGE_VAL;  ///< its rollouts end once it costs more for sure
 };
 
 class Evaluator {

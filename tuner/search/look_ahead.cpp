@@ -32,27 +32,28 @@ std::vector<std::vector<double>> LookAhead::replay(const Known& known, bool bett
   }
   auto told = history_.begin();
   std::size_t repeats = 0;
-  run_algorithm(problem_, options_, [&](const std::vector<double>& x, bool, SolverAnswer& answer) {
-    if (told != history_.end()) {
-      if ((*told)->first != x) return false;
-      answer.value = (*told++)->second;
-      return true;
-    }
-    auto found = known.find(x);
-    if (found == known.end()) {
-      if (const auto place = supposed.find(x); place != supposed.end()) {
-        answer.value = place->second;
-        return ++repeats < kFar;
-      }
-      if (asked.size() == kFar) return false;
-      answer.value = extreme(problem_, best, worst, asked.size(), better);
-      supposed[x] = answer.value;
-      asked.push_back(x);
-      return true;
-    }
-    answer.value = found->second;
-    return ++repeats < kFar;
-  });
+  run_algorithm(problem_, options_,
+                [&](const std::vector<double>& x, bool, const Bar&, SolverAnswer& answer) {
+                  if (told != history_.end()) {
+                    if ((*told)->first != x) return false;
+                    answer.value = (*told++)->second;
+                    return true;
+                  }
+                  auto found = known.find(x);
+                  if (found == known.end()) {
+                    if (const auto place = supposed.find(x); place != supposed.end()) {
+                      answer.value = place->second;
+                      return ++repeats < kFar;
+                    }
+                    if (asked.size() == kFar) return false;
+                    answer.value = extreme(problem_, best, worst, asked.size(), better);
+                    supposed[x] = answer.value;
+                    asked.push_back(x);
+                    return true;
+                  }
+                  answer.value = found->second;
+                  return ++repeats < kFar;
+                });
   return asked;
 }
 

@@ -22,11 +22,16 @@ class Served {
         looks_ahead_(options.look_ahead > 1 && !algorithm_from_name(options.algorithm).uses_differences),
         ahead_(problem, options) {}
 
-  bool answer(const std::vector<double>& x, bool derivatives, SolverAnswer& out);
+  bool answer(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& out);
   bool circling() const { return repeats_ >= kMostRepeats; }
 
  private:
   bool answer_with_derivatives(const std::vector<double>& x, SolverAnswer& out);
+  /// What is known of a point and may be told; null if nothing.
+  const LookAhead::Known::value_type* known(const std::vector<double>& x, double bar) const {
+    const auto found = known_.find(x);
+    return found == known_.end() || !found->second.good_for(bar) ? nullptr : &*found;
+  }
   /// Asks for those of the points that are not known. False if the search is to end at once.
   bool fetch(const std::vector<SolverPoint>& points);
 
@@ -42,7 +47,7 @@ class Served {
 bool Served::fetch(const std::vector<SolverPoint>& points) {
   std::vector<SolverPoint> unknown;
   std::copy_if(points.begin(), points.end(), std::back_inserter(unknown),
-               [this](const SolverPoint& p) { return !known_.contains(p.x); });
+               [this](const SolverPoint& p) { return known(p.x, p.bar) == nullptr; });
   if (unknown.empty()) return true;
   if (ended_) return false;
   std::vector<SolverValue> values;
@@ -72,20 +77,24 @@ bool Served::answer_with_derivatives(const std::vector<double>& x, SolverAnswer&
   return true;
 }
 
-bool Served::answer(const std::vector<double>& x, bool derivatives, SolverAnswer& out) {
+bool Served::answer(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& out) {
   if (derivatives) return answer_with_derivatives(x, out);
-  auto found = known_.find(x);
-  if (found == known_.end()) {
+  const double now = bar.now();
+  const double later = bar.only_falls() ? now : HUGE_VAL;
+  const auto* found = known(x, now);
+  if (found == nullptr) {
     repeats_ = 0;
     std::vector<SolverPoint> points;
     if (looks_ahead_) {
-      for (auto& point : ahead_.next(x, known_)) points.push_back({std::move(point), false});
+      for (auto& point : ahead_.next(x, known_)) {
+        points.push_back({std::move(point), false, points.empty() ? now : later});
+      }
     } else {
-      points.push_back({x, false});
+      points.push_back({x, false, now});
     }
     if (!fetch(points)) return false;
-    found = known_.find(x);
-    if (found == known_.end()) return false;
+    found = known(x, now);
+    if (found == nullptr) return false;
   } else if (++repeats_ >= kMostRepeats) {
     return false;
   }
@@ -98,10 +107,10 @@ bool Served::answer(const std::vector<double>& x, bool derivatives, SolverAnswer
 
 SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& options) {
   Served served(problem, options);
-  SolverOutcome outcome = run_algorithm(
-      problem, options, [&served](const std::vector<double>& x, bool derivatives, SolverAnswer& answer) {
-        return served.answer(x, derivatives, answer);
-      });
+  SolverOutcome outcome =
+      run_algorithm(problem, options,
+                    [&served](const std::vector<double>& x, bool derivatives, const Bar& bar,
+                              SolverAnswer& answer) { return served.answer(x, derivatives, bar, answer); });
   if (served.circling()) outcome = {false, false, "ended: it asks for nothing new any more"};
   return outcome;
 }

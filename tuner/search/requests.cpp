@@ -1,33 +1,38 @@
 #include "tuner/search/requests.hpp"
 
-#include <set>
+#include <algorithm>
+#include <map>
 #include <utility>
 
 namespace armtune {
 
 std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
-                                     const std::function<bool(const std::vector<double>& x)>& known,
+                                     const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed) {
   std::vector<Candidate> candidates;
-  std::set<std::vector<double>> chosen;
+  std::map<std::vector<double>, std::size_t> chosen;
   for (const Request& request : requests) {
     for (const SolverPoint& point : request.points) {
-      if (known(point.x) || chosen.contains(point.x)) continue;
+      if (known(point)) continue;
+      if (const auto same = chosen.find(point.x); same != chosen.end()) {
+        double& bar = candidates[same->second].bar;
+        bar = std::max(bar, point.bar);
+        continue;
+      }
       if (!allowed(request.search)) break;
-      candidates.push_back({point.difference ? "gradient" : phase, point.x});
-      chosen.insert(point.x);
+      chosen.emplace(point.x, candidates.size());
+      candidates.push_back({point.difference ? "gradient" : phase, point.x, point.bar});
     }
   }
   return candidates;
 }
 
 void answer(std::vector<Request>& requests, bool go_on,
-            const std::function<std::optional<SolverValue>(std::size_t search, const std::vector<double>& x)>&
-                value) {
+            const std::function<std::optional<SolverValue>(std::size_t search, const SolverPoint&)>& value) {
   for (Request& request : requests) {
     request.go_on = go_on;
     for (const SolverPoint& point : request.points) {
-      auto known = value(request.search, point.x);
+      auto known = value(request.search, point);
       if (!known) break;
       request.values.push_back(std::move(*known));
     }

@@ -1,10 +1,13 @@
 #pragma once
 // The search algorithms behind a small interface: NLopt's types stay in solver.cpp.
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "tuner/search/bar.hpp"
 
 namespace armtune {
 
@@ -12,11 +15,19 @@ namespace armtune {
 struct SolverValue {
   double objective = 0.0;
   std::vector<double> constraints;
+  /// Below HUGE_VAL: the point's true value, penalties included, is above this, as is what stands here in its
+  /// place.
+  double beyond = HUGE_VAL;
+
+  /// Whether a search to which nothing above the bar makes a difference may be told this.
+  bool good_for(double bar) const { return bar <= beyond; }
 };
 
 struct SolverPoint {
   std::vector<double> x;
   bool difference = false;  ///< asked for to form a derivative, not as a candidate
+  /// Any value above it, penalties included, does as well as the point's own.
+  double bar = HUGE_VAL;
 };
 
 struct SolverProblem {
@@ -100,8 +111,10 @@ struct SolverAnswer {
   std::vector<double> constraint_gradients;
 };
 
-/// Answers one point; returns false to end the search.
-using Oracle = std::function<bool(const std::vector<double>& x, bool derivatives, SolverAnswer& answer)>;
+/// Answers one point; returns false to end the search. bar: as it stands when this point is asked for; there
+/// is none unless the search sees objective and constraints as one value (kPenalty).
+using Oracle =
+    std::function<bool(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& answer)>;
 
 /// The bare algorithm: one point after the other, `problem.evaluate` left alone.
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options, const Oracle& oracle);

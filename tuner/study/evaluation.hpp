@@ -1,6 +1,7 @@
 #pragma once
 // What a candidate turned out to be worth, and the one ordering of candidates.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,20 @@ struct Evaluation {
   std::string status;                  ///< "completed", or what went wrong first
   std::vector<RolloutResult> results;  ///< one per scenario
   Engine engine = Engine::kSimbody;    ///< that gave the results
-  double seconds = 0.0;                ///< wall time of the run when it was finished
-  bool recalled = false;               ///< from the journal of a run that goes on
+  /// Below HUGE_VAL: it was not simulated to its end, since objective and penalties are above this.
+  double beyond = HUGE_VAL;
+  double seconds = 0.0;   ///< wall time of the run when it was finished
+  bool recalled = false;  ///< from the journal of a run that goes on
 };
+
+/// As a search with penalties sees it: objective + penalty * sum of its positive relative violations.
+inline double penalised(const Evaluation& e, double penalty) {
+  double sum = e.objective;
+  for (const double g : e.relative) {
+    if (g > 0.0) sum += penalty * g;
+  }
+  return sum;
+}
 
 /// Feasible before infeasible; among feasible the smaller objective; among infeasible the smaller violation,
 /// then the smaller objective.

@@ -38,9 +38,10 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     start_.push_back(start[s].metrics);
   }
   for (const ObjectiveTerm& term : terms_) {
+    weights_ += term.weight;
     for (const std::size_t s : term.scenarios) {
-      const double reference = std::max(term.floor, start_[s][term.metric]);
-      if (!(std::isfinite(reference) && reference > 0.0)) {
+      const double of_start = reference(term, s);
+      if (!(std::isfinite(of_start) && of_start > 0.0)) {
         throw InputError(
             fmt::format("{}: {} of the start gains in {} is {}, which gives no reference; leave that "
                         "scenario out of the term or give it a 'floor'",
@@ -106,6 +107,44 @@ double Objective::incompleteness(const RolloutResult& result, std::size_t s) con
   return 1.0 + left * (1.0 + far) / 2.0;
 }
 
+bool Objective::only_grows() const {
+  return std::none_of(terms_.begin(), terms_.end(),
+                      [](const ObjectiveTerm& term) { return larger_is_better(term.metric); });
+}
+
+EndCost Objective::end_cost(std::size_t s, const std::vector<std::optional<RolloutResult>>& finished,
+                            double penalty, double bar) const {
+  // What rounding can make of a sum formed in another order.
+  constexpr double kAbove = 1.0 + 1e-9;
+  EndCost cost;
+  cost.beyond = kAbove * bar;
+  for (const ObjectiveTerm& term : terms_) {
+    const double weight = term.weight / (weights_ * static_cast<double>(term.scenarios.size()));
+    for (const std::size_t k : term.scenarios) {
+      if (finished[k]) cost.beyond -= weight * score(term, *finished[k], k);
+      if (k != s || finished[k] || !only_worsens(term.metric)) continue;
+      cost.shares.push_back({term.metric, 0.0, weight / reference(term, s), weight * kLargestRatio});
+    }
+  }
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    double worst = 0.0;  // of those that are done: the others count where they are worse
+    for (const std::size_t k : constraints_[c].scenarios) {
+      if (!finished[k] || !judged_[c][k]) continue;
+      worst = std::max(worst, relative_excess(c, excess(c, *finished[k], k), k));
+    }
+    cost.beyond -= penalty * worst;
+    if (!judged_[c][s] || !can_be_hopeless(constraints_[c].metric, constraints_[c].upper)) continue;
+    const double bound = limit(c, s);
+    const double one = constraints_[c].upper ? scale_of(bound) : -scale_of(bound);
+    cost.shares.push_back(
+        {constraints_[c].metric, bound + worst * one, penalty / one, penalty * (kLargestRatio - worst)});
+  }
+  for (std::size_t k = 0; k < finished.size(); ++k) {
+    if (finished[k]) cost.beyond -= penalty * incompleteness(*finished[k], k);
+  }
+  return cost;
+}
+
 double Objective::limit(std::size_t c, std::size_t s) const {
   const Constraint& constraint = constraints_[c];
   return constraint.limit ? *constraint.limit : start_[s][constraint.metric];
@@ -117,22 +156,32 @@ std::string Objective::constraint_name(std::size_t c) const {
                      constraint.limit ? fmt::format("{}", *constraint.limit) : "start");
 }
 
+double Objective::score(const ObjectiveTerm& term, const RolloutResult& result, std::size_t s) const {
+  const double incomplete = incompleteness(result, s);
+  const double ratio = result.metrics[term.metric] / reference(term, s);
+  return incomplete > 0.0 || !std::isfinite(ratio) ? kIncompletePenalty * std::max(1.0, incomplete)
+                                                   : std::min(ratio, kLargestRatio);
+}
+
+double Objective::excess(std::size_t c, const RolloutResult& result, std::size_t s) const {
+  const double bound = limit(c, s);
+  const double v = result.metrics[constraints_[c].metric];
+  const double g = constraints_[c].upper ? v - bound : bound - v;
+  return std::isfinite(g) ? g : scale_of(bound) * std::max(1.0, incompleteness(result, s));
+}
+
+double Objective::relative_excess(std::size_t c, double excess, std::size_t s) const {
+  return std::min(excess / scale_of(limit(c, s)), kLargestRatio);
+}
+
 void Objective::judge(Evaluation& e) const {
   double sum = 0.0;
-  double weights = 0.0;
   for (const ObjectiveTerm& term : terms_) {
     double mean = 0.0;
-    for (const std::size_t s : term.scenarios) {
-      const double incomplete = incompleteness(e.results[s], s);
-      const double reference = std::max(term.floor, start_[s][term.metric]);
-      const double ratio = e.results[s].metrics[term.metric] / reference;
-      mean += incomplete > 0.0 || !std::isfinite(ratio) ? kIncompletePenalty * std::max(1.0, incomplete)
-                                                        : std::min(ratio, kLargestRatio);
-    }
+    for (const std::size_t s : term.scenarios) mean += score(term, e.results[s], s);
     sum += term.weight * mean / static_cast<double>(term.scenarios.size());
-    weights += term.weight;
   }
-  e.objective = sum / weights;
+  e.objective = sum / weights_;
 
   e.constraints.assign(constraint_count(), 0.0);
   e.relative.assign(constraint_count(), 0.0);
@@ -142,15 +191,11 @@ void Objective::judge(Evaluation& e) const {
     double worst = -HUGE_VAL;
     double relative = -HUGE_VAL;
     for (const std::size_t s : constraint.scenarios) {
-      const double bound = limit(c, s);
       // Nothing to judge here, as clearance without obstacles.
       if (!judged_[c][s]) continue;
-      const double scale = scale_of(bound);
-      const double v = e.results[s].metrics[constraint.metric];
-      double g = constraint.upper ? v - bound : bound - v;
-      if (!std::isfinite(g)) g = scale * std::max(1.0, incompleteness(e.results[s], s));
+      const double g = excess(c, e.results[s], s);
       worst = std::max(worst, g);
-      relative = std::max(relative, std::min(g / scale, kLargestRatio));
+      relative = std::max(relative, relative_excess(c, g, s));
     }
     if (!std::isfinite(worst)) continue;
     e.constraints[c] = worst;

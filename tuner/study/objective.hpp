@@ -1,6 +1,7 @@
 #pragma once
 // Objective and constraints of a study: metrics over scenarios, relative to the start gains.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,14 @@ class Objective {
   /// Where rollouts of a candidate end, beyond repair, per scenario of the study. Not for the start's own.
   const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
+  /// Whether what a candidate costs, objective + penalty * sum of its positive relative violations, can only
+  /// grow while its rollouts go on. Not where a term can be below zero and make good what others cost.
+  bool only_grows() const;
+  /// Where a rollout of scenario s ends since its candidate costs more than `bar` for sure. finished: those
+  /// of the candidate's rollouts that are done, one place per scenario. Needs only_grows().
+  EndCost end_cost(std::size_t s, const std::vector<std::optional<RolloutResult>>& finished, double penalty,
+                   double bar) const;
+
   const std::vector<ObjectiveTerm>& terms() const { return terms_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
   /// Limit of constraint c in scenario s (index into the study's).
@@ -60,6 +69,15 @@ class Objective {
   double incompleteness(const RolloutResult& result, std::size_t s) const;
   /// 0 .. 1: by how much, relative to its limit, the worst of the constraints that can be hopeless is broken.
   double how_far(const RolloutResult& result, std::size_t s) const;
+  double reference(const ObjectiveTerm& term, std::size_t s) const {
+    return std::max(term.floor, start_[s][term.metric]);
+  }
+  /// Of one scenario, relative to the start.
+  double score(const ObjectiveTerm& term, const RolloutResult& result, std::size_t s) const;
+  /// By how much constraint c is broken in one scenario, in natural units; below zero where it holds.
+  double excess(std::size_t c, const RolloutResult& result, std::size_t s) const;
+  /// The same over its limit, as far as it counts.
+  double relative_excess(std::size_t c, double excess, std::size_t s) const;
   void set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where);
 
   std::vector<ObjectiveTerm> terms_;
@@ -67,6 +85,7 @@ class Objective {
   std::vector<std::vector<bool>> judged_;  ///< [constraint][scenario]: listed there, and the metric applies
   std::vector<EndLimits> end_limits_;      ///< [scenario]
   std::vector<double> durations_;
+  double weights_ = 0.0;  ///< of all terms
   std::vector<Metrics> start_;
 };
 

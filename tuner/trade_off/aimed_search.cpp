@@ -42,7 +42,10 @@ void AimedSearch::take_in(const char* phase, Evaluation e) {
     check_reference(point.costs);
     if (callbacks_.begin) callbacks_.begin(*objective_);
   }
-  known_[point.e.x] = {{point.e.objective, point.e.relative}, point.costs};
+  Known& known = known_[point.e.x];
+  known.value.objective = point.e.objective;
+  known.value.constraints = point.e.relative;
+  known.costs = point.costs;
   if (callbacks_.evaluated) callbacks_.evaluated(phase, point.e);
   if (out_.evaluations == 1) out_.start = point;
   archive_.add(std::move(point));
@@ -88,11 +91,11 @@ void AimedSearch::serve(const char* phase, const std::vector<Aim>& aims, std::ve
                         std::vector<Request>& requests) {
   const bool in_time = evaluator_.time_left();
   const auto candidates = candidates_of(
-      requests, phase, [this](const std::vector<double>& x) { return known_.contains(x); },
+      requests, phase, [this](const SolverPoint& point) { return known_.contains(point.x); },
       [&](std::size_t search) { return in_time && left[search] > 0 && left[search]-- > 0; });
   if (!candidates.empty()) evaluate(candidates);
-  answer(requests, !out_.interrupted, [&](std::size_t search, const std::vector<double>& x) {
-    const auto known = known_.find(x);
+  answer(requests, !out_.interrupted, [&](std::size_t search, const SolverPoint& point) {
+    const auto known = known_.find(point.x);
     return known == known_.end() ? std::nullopt : std::optional(seen_from(aims[search], known->second));
   });
 }

@@ -23,6 +23,7 @@ void Crew::run(std::size_t count, const std::function<RolloutJob(std::size_t)>& 
     RolloutResult result = workers_[worker]->run(job(i), stop);
     if (result.status == RolloutStatus::kInterrupted) return;
     ++done_;
+    simulated_ += result.end_time;
     const std::lock_guard lock(mutex);
     finished(i, std::move(result));
   });

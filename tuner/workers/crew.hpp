@@ -20,6 +20,8 @@ class Crew {
   const RolloutPlan& plan() const { return *plan_; }
   int count() const { return static_cast<int>(workers_.size()); }
   long rollouts_done() const { return done_; }
+  /// Of all of them together [s].
+  double simulated() const { return simulated_; }
 
   /// Runs job(0) .. job(count - 1), started in that order; `finished` gets each result that is whole, in any
   /// order, one call at a time, from any thread. No job is started once `stop` is true, and those under way
@@ -31,6 +33,7 @@ class Crew {
   std::shared_ptr<const RolloutPlan> plan_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::atomic<long> done_{0};
+  std::atomic<double> simulated_{0.0};
 };
 
 }  // namespace armtune

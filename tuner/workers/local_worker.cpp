@@ -45,7 +45,7 @@ RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<
     }
     return !stop();
   };
-  return rollout(job).run(job.gains, observer, job.limits);
+  return rollout(job).run(job.gains, observer, job.limits, job.cost);
 }
 
 }  // namespace armtune

@@ -71,6 +71,12 @@ Gains read_gains(ByteReader& reader) {
   return gains;
 }
 
+Metric read_metric(ByteReader& reader) {
+  const std::uint64_t metric = reader.integer();
+  if (metric >= kMetricCount) throw std::runtime_error(fmt::format("a message's metric is {}", metric));
+  return static_cast<Metric>(metric);
+}
+
 }  // namespace
 
 MessageKind kind_of(const std::string& message) {
@@ -111,7 +117,7 @@ std::string job_message(const NumberedJob& job) {
   writer.add(job.number);
   writer.add(job.crew);
   // A member that is added has to be sent too: then these do not compile.
-  const auto& [scenario, sample, gains, limits, engine] = job.job;
+  const auto& [scenario, sample, gains, limits, engine, cost] = job.job;
   writer.add(std::uint64_t{scenario});
   writer.add(sample);
   add_gains(writer, gains);
@@ -121,6 +127,12 @@ std::string job_message(const NumberedJob& job) {
     writer.add(value);
   }
   writer.add(static_cast<std::uint64_t>(engine));
+  writer.add(std::uint64_t{cost.shares.size()});
+  for (const auto& [metric, from, factor, most] : cost.shares) {
+    writer.add(static_cast<std::uint64_t>(metric));
+    for (const double number : {from, factor, most}) writer.add(number);
+  }
+  writer.add(cost.beyond);
   return writer.bytes();
 }
 
@@ -133,15 +145,21 @@ NumberedJob read_job(const std::string& message) {
   job.job.sample = reader.integer();
   job.job.gains = read_gains(reader);
   for (std::uint64_t left = reader.integer(); left > 0; --left) {
-    const std::uint64_t metric = reader.integer();
-    if (metric >= kMetricCount) throw std::runtime_error(fmt::format("a message's metric is {}", metric));
-    job.job.limits.push_back({static_cast<Metric>(metric), reader.number()});
+    const Metric metric = read_metric(reader);
+    job.job.limits.push_back({metric, reader.number()});
   }
   const std::uint64_t engine = reader.integer();
   if (engine > static_cast<std::uint64_t>(Engine::kNative)) {
     throw std::runtime_error(fmt::format("a message's engine is {}", engine));
   }
   job.job.engine = static_cast<Engine>(engine);
+  for (std::uint64_t left = reader.integer(); left > 0; --left) {
+    EndCost::Share share;
+    share.metric = read_metric(reader);
+    for (double* number : {&share.from, &share.factor, &share.most}) *number = reader.number();
+    job.job.cost.shares.push_back(share);
+  }
+  job.job.cost.beyond = reader.number();
   reader.end();
   return job;
 }

@@ -10,6 +10,7 @@
 #include "core/control/gains.hpp"
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
+#include "sim/rollout/end_cost.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -37,6 +38,7 @@ struct RolloutJob {
   Gains gains;
   EndLimits limits = {};  ///< where the rollout ends before its time
   Engine engine = Engine::kSimbody;
+  EndCost cost = {};  ///< the same, by what it costs
 };
 
 /// How long a rollout of the scenario may take [s of wall clock]: the plan's deadline, or 20 s and twice the

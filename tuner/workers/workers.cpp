@@ -44,6 +44,7 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   const std::size_t each = longest_first_.size() * samples();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
+  UnderBars under_bars(conditions.outdone, conditions.bars, longest_first_.size());
   // Candidate by candidate, so that each is finished, and on disk, as early as can be; the longest scenario
   // first: short rollouts fill the gaps at the end.
   const auto candidate_of = [&](std::size_t i) { return i / each; };
@@ -52,15 +53,21 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   crew_->run(
       candidates.size() * each,
       [&](std::size_t i) {
-        return RolloutJob{scenario_of(i), sample_of(i), candidates[candidate_of(i)],
-                          limits.empty() ? EndLimits() : limits[scenario_of(i)], conditions.engine};
+        return RolloutJob{scenario_of(i),
+                          sample_of(i),
+                          candidates[candidate_of(i)],
+                          limits.empty() ? EndLimits() : limits[scenario_of(i)],
+                          conditions.engine,
+                          under_bars.cost(candidate_of(i), scenario_of(i))};
       },
       stop,
       [&](std::size_t i, RolloutResult&& result) {
         const std::size_t candidate = candidate_of(i);
+        under_bars.note(candidate, scenario_of(i), result);
         results[candidate][scenario_of(i) * samples() + sample_of(i)] = std::move(result);
         if (--left[candidate] > 0) return;
         results[candidate] = fold(std::move(results[candidate]));
+        under_bars.settle(candidate, results[candidate]);
         if (finished) finished(candidate, results[candidate]);
       });
   if (stop) return std::nullopt;

@@ -30,6 +30,8 @@ class Workers {
 
   int count() const { return crew_->count(); }
   long rollouts_done() const { return crew_->rollouts_done(); }
+  /// Of all of them together [s].
+  double simulated() const { return crew_->simulated(); }
 
   /// Called once per candidate, as soon as all its scenarios are done: in any order, one call at a time, from
   /// any thread.

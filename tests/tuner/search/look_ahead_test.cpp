@@ -56,7 +56,7 @@ std::vector<std::pair<Point, double>> asked(const SolverOptions& options, std::s
   SolverProblem problem;
   problem.start.assign(n, 0.3);
   problem.constraint_count = 1;
-  run_algorithm(problem, options, [&](const Point& x, bool, SolverAnswer& answer) {
+  run_algorithm(problem, options, [&](const Point& x, bool, const Bar&, SolverAnswer& answer) {
     if (all.size() == most) return false;
     answer.value = bowl(x);
     all.emplace_back(x, answer.value.objective);

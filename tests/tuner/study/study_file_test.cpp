@@ -60,7 +60,8 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
       "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.5, 2]}\n",
       "search: {algorithm: ISRES, max_evaluations: 77, max_minutes: 3, initial_step: 0.2, x_tolerance: "
       "0.002,\n"
-      "         objective_tolerance: 0.003, seed: 9, stepper: rk4, engine: native, verify_share: 0.25}\n");
+      "         objective_tolerance: 0.003, seed: 9, stepper: rk4, engine: native, verify_share: 0.25,\n"
+      "         end_outdone: false}\n");
   const Study study = load_study(files.path());
   EXPECT_EQ(study.space.start.adaptation_gain, 0.125);
   EXPECT_EQ(study.space.start.slerpDurationErrorGain, 2.2);
@@ -90,6 +91,7 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
   EXPECT_EQ(again.stepper, Stepper::kRungeKutta4);
   EXPECT_EQ(again.engine, Engine::kNative);
   EXPECT_EQ(again.verify_share, 0.25);
+  EXPECT_FALSE(again.end_outdone);
 }
 
 TEST(StudyFile, TheBundledStudyReadsBackFromItsResolvedForm) {

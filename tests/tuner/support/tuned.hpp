@@ -20,6 +20,7 @@ struct Tuned {
   TuneResult result;
   std::string journal;  ///< text of evaluations.csv
   std::vector<Evaluation> evaluations;
+  double simulated = 0.0;  ///< by all rollouts together [s]
 };
 
 /// Runs the study with a journal, looking at the file after every callback.
@@ -44,6 +45,7 @@ inline Tuned run(const Study& study, int workers, const std::string& journal_pat
   };
   tuned.result = tune(study, pool, flag, callbacks);
   tuned.journal = read_text(journal_path);
+  tuned.simulated = pool.simulated();
   return tuned;
 }
 

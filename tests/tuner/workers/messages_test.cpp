@@ -16,13 +16,15 @@ namespace {
 
 /// Every number another one, switches away from their defaults.
 NumberedJob some_job() {
-  NumberedJob job{7,
-                  3,
-                  {2,
-                   std::numeric_limits<std::uint64_t>::max(),
-                   {},
-                   {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}},
-                   Engine::kNative}};
+  NumberedJob job{
+      7,
+      3,
+      {2,
+       std::numeric_limits<std::uint64_t>::max(),
+       {},
+       {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}},
+       Engine::kNative,
+       {{{Metric::kGazeMax, -0.0, 1.0 / 3.0, HUGE_VAL}, {Metric::kPositionMax, 1.0, 2.0, 3.0}}, 0.7}}};
   Gains& gains = job.job.gains;
   double next = 0.1;
   for (const GainField& field : gain_fields()) {
@@ -102,6 +104,17 @@ TEST(Messages, AJobComesBackWithEveryGain) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(got.job.limits[i].value),
               std::bit_cast<std::uint64_t>(sent.job.limits[i].value));
   }
+  ASSERT_EQ(got.job.cost.shares.size(), sent.job.cost.shares.size());
+  const auto bits_of = [](double v) { return std::bit_cast<std::uint64_t>(v); };
+  for (std::size_t i = 0; i < sent.job.cost.shares.size(); ++i) {
+    const EndCost::Share& a = got.job.cost.shares[i];
+    const EndCost::Share& b = sent.job.cost.shares[i];
+    EXPECT_EQ(a.metric, b.metric);
+    EXPECT_EQ(bits_of(a.from), bits_of(b.from));
+    EXPECT_EQ(bits_of(a.factor), bits_of(b.factor));
+    EXPECT_EQ(bits_of(a.most), bits_of(b.most));
+  }
+  EXPECT_EQ(got.job.cost.beyond, sent.job.cost.beyond);
   expect_only_the_whole_is_read(job_message(sent), read_job);
 }
 
