@@ -46,6 +46,20 @@ TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
   EXPECT_EQ(worst, std::stod(csv.at(0, "effort_rate/rms"))) << "the point's gains give the point's figures";
 }
 
+TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
+  const test::ShortStudy short_of_time(
+      test::kShortParameters, test::kShortObjective,
+      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n",
+      "search: {algorithm: COBYLA, max_evaluations: 12, max_minutes: 1e-6}\n");
+  const std::string folder = short_of_time / "front";
+  const Finished done = run_program(
+      {"pareto", short_of_time.path(), "--levels", "2", "--max-evaluations", "18", "--out", folder});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.out, testing::AllOf(HasSubstr("18 evaluations or 1e-06 minutes at most"),
+                                       HasSubstr("time used up after 1 evaluations")));
+  EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("ended: \"time used up\""));
+}
+
 TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
   const Finished twice =
       run_program({"pareto", files().path(), "--criteria", "gaze/rms", "gaze/rms", "--out", files() / "x"});

@@ -90,7 +90,7 @@ TEST(Resume, ATuningKilledAgainAndAgainEndsAsIfItHadNotBeen) {
   const std::string before = test::read_text(files / "killed/run.yaml");
   const Finished again = run_program(resume);
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_THAT(again.out, HasSubstr("there is nothing to resume"));
+  EXPECT_THAT(again.out, AllOf(HasSubstr("there is nothing to resume"), HasSubstr("--warm-start")));
   EXPECT_EQ(test::read_text(files / "killed/run.yaml"), before);
 }
 

@@ -232,5 +232,20 @@ TEST(TuneCommand, AWarmStartThatIsNoneIsRefused) {
   EXPECT_THAT(refused({"--warm-start", files / "gains.yaml", "--warm-box", "1.5"}), HasSubstr("--warm-box"));
 }
 
+TEST(TuneCommand, SaysThatTheSweepUsesUpTheBudget) {
+  const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                         "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 0.9, 1.1]}]\n"
+                         "search: {max_evaluations: 3, max_minutes: 5}\n");
+  const Finished cut = run_program({"tune", files.path(), "--out", files / "cut", "--no-analysis"});
+  EXPECT_THAT(cut.out, testing::AllOf(HasSubstr("3 evaluations or 5 minutes at most"),
+                                      HasSubstr("the sweep's 3 points use up the budget: only 2 of them")));
+  const Finished whole = run_program(
+      {"tune", files.path(), "--max-evaluations", "4", "--out", files / "whole", "--no-analysis"});
+  EXPECT_THAT(whole.out, HasSubstr("use up the budget: nothing is searched"));
+  const Finished enough = run_program(
+      {"tune", files.path(), "--max-evaluations", "5", "--out", files / "enough", "--no-analysis"});
+  EXPECT_THAT(enough.out, testing::Not(HasSubstr("use up")));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -136,6 +136,7 @@ int run(Arguments args, Team& team) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
     return *journal->exit_code();
   }
+  const double before = journal->seconds();  // of the sessions of a run that goes on
   warn_of_clamped(study);
   Workers workers(team.crew(), study.robust);
   std::optional<EvaluationsFile> evaluations;
@@ -145,9 +146,9 @@ int run(Arguments args, Team& team) {
   double last_seconds = 0.0;
   callbacks.begin = [&](const Objective& o) {
     objective = o;
-    fmt::print("front of {}: {}; {} gains over {} scenarios, {} evaluations at most; results go to {}\n",
-               study.name, fmt::join(args.criteria, " against "), study.space.free.size(),
-               study.scenarios.size(), options.max_evaluations, args.folder);
+    fmt::print("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
+               fmt::join(args.criteria, " against "), study.space.free.size(), study.scenarios.size(),
+               budget_text(options.max_evaluations, study.max_minutes), args.folder);
     if (resumed) fmt::print("goes on behind {} finished evaluations\n", journal->records());
     std::fflush(stdout);
     make_folder(args.folder + "/start");
@@ -163,8 +164,7 @@ int run(Arguments args, Team& team) {
     last_seconds = e.seconds;
   };
   callbacks.progress = [&](const ParetoProgress& p) {
-    const double left = last_seconds / static_cast<double>(p.evaluations) *
-                        static_cast<double>(p.max_evaluations - p.evaluations);
+    const double left = seconds_left(p.evaluations, p.max_evaluations, last_seconds, study.max_minutes);
     line.show(fmt::format("{}/{}  {} points  {:.0f} s left  {}", p.evaluations, p.max_evaluations, p.front,
                           left, p.phase));
   };
@@ -198,21 +198,29 @@ int run(Arguments args, Team& team) {
       args.folder + "/columns.csv",
       columns_csv({{"pareto.csv", pareto_columns(study, options)},
                    {"evaluations.csv", evaluation_columns(study, criteria_columns(study, options))}}));
-  const Provenance p = study_provenance(study, workers.count(), seconds(),
-                                        {{"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
-                                         {"evaluations", fmt::format("{}", result.evaluations)},
-                                         {"stepper", name(study.stepper)},
-                                         {"engine", engine_text(study)},
-                                         {"points", fmt::format("{}", result.front.size())},
-                                         {"verified", verified ? "true" : "false"},
-                                         {"hypervolume", fmt::format("{}", result.hypervolume)}});
+  const Provenance p = study_provenance(
+      study, workers.count(), before + seconds(),
+      {{"criteria", fmt::format("{}", fmt::join(args.criteria, " "))},
+       {"evaluations", fmt::format("{}", result.evaluations)},
+       {"stepper", name(study.stepper)},
+       {"engine",
+        study.engine == Engine::kSimbody ? "simbody" : fmt::format("{}, then simbody", name(study.engine))},
+       {"ended", result.out_of_time ? "time used up" : "every level searched"},
+       {"points", fmt::format("{}", result.front.size())},
+       {"verified", verified ? "true" : "false"},
+       {"hypervolume", fmt::format("{}", result.hypervolume)}});
   write_text_file(args.folder + "/run.yaml", run_yaml(p));
 
   fmt::print("{}", pareto_table(study, options, result));
   const std::string report = add_report(args.folder, [&] { return scene_of(study, result, args, verified); });
   fmt::print(
-      "{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, "
+      "{}{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, "
       "run.yaml{}{}\n",
+      result.out_of_time
+          ? fmt::format(
+                "time used up after {} evaluations: levels may have been left out or be searched short\n",
+                result.evaluations)
+          : "",
       !verified ? "interrupted: the points were not simulated again"
       : study.engine == Engine::kSimbody
           ? "every point was simulated again, with the same figures"

@@ -145,6 +145,7 @@ int run(Arguments args, Team& team) {
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
+  const double before = journal ? journal->seconds() : 0.0;  // of the sessions of a run that goes on
   ProgressLine line;
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(fmt::format("{} of {} rollouts, {:.0f} s left", done, all,
@@ -157,8 +158,7 @@ int run(Arguments args, Team& team) {
     options.finished = [&](const MonteCarloSample& sample) {
       rows->append(sample_rows(scenarios, sample), false);
     };
-    const double before = journal->seconds();
-    options.whole = [&, before](const MonteCarloSample& sample) {
+    options.whole = [&](const MonteCarloSample& sample) {
       journal->append({sample.number, "sample", before + seconds(), {}, sample.results});
       rows->publish();
     };
@@ -194,7 +194,7 @@ int run(Arguments args, Team& team) {
     add_inputs(scenarios, p.inputs);
     p.seed = options.seed;
     p.workers = crew->count();
-    p.wall_seconds = seconds();
+    p.wall_seconds = before + seconds();
     std::vector<std::string> limits;
     for (const MetricLimit& limit : options.limits) limits.push_back(to_string(limit));
     p.extra = {{"samples", fmt::format("{}", samples.size())},

@@ -22,6 +22,8 @@
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/search/last_steps.hpp"
+#include "tuner/search/sweep.hpp"
 #include "tuner/search/tune.hpp"
 #include "tuner/workers/simulate_points.hpp"
 
@@ -59,9 +61,8 @@ Study load(const Arguments& args) {
   return study;
 }
 
-std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds) {
-  const double left = p.last->seconds / static_cast<double>(p.evaluations) *
-                      static_cast<double>(p.max_evaluations - p.evaluations);
+std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds, double max_minutes) {
+  const double left = seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, max_minutes);
   return fmt::format("{:<6} {}/{}  best {:.4f}{}  velocity ratio {:.3f}  {:.2f} rollouts/s  {:.0f} s left",
                      p.phase, p.evaluations, p.max_evaluations, p.best->objective,
                      p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(*p.best),
@@ -107,10 +108,16 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
 }
 
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
-  fmt::print(
-      "study {}: {} gains over {} scenarios{}, {} in {} and {} evaluations at most; results go to {}\n",
-      study.name, study.space.free.size(), study.scenarios.size(), robust_text(study), search_text(study),
-      engine_text(study), study.max_evaluations, args.folder);
+  fmt::print("study {}: {} gains over {} scenarios{}, {} in {} and {} at most; results go to {}\n",
+             study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
+             search_text(study), engine_text(study), budget_text(study.max_evaluations, study.max_minutes),
+             args.folder);
+  const auto swept = static_cast<long>(sweep_points(study).size());
+  const long room = evaluations_to_search(study);
+  if (swept > 0 && swept >= room) {
+    fmt::print("the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
+               swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched");
+  }
   if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
   std::fflush(stdout);
 }
@@ -135,7 +142,7 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
     evaluations->append(phase, e);
   };
   callbacks.progress = [&](const TuneProgress& p) {
-    line.show(progress_text(p, workers, seconds_since(began)));
+    line.show(progress_text(p, workers, seconds_since(began), study.max_minutes));
   };
   TuneResult result;
   try {
@@ -167,9 +174,13 @@ int run(Arguments args, Team& team) {
   const auto journal =
       open_journal(args.folder, args.resume, run_header(identity_of(study), inputs_of(study)));
   if (journal->exit_code()) {
-    fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
+    fmt::print(
+        "{}: this run is finished; there is nothing to resume. To search on from its best: {} tune {} "
+        "--warm-start {}\n",
+        args.folder, program_name(), args.study, args.folder);
     return *journal->exit_code();
   }
+  const double before = journal->seconds();  // of the sessions of a run that goes on
   warn_of_clamped(study);
   Workers workers(team.crew(), study.robust);
   std::optional<Objective> objective;
@@ -205,7 +216,7 @@ int run(Arguments args, Team& team) {
   }
   std::vector<YardstickFiles> yardsticks(sets.size());
   if (args.yardstick && !result.interrupted) yardsticks = measure_sets(study, result, args.folder);
-  write_reports(study, result, sets, yardsticks, options, workers.count(), seconds_since(began));
+  write_reports(study, result, sets, yardsticks, options, workers.count(), before + seconds_since(began));
 
   if (study.robust) {
     fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",

@@ -15,6 +15,7 @@
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/simulate.hpp"
+#include "tuner/search/last_steps.hpp"
 #include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
@@ -26,7 +27,20 @@ std::string search_text(const Study& study) {
 }
 
 std::string engine_text(const Study& study) {
-  return study.engine == Engine::kSimbody ? "simbody" : fmt::format("{}, then simbody", name(study.engine));
+  const Engine engine = engine_of_search(study);
+  return engine == Engine::kSimbody ? "simbody" : fmt::format("{}, then simbody", name(engine));
+}
+
+std::string budget_text(long max_evaluations, double max_minutes) {
+  return fmt::format("{} evaluations{}", max_evaluations,
+                     max_minutes > 0.0 ? fmt::format(" or {} minutes", max_minutes) : "");
+}
+
+double seconds_left(long evaluations, long max_evaluations, double seconds, double max_minutes) {
+  const double by_evaluations =
+      seconds / static_cast<double>(evaluations) * static_cast<double>(max_evaluations - evaluations);
+  if (max_minutes <= 0.0) return by_evaluations;
+  return std::min(by_evaluations, std::max(0.0, 60.0 * max_minutes - seconds));
 }
 
 std::string robust_text(const Study& study) {

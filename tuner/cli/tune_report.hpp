@@ -23,6 +23,12 @@ struct ReportOptions {
 std::string search_text(const Study& study);
 /// "simbody", or "native, then simbody"
 std::string engine_text(const Study& study);
+
+/// "300 evaluations", or "300 evaluations or 10 minutes".
+std::string budget_text(long max_evaluations, double max_minutes);
+
+/// What is left [s] of a budget, by evaluations at the pace so far or by its minutes (0: none).
+double seconds_left(long evaluations, long max_evaluations, double seconds, double max_minutes);
 /// " (worst of 5 arms each)" where a study tunes on samples.
 std::string robust_text(const Study& study);
 

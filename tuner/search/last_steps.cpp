@@ -18,6 +18,16 @@ long kept_evaluations(const Study& study) {
   return std::max(kToJudge, static_cast<long>(share));
 }
 
+Engine engine_of_search(const Study& study) {
+  const bool both = study.max_evaluations > 1 + kept_evaluations(study);
+  return both ? study.engine : Engine::kSimbody;
+}
+
+long evaluations_to_search(const Study& study) {
+  const bool native = engine_of_search(study) != Engine::kSimbody;  // has a start of its own
+  return study.max_evaluations - 1 - (native ? 1 + kept_evaluations(study) : 0);
+}
+
 double kept_seconds(const Study& study, double one) {
   return std::clamp(study.verify_share * 60.0 * study.max_minutes, static_cast<double>(kToJudge) * one,
                     static_cast<double>(kept_evaluations(study)) * one);

@@ -12,6 +12,12 @@ constexpr double kLastStep = 0.02;
 /// The study's verify_share, and at least what it takes to judge what was found.
 long kept_evaluations(const Study& study);
 
+/// What sweep and search run in: the study's engine, unless the evaluations do no more than start both.
+Engine engine_of_search(const Study& study);
+
+/// Of the study's evaluations, those for sweep and search: the start's and the last steps' are not.
+long evaluations_to_search(const Study& study);
+
 /// Of the study's max_minutes [s]: verify_share of them, but no less than judging what was found takes, and
 /// no more than all kept_evaluations do. one: how long Simbody simulates one [s].
 double kept_seconds(const Study& study, double one);

@@ -111,13 +111,14 @@ bool Run::evaluate(const std::vector<Candidate>& candidates) {
 bool Run::start() {
   const std::vector<double> x = study_.space.start_point();
   if (!evaluate({{"start", x}})) return false;
-  if (study_.engine == Engine::kSimbody) return true;
+  const Engine engine = engine_of_search(study_);
+  if (engine == Engine::kSimbody) return true;
   evaluator_.use(Minutes::kSearch, kept_seconds(study_, seen().start->seconds));
-  if (evaluations_left(most_in(study_.engine)) == 0) {  // too small a budget for two engines is Simbody's
+  if (evaluations_left(most_in(engine)) == 0) {  // too little time for two engines is Simbody's
     evaluator_.use(Minutes::kRun);
     return true;
   }
-  engine_ = study_.engine;
+  engine_ = engine;
   return evaluate({{"start", x}});
 }
 

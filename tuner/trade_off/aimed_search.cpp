@@ -90,6 +90,7 @@ SolverValue AimedSearch::seen_from(const Aim& aim, const Known& known) const {
 void AimedSearch::serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,
                         std::vector<Request>& requests) {
   const bool in_time = evaluator_.time_left();
+  out_.out_of_time = out_.out_of_time || !in_time;
   const auto candidates = candidates_of(
       requests, phase, [this](const SolverPoint& point) { return known_.contains(point.x); },
       [&](std::size_t search) { return in_time && left[search] > 0 && left[search]-- > 0; });

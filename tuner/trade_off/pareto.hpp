@@ -48,6 +48,7 @@ struct ParetoResult {
   double hypervolume = 0.0;  ///< below the start (see front.hpp)
   long evaluations = 0;
   bool interrupted = false;
+  bool out_of_time = false;  ///< the study's minutes were used up before the searches were through
   std::exception_ptr
       failure;  ///< what ended the search early, such as a full disk; the rest is what it had found
 

@@ -43,6 +43,22 @@ TEST(LastSteps, KeepTheirShareOfEvaluationsAndTime) {
   EXPECT_DOUBLE_EQ(kept_seconds(budget_of(100000, 1.0, 0.1), 2.0), 10.0);
 }
 
+TEST(LastSteps, LeaveTheRestToTheSearch) {
+  Study study = budget_of(300, 0.0, 0.1);
+  EXPECT_EQ(engine_of_search(study), Engine::kSimbody);
+  EXPECT_EQ(evaluations_to_search(study), 299) << "all but the start";
+  study.engine = Engine::kNative;
+  EXPECT_EQ(engine_of_search(study), Engine::kNative);
+  EXPECT_EQ(evaluations_to_search(study), 268) << "two starts, and thirty for Simbody";
+  for (const long evaluations : {1, 5, 6}) {
+    study.max_evaluations = evaluations;
+    EXPECT_EQ(engine_of_search(study), Engine::kSimbody) << evaluations << " are too few for both";
+    EXPECT_EQ(evaluations_to_search(study), evaluations - 1);
+  }
+  study.max_evaluations = 7;
+  EXPECT_EQ(engine_of_search(study), Engine::kNative);
+}
+
 class LastStepsInTime : public testing::Test {
  protected:
   /// A search that ends for nothing but its budget. `units`: of time, each what the start takes on Simbody.
