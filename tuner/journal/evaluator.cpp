@@ -57,16 +57,24 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
 
 bool Evaluator::next(const std::vector<Candidate>& candidates, const Conditions& conditions,
                      const TakeIn& take_in) {
-  // Where time may run out, in portions; of a size that a resumed run with other workers has too.
-  constexpr std::size_t kPortion = 8;
   if (study_.max_minutes <= 0.0) return next_portion(candidates, conditions, take_in);
-  for (std::size_t first = 0; first < candidates.size(); first += kPortion) {
-    if (first > 0 && !time_left()) return true;
-    const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kPortion, candidates.size() - first));
+  for (auto begin = candidates.begin(); begin != candidates.end();) {
+    if (begin != candidates.begin() && !time_left()) return true;
+    const auto left = static_cast<std::size_t>(candidates.end() - begin);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(portion(), left));
     if (!next_portion({begin, end}, conditions, take_in)) return false;
+    begin = end;
   }
   return true;
+}
+
+std::size_t Evaluator::portion() const {
+  constexpr std::size_t kLeast = 8;
+  constexpr std::size_t kOfEach = 2;  // few enough to end soon, enough to keep all workers busy
+  const std::size_t most = std::max(kLeast, kOfEach * static_cast<std::size_t>(workers_.count()));
+  // Where a run with other workers was told that time is up, this one has to ask.
+  const auto recorded = journal_ != nullptr ? journal_->time_was_up(minutes_) : std::nullopt;
+  return recorded && *recorded > count_ ? std::min<std::size_t>(most, *recorded - count_) : most;
 }
 
 bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,

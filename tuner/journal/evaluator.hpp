@@ -53,6 +53,8 @@ class Evaluator {
  private:
   bool next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,
                     const TakeIn& take_in);
+  /// Evaluations to begin before time is looked at again.
+  std::size_t portion() const;
   bool is_time_up();
   double seconds() const;
   bool recalls(std::uint64_t number) const { return journal_ != nullptr && journal_->find(number); }

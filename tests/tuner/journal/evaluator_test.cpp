@@ -125,6 +125,27 @@ TEST_F(Recall, ABatchEndsSoonAfterTheTimeIsUp) {
   EXPECT_EQ(journal->records(), 8U);
 }
 
+TEST_F(Recall, ABatchOfManyWorkersEndsWhereItDidWithFewer) {
+  study_.max_minutes = 1e-6;
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < 20; ++i) candidates.push_back({"search", {0.05 * i, 0.5}});
+  std::size_t taken = 0;
+  const auto count = [&taken](const char*, const Evaluation&) { ++taken; };
+  {
+    Workers workers(study_.scenarios, study_.stepper, 6);
+    const auto journal = begin();
+    EXPECT_TRUE(Evaluator(study_, workers, stop_, journal.get()).next(candidates, {}, count));
+    EXPECT_EQ(taken, 12U) << "two for each worker";
+    EXPECT_EQ(journal->time_was_up(), 12U);
+  }
+  taken = 0;
+  Workers one(study_.scenarios, study_.stepper, 1);
+  const auto journal = resume();
+  EXPECT_TRUE(Evaluator(study_, one, stop_, journal.get()).next(candidates, {}, count));
+  EXPECT_EQ(taken, 12U);
+  EXPECT_EQ(one.rollouts_done(), 0);
+}
+
 TEST_F(Recall, MinutesOfEarlierSessionsCount) {
   study_.max_minutes = 1.0;
   Workers workers(study_.scenarios, study_.stepper, 1);
