@@ -11,15 +11,15 @@
 namespace armtune {
 
 struct EndCost {
-  /// clamp(factor * (metric - from), 0, most); nothing while the metric has no value. Must be of a metric
-  /// that only worsens, and grow with it.
+  /// clamp(factor * (metric - from), 0, most); nothing while the metric has no finite value. Must be of a
+  /// metric that only worsens, and grow with it.
   struct Share {
     Metric metric = Metric::kJointVelocityMaxRatio;
     double from = 0.0;  ///< in the metric's unit
     double factor = 1.0;
     double most = std::numeric_limits<double>::infinity();
 
-    double at(double v) const { return std::isnan(v) ? 0.0 : std::clamp(factor * (v - from), 0.0, most); }
+    double at(double v) const { return !std::isfinite(v) ? 0.0 : std::clamp(factor * (v - from), 0.0, most); }
   };
 
   std::vector<Share> shares;

@@ -205,7 +205,9 @@ int run(Arguments args, Team& team) {
        {"stepper", name(study.stepper)},
        {"engine",
         study.engine == Engine::kSimbody ? "simbody" : fmt::format("{}, then simbody", name(study.engine))},
-       {"ended", result.out_of_time ? "time used up" : "every level searched"},
+       {"ended", result.interrupted   ? "interrupted"
+                 : result.out_of_time ? "time used up"
+                                      : "every level searched"},
        {"points", fmt::format("{}", result.front.size())},
        {"verified", verified ? "true" : "false"},
        {"hypervolume", fmt::format("{}", result.hypervolume)}});

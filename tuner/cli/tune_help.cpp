@@ -56,11 +56,11 @@ beyond that of joint_position/min_margin, never for others; a value can be given
     if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
   }
   text += R"(
-Where constraints are penalties (search/constraints: penalty), a candidate is also given up once objective and
-penalties so far are more than the algorithm could take: CRS2 and ESCH keep the best they have seen, Nelder-Mead's
-simplex nothing above its worst, so all three go the same way as if it were simulated whole, and the study's best few
-are never given up. Such a row of evaluations.csv has no metrics and says so in its status. search/end_outdone: false
-simulates every candidate whole; others than these three, and robust studies, do so in any case.
+Where constraints are penalties (search/constraints: penalty), CRS2 and ESCH give up a candidate once objective
+and penalties so far are more than the worst they keep: they go the same way as if it were simulated whole, and the
+study's best few are never given up. Such a row of evaluations.csv has no figures and says so in its status; should
+another phase or start ask for exactly that point, it is simulated anew. search/end_outdone: false simulates every
+candidate whole; other algorithms, to which every value counts, and robust studies do so in any case.
 )";
   return text;
 }

@@ -27,7 +27,8 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
       "start, sweep, warm, global, search, gradient, verify; of a front: start, warm, anchor, level, "
       "gradient");
   add("engine", "", "simbody or native: what simulated it");
-  add("objective", "1", "weighted metrics relative to the start gains, which score 1");
+  add("objective", "1",
+      "weighted metrics relative to the start gains, which score 1; empty if it was given up");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
       "sum of the violations relative to their limits; larger than that of any completed candidate if a "
@@ -62,8 +63,10 @@ EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, st
 }
 
 void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
-  std::string row = fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), e.objective,
-                                e.feasible ? 1 : 0, e.violation, quoted(e.status));
+  const bool whole = std::isinf(e.beyond);  // what was given up has no figures
+  std::string row =
+      fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(whole ? e.objective : NAN),
+                  e.feasible ? 1 : 0, cell(whole ? e.violation : NAN), quoted(e.status));
   for (const Parameter& p : study_.space.free) row += fmt::format(",{}", value(e.gains, p.entry));
   for (const ObjectiveTerm& term : study_.terms) {
     for (const std::size_t s : term.scenarios) row += "," + cell(e.results[s].metrics[term.metric]);

@@ -66,6 +66,7 @@ std::vector<EvaluationRow> read_evaluations(const std::string& path, const Study
       }
       return value;
     };
+    if (row[objective].empty()) continue;  // given up: nothing is known of it
     Gains gains = study.space.start;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       value(gains, study.space.free[i].entry) = read(parameters[i]);

@@ -15,8 +15,8 @@ struct EvaluationRow {
 };
 
 /// Every whole row of a study's journal: a last one without its line end, of a run that was killed, is left
-/// out. Throws InputError naming file, line and column if it is none of this study's or a number cannot be
-/// read.
+/// out, and those of candidates that were given up. Throws InputError naming file, line and column if it is
+/// none of this study's or a number cannot be read.
 std::vector<EvaluationRow> read_evaluations(const std::string& path, const Study& study);
 
 }  // namespace armtune

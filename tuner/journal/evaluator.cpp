@@ -11,10 +11,14 @@
 namespace armtune {
 namespace {
 
+bool outdone(const std::vector<RolloutResult>& results) {
+  return std::any_of(results.begin(), results.end(),
+                     [](const RolloutResult& r) { return r.status == RolloutStatus::kOutdone; });
+}
+
 /// The bar, if the evaluation ended because of it.
 double beyond(const Evaluation& e, double bar) {
-  const auto outdone = [](const RolloutResult& r) { return r.status == RolloutStatus::kOutdone; };
-  return std::any_of(e.results.begin(), e.results.end(), outdone) ? bar : HUGE_VAL;
+  return outdone(e.results) ? bar : HUGE_VAL;
 }
 
 }  // namespace
@@ -35,7 +39,8 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   auto record = journal_ != nullptr ? journal_->find(number) : std::nullopt;
   if (!record) return std::nullopt;
   if (record->x != candidate.x || record->phase != candidate.phase ||
-      record->results.size() != study_.scenarios.size()) {
+      record->results.size() != study_.scenarios.size() ||
+      (outdone(record->results) && std::isinf(candidate.bar))) {
     throw InputError(
         fmt::format("{}: as evaluation {} the search now asks for {} than the journal holds: its file was "
                     "changed, or this program searches in another way; begin the run anew",

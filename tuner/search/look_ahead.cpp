@@ -12,9 +12,13 @@ namespace {
 /// at once, for it is the search so far that takes time.
 constexpr std::size_t kFar = 1024;
 
-/// Value number `count` of points not known: each better (or worse) than all before it.
-SolverValue extreme(const SolverProblem& problem, double best, double worst, std::size_t count, bool better) {
-  const double step = static_cast<double>(count + 1) * (1.0 + std::abs(worst - best));
+/// Value number `count` of points not known: each better (or worse) than all before it. To one that only
+/// compares values these are out of all reach: what stands for values above its bar must make no difference.
+SolverValue extreme(const SolverProblem& problem, double best, double worst, std::size_t count, bool better,
+                    bool compares) {
+  constexpr double kOutOfReach = 1e15;
+  const double step =
+      static_cast<double>(count + 1) * (compares ? kOutOfReach : 1.0 + std::abs(worst - best));
   return {better ? best - step : worst + step,
           std::vector<double>(problem.constraint_count, better ? -1.0 : 1.0 + static_cast<double>(count))};
 }
@@ -32,6 +36,7 @@ std::vector<std::vector<double>> LookAhead::replay(const Known& known, bool bett
   }
   auto told = history_.begin();
   std::size_t repeats = 0;
+  const bool compares = Bar(options_.algorithm, problem_.start.size()).exists();
   run_algorithm(problem_, options_,
                 [&](const std::vector<double>& x, bool, const Bar&, SolverAnswer& answer) {
                   if (told != history_.end()) {
@@ -46,7 +51,7 @@ std::vector<std::vector<double>> LookAhead::replay(const Known& known, bool bett
                       return ++repeats < kFar;
                     }
                     if (asked.size() == kFar) return false;
-                    answer.value = extreme(problem_, best, worst, asked.size(), better);
+                    answer.value = extreme(problem_, best, worst, asked.size(), better, compares);
                     supposed[x] = answer.value;
                     asked.push_back(x);
                     return true;

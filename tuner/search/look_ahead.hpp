@@ -25,9 +25,9 @@ class LookAhead {
   /// Notes what the search was told next. `answered`: an entry of a map that stays.
   void note(const Known::value_type& answered) { history_.push_back(&answered); }
 
-  /// The points to evaluate now that the search asks for x, x itself first; none is in `known`, and no more
-  /// than options.look_ahead. Looks ahead less and less often where it finds nothing, for it takes as long as
-  /// the search so far.
+  /// The points to evaluate now that the search asks for x, x itself first; no other is in `known`, and no
+  /// more than options.look_ahead. Looks ahead less and less often where it finds nothing, for it takes as
+  /// long as the search so far.
   std::vector<std::vector<double>> next(const std::vector<double>& x, const Known& known);
 
  private:

@@ -80,15 +80,12 @@ bool Served::answer_with_derivatives(const std::vector<double>& x, SolverAnswer&
 bool Served::answer(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& out) {
   if (derivatives) return answer_with_derivatives(x, out);
   const double now = bar.now();
-  const double later = bar.only_falls() ? now : HUGE_VAL;
   const auto* found = known(x, now);
   if (found == nullptr) {
     repeats_ = 0;
     std::vector<SolverPoint> points;
     if (looks_ahead_) {
-      for (auto& point : ahead_.next(x, known_)) {
-        points.push_back({std::move(point), false, points.empty() ? now : later});
-      }
+      for (auto& point : ahead_.next(x, known_)) points.push_back({std::move(point), false, now});
     } else {
       points.push_back({x, false, now});
     }

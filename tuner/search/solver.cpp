@@ -60,6 +60,10 @@ Optimizer create(nlopt_algorithm code, std::size_t n) {
   return {nlopt_create(code, static_cast<unsigned>(n)), nlopt_destroy};
 }
 
+/// A search that asks for one point so often in a row has nowhere else to go: CRS2 with a population that has
+/// become one point never ends by itself.
+constexpr long kMostRepeats = 10000;
+
 /// What the callbacks share. NLopt asks for objective and constraints of a point in separate calls: the last
 /// point's answer is kept.
 struct Search {
@@ -75,10 +79,21 @@ struct Search {
   bool stopped = false;
   std::exception_ptr error;
 
+  long repeats = 0;  ///< of the last point, in a row
+
+  void stop() {
+    stopped = true;
+    nlopt_force_stop(outer);
+  }
+
   const SolverAnswer& at(unsigned n, const double* point, bool with_derivatives) {
     if (stopped) return answer;
     const bool same = known && std::equal(x.begin(), x.end(), point);
-    if (same && (derivatives || !with_derivatives)) return answer;
+    repeats = same ? repeats + 1 : 0;
+    if (same && (derivatives || !with_derivatives)) {
+      if (repeats > kMostRepeats) stop();
+      return answer;
+    }
     x.assign(point, point + n);
     try {
       stopped = !(*oracle)(x, with_derivatives, bar, answer);
@@ -89,7 +104,7 @@ struct Search {
       stopped = true;
     }
     if (stopped) {
-      nlopt_force_stop(outer);
+      stop();
       answer.value.constraints.resize(problem->constraint_count, 0.0);
       answer.gradient.assign(n, 0.0);
       answer.constraint_gradients.assign(n * problem->constraint_count, 0.0);

@@ -78,8 +78,7 @@ TEST_P(EveryOutdone, TheSearchFindsTheSameWithLessSimulated) {
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, EveryOutdone,
                          testing::Values(std::tuple(std::string("CRS2"), 90),
-                                         std::tuple(std::string("ESCH"), 90),
-                                         std::tuple(std::string("NELDERMEAD"), 50)),
+                                         std::tuple(std::string("ESCH"), 90)),
                          [](const auto& p) { return std::get<0>(p.param); });
 
 TEST(Outdone, ARunThatGoesOnGivesUpTheSame) {
@@ -116,7 +115,7 @@ TEST(Outdone, ARunThatGoesOnGivesUpTheSame) {
 
 TEST(Outdone, NothingEndsWhereConstraintsAreNotPenalties) {
   const ShortStudy files(test::kShortParameters, kObjective, kConstraints,
-                         "search: {algorithm: NELDERMEAD, constraints: lagrangian, max_evaluations: 30, "
+                         "search: {algorithm: ESCH, constraints: lagrangian, max_evaluations: 60, "
                          "engine: native}\n");
   EXPECT_EQ(outdone(run(load_study(files.path()), 2, files / "evaluations.csv")), 0);
 }
