@@ -1,4 +1,5 @@
-// The only file that includes Simbody. It is compiled as C++17 without NDEBUG (sim/CMakeLists.txt says why).
+// The only file of the libraries that includes Simbody. It is compiled as C++17 without NDEBUG
+// (sim/CMakeLists.txt says why).
 
 #include <functional>  // Simbody's headers use it without including it
 

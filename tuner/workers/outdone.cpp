@@ -16,7 +16,7 @@ bool ended(const RolloutResult& result) {
 RolloutResult above(double bar) {
   RolloutResult result;
   result.status = RolloutStatus::kOutdone;
-  result.reason = fmt::format("objective and penalties above {}: of no use to the search", bar);
+  result.reason = fmt::format("objective and penalties above {:.6g}: of no use to the search", bar);
   return result;
 }
 

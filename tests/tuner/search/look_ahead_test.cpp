@@ -138,6 +138,16 @@ TEST(LookAhead, KeepsToItsCap) {
   EXPECT_EQ(*std::max_element(seen.batches.begin(), seen.batches.end()), 10U);
 }
 
+TEST(LookAhead, EndsWithAPopulationThatHasBecomeOnePoint) {
+  SolverOptions options;
+  options.algorithm = "CRS2";
+  options.constraints = ConstraintHandling::kPenalty;
+  for (const std::size_t look_ahead : {1U, 64U}) {
+    options.look_ahead = look_ahead;
+    EXPECT_LE(search(options, 1, 2000).points.size(), 2000U);
+  }
+}
+
 TEST(LookAhead, APointThatIsNotAskedForAfterAllIsOnlyWasted) {
   // It is told of a search that was given other answers than the one it is to foresee.
   SolverProblem problem;
