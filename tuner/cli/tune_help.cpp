@@ -8,6 +8,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "tuner/search/solver.hpp"
 #include "tuner/study/hopeless.hpp"
+#include "tuner/study/search_keys.hpp"
 
 namespace armtune::cli {
 
@@ -22,6 +23,14 @@ std::string tune_help() {
                     a.draws_random_numbers ? "; draws random numbers" : "",
                     a.most_parameters > 0 ? fmt::format("; at most {} parameters", a.most_parameters) : "");
   }
+  Study silent;
+  default_search(silent);
+  text += fmt::format(
+      R"(A study that names no algorithm searches with {} over the whole box first, for half of its evaluations, then
+with {} from the best found, constraints as penalties: what scripts/compare-algorithms found best. A warm start goes
+without the first.
+)",
+      silent.global_algorithm, silent.solver.algorithm);
   text +=
       R"(Around those that do not take constraints an augmented Lagrangian or a penalty is put (search/constraints).
 Also in search: global and global_share (another algorithm first, for that part of the evaluations), starts

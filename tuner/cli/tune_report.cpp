@@ -21,7 +21,7 @@
 namespace armtune::cli {
 
 std::string search_text(const Study& study) {
-  return fmt::format("{}{}{}", study.global_algorithm.empty() ? "" : study.global_algorithm + ", then ",
+  return fmt::format("{}{}{}", global_of(study).empty() ? "" : global_of(study) + ", then ",
                      study.solver.algorithm,
                      study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
 }

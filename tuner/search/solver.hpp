@@ -59,11 +59,11 @@ enum class Differences {
 
 struct SolverOptions {
   std::string algorithm = "COBYLA";
-  double initial_step = 0.1;         ///< of the unit box; at most 0.49 of the problem's box
+  double initial_step = 0.2;         ///< of the unit box; at most 0.49 of the problem's box
   double x_tolerance = 1e-3;         ///< of the unit box
   double objective_tolerance = 0.0;  ///< relative; 0: the gains decide
   ConstraintHandling constraints = ConstraintHandling::kAuto;
-  double penalty = 2.0;    ///< of kPenalty, per unit of relative violation
+  double penalty = 1.0;    ///< of kPenalty, per unit of relative violation
   std::uint64_t seed = 1;  ///< of algorithms that draw random numbers
   Differences differences = Differences::kForward;
   /// Of the unit box. A maximum over a simulation has kinks, and noise from the integrator: a step as short

@@ -202,9 +202,9 @@ void Run::search() {
   if (!begin_warm()) return;
   JoinedSearch local = search_from(box_.x);
   const long most = most_in(engine_);
-  if (!study_.global_algorithm.empty()) {
+  if (const std::string algorithm = global_of(study_); !algorithm.empty()) {
     JoinedSearch global = local;
-    global.options.algorithm = study_.global_algorithm;
+    global.options.algorithm = algorithm;
     const long left = std::max(0L, most - out_.evaluations);
     const long share = std::lround(study_.global_share * static_cast<double>(left));
     if (!search_together("global", {global}, out_.evaluations + share)) return;

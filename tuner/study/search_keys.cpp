@@ -27,6 +27,14 @@ std::string read_algorithm(yaml::MapReader& map, const char* key, const std::str
   return algorithm;
 }
 
+ConstraintHandling read_constraint_handling(const yaml::Node& node) {
+  const std::string text = node.as_string();
+  if (text == "auto") return ConstraintHandling::kAuto;
+  if (text == "lagrangian") return ConstraintHandling::kLagrangian;
+  if (text != "penalty") node.fail("'" + text + "' is not one of: auto, lagrangian, penalty");
+  return ConstraintHandling::kPenalty;
+}
+
 void read_engine(yaml::MapReader& map, Study& study) {
   study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
   study.engine = engine_from_name(map.string("engine", name(study.engine)));
@@ -51,16 +59,19 @@ void read_differences(yaml::MapReader& map, SolverOptions& solver) {
 
 }  // namespace
 
+void default_search(Study& study) {
+  study.global_algorithm = "DIRECT_L";
+  study.global_by_default = true;
+  study.solver.algorithm = "COBYLA";
+  study.solver.constraints = ConstraintHandling::kPenalty;
+}
+
 void read_search(const yaml::Node& node, Study& study) {
   yaml::MapReader map(node);
+  if (!map.has("algorithm")) default_search(study);
   study.solver.algorithm = read_algorithm(map, "algorithm", study.solver.algorithm, study.space.free.size());
-  const std::string constraints = map.string("constraints", "auto");
-  if (constraints != "auto" && constraints != "lagrangian" && constraints != "penalty") {
-    map.required("constraints").fail("'" + constraints + "' is not one of: auto, lagrangian, penalty");
-  }
-  study.solver.constraints = constraints == "auto"         ? ConstraintHandling::kAuto
-                             : constraints == "lagrangian" ? ConstraintHandling::kLagrangian
-                                                           : ConstraintHandling::kPenalty;
+  if (map.has("constraints"))
+    study.solver.constraints = read_constraint_handling(map.required("constraints"));
   study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
   study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
   if (study.max_evaluations < 1) map.required("max_evaluations").fail("must be at least 1");
@@ -79,7 +90,8 @@ void read_search(const yaml::Node& node, Study& study) {
     map.required("starts").fail(fmt::format("{} searches at once; give 1 .. {}", starts, kMostStarts));
   }
   study.starts = static_cast<std::size_t>(starts);
-  study.global_algorithm = read_algorithm(map, "global", "", study.space.free.size());
+  if (map.has("global")) study.global_by_default = false;
+  study.global_algorithm = read_algorithm(map, "global", study.global_algorithm, study.space.free.size());
   study.global_share = map.number_in("global_share", study.global_share, 0.0, 1.0);
   if (map.has("global_share") && study.global_algorithm.empty()) {
     map.required("global_share").fail("there is no global search to have a share; name one with 'global'");

@@ -33,12 +33,13 @@ struct Study {
   std::optional<SampleSet> robust;  ///< none: the scenarios' own arms
   std::optional<WarmStart> warm;    ///< none: the search begins at the start gains
   SolverOptions solver;
-  std::size_t starts = 1;        ///< local searches at once; the first begins where one would alone
-  std::string global_algorithm;  ///< searches before the local one does; empty: none
-  double global_share = 0.5;     ///< its part of the evaluations that start and sweep leave
-  long max_evaluations = 300;    ///< start and sweep included
-  double max_minutes = 0.0;      ///< of wall time, from the start to the last evaluation; 0: no limit
-  bool end_outdone = true;       ///< rollouts end once their candidate can make no difference to the search
+  std::size_t starts = 1;          ///< local searches at once; the first begins where one would alone
+  std::string global_algorithm;    ///< searches before the local one does; empty: none
+  bool global_by_default = false;  ///< the study's file named neither it nor the local one
+  double global_share = 0.5;       ///< its part of the evaluations that start and sweep leave
+  long max_evaluations = 300;      ///< start and sweep included
+  double max_minutes = 0.0;        ///< of wall time, from the start to the last evaluation; 0: no limit
+  bool end_outdone = true;         ///< rollouts end once their candidate can make no difference to the search
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
   double verify_share = 0.1;         ///< with another engine: part of evaluations and minutes left to Simbody
@@ -49,6 +50,12 @@ inline SolverOptions solver_of(const Study& study) {
   SolverOptions solver = study.solver;
   if (study.warm) solver.initial_step = study.warm->step.value_or(solver.initial_step * study.warm->box);
   return solver;
+}
+
+/// The algorithm that searches first, if any. One that nobody named looks for what a warm start knows
+/// already.
+inline std::string global_of(const Study& study) {
+  return study.warm && study.global_by_default ? std::string() : study.global_algorithm;
 }
 
 /// Reads a bundled study by name, or a file by path. Throws InputError.

@@ -179,7 +179,11 @@ Study load_study(const std::string& name_or_path) {
   if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {
     end_no_sample_early(map.required("constraints"), study.constraints);
   }
-  if (const yaml::Node* node = map.optional("search")) read_search(*node, study);
+  if (const yaml::Node* node = map.optional("search")) {
+    read_search(*node, study);
+  } else {
+    default_search(study);
+  }
   if (const yaml::Node* node = map.optional("warm_start")) read_warm_start(*node, study);
   map.finish();
   return study;

@@ -97,9 +97,9 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
       study.engine == Engine::kSimbody
           ? ""
           : fmt::format(", engine: {}, verify_share: {}", name(study.engine), study.verify_share),
-      study.global_algorithm.empty()
+      global_of(study).empty()
           ? ""
-          : fmt::format(", global: {}, global_share: {}", study.global_algorithm, study.global_share));
+          : fmt::format(", global: {}, global_share: {}", global_of(study), study.global_share));
   if (study.warm && !warm_file.empty()) {
     const WarmStart& warm = *study.warm;
     text += fmt::format(

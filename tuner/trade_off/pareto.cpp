@@ -61,12 +61,25 @@ void Front::anchors() {
   const auto budget = static_cast<double>(options_.max_evaluations);
   for (std::size_t k = 0; k < options_.criteria.size(); ++k) {
     const Costs held = held_for(k);
-    const ParetoPoint* best = search_.archive().best_under(k, held);
+    const std::string shown = "least " + options_.criteria[k].name();
     SolverOptions solver = solver_of(study_);
-    if (k > 0) solver.algorithm = kLevelAlgorithm;
-    if (k > 0) solver.constraints = ConstraintHandling::kAuto;
-    const double share = k == 0 ? kFirstAnchorShare : kAnchorShare;
-    search_.minimise("anchor", "least " + options_.criteria[k].name(),
+    double share = kAnchorShare;
+    if (k > 0) {
+      solver.algorithm = kLevelAlgorithm;
+      solver.constraints = ConstraintHandling::kAuto;
+    } else {
+      share = kFirstAnchorShare;
+      if (const std::string algorithm = global_of(study_); !algorithm.empty()) {
+        SolverOptions global = solver;
+        global.algorithm = algorithm;
+        const double part = study_.global_share * share;
+        search_.minimise("anchor", shown,
+                         {{k, held, search_.so_far().start.e.x, static_cast<long>(part * budget), global}});
+        share -= part;
+      }
+    }
+    const ParetoPoint* best = search_.archive().best_under(k, held);
+    search_.minimise("anchor", shown,
                      {{k, held, best ? best->e.x : search_.so_far().start.e.x,
                        static_cast<long>(share * budget), solver}});
   }

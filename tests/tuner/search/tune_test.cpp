@@ -116,7 +116,8 @@ TEST(Tune, SweepsBeforeItSearchesAndRemembersTheBestOfTheSweep) {
   const TuneResult result = tune(study, workers, never, callbacks);
   EXPECT_EQ(phases.front(), "start");
   EXPECT_EQ(std::count(phases.begin(), phases.end(), "start"), 1);
-  EXPECT_TRUE(std::is_sorted(phases.begin() + 1, phases.end(), std::greater<>())) << "sweep, then search";
+  const auto once = std::vector<std::string>(phases.begin(), std::unique(phases.begin(), phases.end()));
+  EXPECT_THAT(once, testing::ElementsAre("start", "sweep", "global", "search"));
   ASSERT_TRUE(result.best_of_sweep.has_value());
   for (const Evaluation& e : swept) EXPECT_FALSE(better(e, *result.best_of_sweep));
   EXPECT_FALSE(better(*result.best_of_sweep, result.best));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/sim/support/csv.hpp"
@@ -62,6 +63,28 @@ TEST_F(Pareto, IsWhatNoFeasibleEvaluationOfTheRunDominates) {
   ASSERT_GE(result.levels.size(), 2U);
   for (const ParetoLevel& level : result.levels)
     EXPECT_LE(result.front[level.best].costs[1], level.levels[1]);
+}
+
+TEST_F(Pareto, ItsFirstEndIsSearchedAsTheStudyIsGlobalPhaseIncluded) {
+  const test::ShortStudy files(test::kShortParameters, test::kShortObjective, "", "");
+  study_ = load_study(files.path());
+  options_.max_evaluations = 40;
+  run(2);
+  // DIRECT_L begins in the middle of the box, then a third of it to either side: four points of two gains.
+  ASSERT_GE(evaluations_.size(), 6U);
+  const std::vector<double> middle = {0.5, 0.5};
+  EXPECT_EQ(evaluations_[1].x, middle);
+  for (std::size_t e = 2; e < 6; ++e) {
+    const auto& x = evaluations_[e].x;
+    EXPECT_EQ((x[0] != 0.5) + (x[1] != 0.5), 1);
+    EXPECT_NEAR(std::abs(x[0] - 0.5) + std::abs(x[1] - 0.5), 1.0 / 3.0, 1e-12);
+  }
+  // Then the local search, with steps from the best of them.
+  const auto best = std::min_element(evaluations_.begin(), evaluations_.begin() + 6, better);
+  const auto& first = evaluations_[6].x;
+  EXPECT_EQ((first[0] != best->x[0]) + (first[1] != best->x[1]), 1);
+  EXPECT_NEAR(std::abs(first[0] - best->x[0]) + std::abs(first[1] - best->x[1]), study_.solver.initial_step,
+              1e-9);
 }
 
 TEST_F(Pareto, IsTheSameForAnyNumberOfWorkersAndAgainInFreshRollouts) {
