@@ -191,25 +191,36 @@ TEST_F(Ranks, DrawTheSameArmsAsThreads) {
   }
 }
 
-TEST_F(Ranks, AKilledRankEndsTheRunWithWhatIsFinishedOnDisk) {
+TEST_F(Ranks, AKilledRankOrLauncherEndsTheRunWithWhatIsFinishedOnDisk) {
   const ShortStudy files;
-  Program running(tune(files.path(), files / "run", {}, "12"), folder_.path(), launcher(2));
-  ASSERT_TRUE(wait_for_rows(running, files / "run/evaluations.csv", 4)) << running.wait().err;
-  const int victim = process_of(running, 1);
-  ASSERT_GT(victim, 0);
-  ASSERT_EQ(::kill(victim, SIGKILL), 0);
-  const auto killed = Clock::now();
-  EXPECT_NE(running.wait().exit_code, 0);
-  EXPECT_LT(Clock::now() - killed, std::chrono::seconds(10));
-  EXPECT_GE(rows(files / "run/evaluations.csv"), 4);
-  EXPECT_TRUE(test::read_text(files / "run/evaluations.csv").ends_with('\n'));
-
-  const Finished resumed = run(2, {"tune", "--resume", files / "run"});
-  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   ASSERT_EQ(alone(tune(files.path(), files / "whole", {}, "12")).exit_code, 0);
-  EXPECT_EQ(without_time(files / "run/evaluations.csv"), without_time(files / "whole/evaluations.csv"));
-  for (const char* file : {"/gains.yaml", "/errors.csv"}) {
-    EXPECT_EQ(test::read_text(files / "run" + file), test::read_text(files / "whole" + file)) << file;
+  for (const std::string whose : {"rank 1", "rank 0", "launcher"}) {
+    SCOPED_TRACE(whose);
+    const std::string folder = files / whose;
+    Program running(tune(files.path(), folder, {}, "12"), folder_.path(), launcher(2));
+    ASSERT_TRUE(wait_for_rows(running, folder + "/evaluations.csv", 4)) << running.wait().err;
+    const std::vector<int> ranks = {process_of(running, 0), process_of(running, 1)};
+    ASSERT_GT(std::min(ranks[0], ranks[1]), 0);
+    ASSERT_EQ(::kill(whose == "launcher" ? running.pid() : ranks[whose == "rank 1" ? 1 : 0], SIGKILL), 0);
+    const auto killed = Clock::now();
+    EXPECT_NE(running.wait().exit_code, 0);
+    const auto alive = [](int pid) {
+      return !test::read_text("/proc/" + std::to_string(pid) + "/cmdline").empty();
+    };
+    while (std::any_of(ranks.begin(), ranks.end(), alive) &&
+           Clock::now() - killed < std::chrono::seconds(20)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    EXPECT_LT(Clock::now() - killed, std::chrono::seconds(10));
+    EXPECT_GE(rows(folder + "/evaluations.csv"), 4);
+    EXPECT_TRUE(test::read_text(folder + "/evaluations.csv").ends_with('\n'));
+
+    const Finished resumed = run(2, {"tune", "--resume", folder});
+    EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+    EXPECT_EQ(without_time(folder + "/evaluations.csv"), without_time(files / "whole/evaluations.csv"));
+    for (const char* file : {"/gains.yaml", "/errors.csv"}) {
+      EXPECT_EQ(test::read_text(folder + file), test::read_text(files / "whole" + file)) << file;
+    }
   }
 }
 
