@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bestLine, bestSoFar, phaseRuns } from "../src/plots/evaluations";
+import { bestLine, bestSoFar, phaseRuns, undrawnText } from "../src/plots/evaluations";
 import { boundOf, placeOnScale } from "../src/plots/place_on_scale";
 import { scaleUnit } from "../src/plots/scale_unit";
 import { indexAt } from "../src/plots/index_at";
@@ -19,6 +19,11 @@ test("the best so far never rises and takes no infeasible point", () => {
 test("phases are counted as they follow each other", () => {
   const runs = phaseRuns({ phase: ["start", "sweep", "search"], of: [0, 1, 1, 2, 1] });
   assert.deepEqual(runs.map((run) => [run.phase, run.to - run.from + 1]), [["start", 1], ["sweep", 2], ["search", 1], ["sweep", 1]]);
+});
+
+test("what is not drawn is said", () => {
+  assert.equal(undrawnText([1, 0, 2]), "");
+  assert.match(undrawnText([1, null, 2, null]), /^2 of them given up/);
 });
 
 test("bounds are the ends of a gain's scale and the geometric mean is the middle of a logarithmic one", () => {

@@ -20,6 +20,12 @@ export function bestLine(evaluations: Evaluations): { label: string; values: (nu
   };
 }
 
+/** What is said of evaluations that have no objective to draw: given up by the search, or never finished. */
+export function undrawnText(objective: (number | null)[]): string {
+  const count = objective.filter((value) => value === null).length;
+  return count > 0 ? `${count} of them given up without an objective, not drawn` : "";
+}
+
 /** Evaluations of one phase that follow each other. */
 export function phaseRuns(evaluations: Pick<Evaluations, "phase" | "of">): { phase: string; from: number; to: number }[] {
   const runs: { phase: string; from: number; to: number }[] = [];

@@ -6,7 +6,7 @@ import { whenVisible } from "../lazy";
 import { BLUE, GREEN, onPage, ORANGE, VERMILLION, withAlpha } from "../palette";
 import type { Band } from "../plots/backdrop";
 import { Chart, type ChartSeries } from "../plots/chart";
-import { bestLine, phaseRuns } from "../plots/evaluations";
+import { bestLine, phaseRuns, undrawnText } from "../plots/evaluations";
 import { legendEntries, legendOf } from "../plots/legend";
 import { readMarks, type Mark } from "../plots/read_marks";
 import { section, type Section } from "./section";
@@ -96,6 +96,7 @@ export function convergenceSection(data: ReportData): Section | null {
     `${evaluations.objective.length} evaluations`,
     native > 0 ? `${native} of them in the native engine` : "",
     `${feasible} feasible (${phases})`,
+    undrawnText(evaluations.objective),
   ];
   return section(
     "convergence",
