@@ -62,7 +62,10 @@ void print(const char* ends, const Outcome& o, const Outcome& whole) {
 
 void compare(const std::vector<std::string>& args) {
   Study study = load_study(!args.empty() ? args[0] : "ur10_gaze");
-  if (args.size() > 1) study.solver.algorithm = algorithm_from_name(args[1]).name;
+  if (args.size() > 1) {
+    study.solver.algorithm = algorithm_from_name(args[1]).name;
+    study.global_algorithm.clear();
+  }
   if (args.size() > 2) study.max_evaluations = std::stol(args[2]);
   if (args.size() > 3) study.solver.seed = std::stoul(args[3]);
   study.engine = Engine::kNative;
