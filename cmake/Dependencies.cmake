@@ -4,10 +4,11 @@
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt 9 REQUIRED)
 find_package(yaml-cpp REQUIRED)
-find_package(Simbody 3.7 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(NLopt REQUIRED)
 find_package(Threads REQUIRED)
+
+include(${CMAKE_CURRENT_LIST_DIR}/Simbody.cmake)
 
 # SuiteSparse 5 ships no CMake package that names SPQR and CHOLMOD.
 set(SUITESPARSE_VERSION "not built in")

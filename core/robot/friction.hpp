@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "core/common/types.hpp"
+#include "core/common/vector_math.hpp"
+
 namespace armtune {
 
 /// Velocity at which tanh takes over from sign [rad/s, m/s].
@@ -14,6 +17,31 @@ template <typename T>
 T coulomb_direction(const T& qd) {
   using std::exp;
   return T(1) - T(2) / (T(1) + exp(qd * T(2.0 / kCoulombVelocity)));
+}
+
+/// The same of two joints at once.
+inline vector_math::Double2 coulomb_direction(const vector_math::Double2& qd) {
+  return 1.0 - 2.0 / (1.0 + vector_math::exponential(qd * (2.0 / kCoulombVelocity)));
+}
+inline double coulomb_direction(double qd) {
+  return coulomb_direction(vector_math::Double2{qd, qd})[0];
+}
+
+/// The same of all joints (n).
+template <typename T>
+void coulomb_directions(const JointVectorT<T>& qd, JointVectorT<T>& directions) {
+  directions.resize(qd.size());
+  for (Eigen::Index i = 0; i < qd.size(); ++i) directions[i] = coulomb_direction(qd[i]);
+}
+inline void coulomb_directions(const JointVector& qd, JointVector& directions) {
+  const Eigen::Index n = qd.size();
+  directions.resize(n);
+  for (Eigen::Index i = 0; i + 1 < n; i += 2) {
+    const vector_math::Double2 both = coulomb_direction(vector_math::Double2{qd[i], qd[i + 1]});
+    directions[i] = both[0];
+    directions[i + 1] = both[1];
+  }
+  if (n % 2 == 1) directions[n - 1] = coulomb_direction(qd[n - 1]);
 }
 
 }  // namespace armtune

@@ -2,8 +2,7 @@
 // Forward kinematics of every joint, geometric Jacobian at the tool and its exact time derivative.
 // Siciliano et al., Robotics: Modelling, Planning and Control, chapters 2 and 3. Frame 0 is the base.
 
-#include <cmath>
-
+#include "core/common/joint_math.hpp"
 #include "core/robot/chain.hpp"
 
 namespace armtune {
@@ -25,14 +24,15 @@ using Poses = PosesT<double>;
 /// Pose of every body in the previous one at q (n) [rad, m], and nothing else of `poses`.
 template <typename T>
 void relative_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
-  using std::cos;
-  using std::sin;
+  JointVectorT<T> sines;
+  JointVectorT<T> cosines;
+  sines_and_cosines(q, sines, cosines);
   poses.n = chain.n;
   for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (chain.motion[k] == JointMotion::kRevolute) {
-      const T c = cos(q[i]);
-      const T s = sin(q[i]);
+      const T& c = cosines[i];
+      const T& s = sines[i];
       const Mat3T<T>& R = chain.R_PB0[k];
       poses.R_PB[k].col(0) = R.col(0) * c + R.col(1) * s;
       poses.R_PB[k].col(1) = R.col(1) * c - R.col(0) * s;

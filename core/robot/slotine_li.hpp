@@ -41,7 +41,7 @@ void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   s.qd = qd;
   s.qdr = qdr;
   s.qddr = qddr;
-  s.coulomb.resize(chain.n);
+  coulomb_directions(qd, s.coulomb);
   Vec3T<T> v = Vec3T<T>::Zero();
   Vec3T<T> w = Vec3T<T>::Zero();
   Vec3T<T> vr = Vec3T<T>::Zero();
@@ -75,7 +75,6 @@ void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
     s.wr[k] = wr;
     s.e[k] = ar + wr.cross(v);
     s.a[k] = aw - T(0.5) * w.cross(wr);
-    s.coulomb[i] = coulomb_direction(qd[i]);
   }
 }
 

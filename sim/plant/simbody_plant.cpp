@@ -1,5 +1,5 @@
-// The only file of the libraries that includes Simbody. It is compiled as C++17 without NDEBUG
-// (sim/CMakeLists.txt says why).
+// The only file of the libraries that includes Simbody. It is compiled as C++17, with NDEBUG only if Simbody
+// was (cmake/Simbody.cmake says why).
 
 #include <functional>  // Simbody's headers use it without including it
 

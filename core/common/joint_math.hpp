@@ -1,0 +1,48 @@
+#pragma once
+// Sines and cosines of all joints at once: of doubles two at a time.
+
+#include <cmath>
+
+#include "core/common/types.hpp"
+#include "core/common/vector_math.hpp"
+
+namespace armtune {
+
+/// sin and cos of every entry of x (n), one by one.
+template <typename T>
+void each_sine_and_cosine(const JointVectorT<T>& x, JointVectorT<T>& sines, JointVectorT<T>& cosines) {
+  using std::cos;
+  using std::sin;
+  sines.resize(x.size());
+  cosines.resize(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    sines[i] = sin(x[i]);
+    cosines[i] = cos(x[i]);
+  }
+}
+
+/// sin and cos of every entry of x (n).
+template <typename T>
+void sines_and_cosines(const JointVectorT<T>& x, JointVectorT<T>& sines, JointVectorT<T>& cosines) {
+  each_sine_and_cosine(x, sines, cosines);
+}
+inline void sines_and_cosines(const JointVector& x, JointVector& sines, JointVector& cosines) {
+  const Eigen::Index n = x.size();
+  if (!(x.cwiseAbs().maxCoeff() <= vector_math::kLargestAngle))
+    return each_sine_and_cosine(x, sines, cosines);
+  sines.resize(n);
+  cosines.resize(n);
+  for (Eigen::Index i = 0; i < n; i += 2) {
+    const bool two = i + 1 < n;
+    vector_math::Double2 s;
+    vector_math::Double2 c;
+    vector_math::sine_cosine(vector_math::Double2{x[i], two ? x[i + 1] : 0.0}, s, c);
+    sines[i] = s[0];
+    cosines[i] = c[0];
+    if (!two) break;
+    sines[i + 1] = s[1];
+    cosines[i + 1] = c[1];
+  }
+}
+
+}  // namespace armtune

@@ -1,0 +1,52 @@
+#pragma once
+// Two numbers that go through the same arithmetic, side by side: of doubles, one SSE2 register, which every
+// x86-64 processor has. What one rotation turns comes in such twins: linear and angular velocity, force and
+// moment, mass and inertia.
+
+namespace armtune {
+
+template <typename T>
+class Twin {
+ public:
+  Twin() = default;
+  Twin(const T& first, const T& second) : first_(first), second_(second) {}
+  static Twin both(const T& x) { return {x, x}; }
+
+  const T& first() const { return first_; }
+  const T& second() const { return second_; }
+
+  friend Twin operator+(const Twin& a, const Twin& b) { return {a.first_ + b.first_, a.second_ + b.second_}; }
+  friend Twin operator-(const Twin& a, const Twin& b) { return {a.first_ - b.first_, a.second_ - b.second_}; }
+  friend Twin operator*(const Twin& a, const Twin& b) { return {a.first_ * b.first_, a.second_ * b.second_}; }
+  Twin operator-() const { return {-first_, -second_}; }
+  Twin& operator+=(const Twin& b) { return *this = *this + b; }
+  Twin& operator-=(const Twin& b) { return *this = *this - b; }
+
+ private:
+  T first_, second_;
+};
+
+template <>
+class Twin<double> {
+ public:
+  Twin() = default;
+  Twin(double first, double second) : v_{first, second} {}
+  static Twin both(double x) { return {x, x}; }
+
+  double first() const { return v_[0]; }
+  double second() const { return v_[1]; }
+
+  friend Twin operator+(Twin a, Twin b) { return Twin(a.v_ + b.v_); }
+  friend Twin operator-(Twin a, Twin b) { return Twin(a.v_ - b.v_); }
+  friend Twin operator*(Twin a, Twin b) { return Twin(a.v_ * b.v_); }
+  Twin operator-() const { return Twin(-v_); }
+  Twin& operator+=(Twin b) { return *this = *this + b; }
+  Twin& operator-=(Twin b) { return *this = *this - b; }
+
+ private:
+  using Register = double __attribute__((vector_size(16)));
+  explicit Twin(Register v) : v_(v) {}
+  Register v_;
+};
+
+}  // namespace armtune
