@@ -60,12 +60,11 @@ void print(const char* ends, const Outcome& o, const Outcome& whole) {
              o.best.objective, o.best.feasible ? "" : " (infeasible)");
 }
 
-void compare(const std::vector<std::string>& args) {
+/// False if the search found something else for ending rollouts that make no difference.
+bool compare(const std::vector<std::string>& args) {
   Study study = load_study(!args.empty() ? args[0] : "ur10_gaze");
-  if (args.size() > 1) {
-    study.solver.algorithm = algorithm_from_name(args[1]).name;
-    study.global_algorithm.clear();
-  }
+  if (args.size() > 1) study.solver.algorithm = algorithm_from_name(args[1]).name;
+  study.global_algorithm.clear();
   if (args.size() > 2) study.max_evaluations = std::stol(args[2]);
   if (args.size() > 3) study.solver.seed = std::stoul(args[3]);
   study.engine = Engine::kNative;
@@ -88,6 +87,7 @@ void compare(const std::vector<std::string>& args) {
   fmt::print("of no difference: simulated {:.1f} %, processor {:.1f} % of the row above; {} best\n",
              100.0 * both.simulated / broken.simulated, 100.0 * both.processor / broken.processor,
              both.best.x == broken.best.x ? "the same" : "ANOTHER");
+  return both.best.x == broken.best.x;
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ void compare(const std::vector<std::string>& args) {
 
 int main(int argc, char** argv) {
   try {
-    armtune::compare({argv + 1, argv + argc});
+    return armtune::compare({argv + 1, argv + argc}) ? 0 : 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 2;

@@ -266,10 +266,11 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
-      "The study's constraints hold for every point. Of its search, algorithm, constraints, steps, engine "
-      "and "
-      "seed are "
-      "taken; sweep, starts, global and verify_share are tune's. The points of the front are simulated again "
+      "The study's constraints hold for every point. Of its search, global, global_share, algorithm and "
+      "constraints are "
+      "taken for the least of the first criterion, steps, engine and seed for all; sweep, starts and "
+      "verify_share are "
+      "tune's. The points of the front are simulated again "
       "at "
       "the end, beyond the evaluations allowed. The front ends where a criterion cannot fall further "
       "without "

@@ -26,14 +26,15 @@ std::string tune_help() {
   Study silent;
   default_search(silent);
   text += fmt::format(
-      R"(A study that names no algorithm searches with {} over the whole box first, for half of its evaluations, then
-with {} from the best found, constraints as penalties: what scripts/compare-algorithms found best. A warm start goes
-without the first.
+      R"(A study that names no algorithm searches with {} over the whole box first, for half of the evaluations and minutes
+that start and sweep leave, then with {} from the best found, constraints as penalties: what
+scripts/compare-algorithms found best. A warm start goes without the first, unless the study names it, as the
+study.yaml of a run does.
 )",
       silent.global_algorithm, silent.solver.algorithm);
   text +=
       R"(Around those that do not take constraints an augmented Lagrangian or a penalty is put (search/constraints).
-Also in search: global and global_share (another algorithm first, for that part of the evaluations), starts
+Also in search: global and global_share (another algorithm first, for that part of evaluations and minutes), starts
 (several local searches at once), differences (forward, central) and difference_step; engine: native searches
 in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and leaves
 verify_share of the evaluations and of max_minutes to Simbody, whose figures alone are reported.

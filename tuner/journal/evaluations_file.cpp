@@ -32,7 +32,7 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
       "sum of the violations relative to their limits; larger than that of any completed candidate if a "
-      "scenario did not complete");
+      "scenario did not complete; empty if it was given up");
   add("status", "", "completed, what went wrong first, or of no use to the search: given up");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
   for (const ObjectiveTerm& term : study.terms) {

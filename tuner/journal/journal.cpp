@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <stdexcept>
@@ -16,8 +17,20 @@ namespace {
 constexpr std::size_t kDigits = 16;
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
-constexpr std::string_view kTimeUp = "time-up";
-constexpr std::string_view kSearchTimeUp = "search-time-up";
+/// Kind of the record that some minutes are over.
+constexpr std::array<std::pair<Minutes, std::string_view>, 3> kTimeUp = {
+    {{Minutes::kRun, "time-up"}, {Minutes::kSearch, "search-time-up"}, {Minutes::kGlobal, "global-time-up"}}};
+
+std::optional<Minutes> minutes_of(std::string_view kind) {
+  for (const auto& [minutes, name] : kTimeUp) {
+    if (name == kind) return minutes;
+  }
+  return {};
+}
+
+std::string_view kind_of(Minutes minutes) {
+  return kTimeUp[static_cast<std::size_t>(minutes)].second;
+}
 
 std::string checksum(std::string_view payload) {
   Fnv1a hash;
@@ -210,8 +223,8 @@ void Journal::take(std::string_view payload, long place) {
       throw std::invalid_argument(fmt::format("gives number {} a second time", record.number));
     }
     seconds_ = std::max(seconds_, record.seconds);
-  } else if (kind == kTimeUp || kind == kSearchTimeUp) {
-    time_was_up_[kind == kTimeUp ? Minutes::kRun : Minutes::kSearch] = number_in(rest);
+  } else if (const auto minutes = minutes_of(kind)) {
+    time_was_up_[*minutes] = number_in(rest);
   } else if (kind == "complete") {
     exit_code_ = static_cast<int>(number_in(rest));
   } else {
@@ -257,7 +270,7 @@ std::optional<std::uint64_t> Journal::time_was_up(Minutes minutes) const {
 }
 
 void Journal::time_is_up(std::uint64_t number, Minutes minutes) {
-  write(fmt::format("{}\t{}", minutes == Minutes::kRun ? kTimeUp : kSearchTimeUp, number));
+  write(fmt::format("{}\t{}", kind_of(minutes), number));
   time_was_up_[minutes] = number;
 }
 

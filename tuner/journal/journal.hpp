@@ -14,9 +14,9 @@
 
 namespace armtune {
 
-/// Whose minutes: those of the whole run, or what a search may use of them that leaves some for its last
-/// steps.
-enum class Minutes { kRun, kSearch };
+/// Whose minutes: those of the whole run, what a search may use of them that leaves some for its last steps,
+/// or what a global search may use that leaves some for the local one.
+enum class Minutes { kRun, kSearch, kGlobal };
 
 class Journal {
  public:

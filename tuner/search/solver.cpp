@@ -60,9 +60,10 @@ Optimizer create(nlopt_algorithm code, std::size_t n) {
   return {nlopt_create(code, static_cast<unsigned>(n)), nlopt_destroy};
 }
 
-/// A search that asks for one point so often in a row has nowhere else to go: CRS2 with a population that has
-/// become one point never ends by itself.
-constexpr long kMostRepeats = 10000;
+/// A point that is asked for more often in a row than for its objective and its constraints is asked of the
+/// oracle again: CRS2 with a population that has become one point asks for nothing else, and never ends by
+/// itself.
+constexpr long kMostRepeats = 8;
 
 /// What the callbacks share. NLopt asks for objective and constraints of a point in separate calls: the last
 /// point's answer is kept.
@@ -90,10 +91,7 @@ struct Search {
     if (stopped) return answer;
     const bool same = known && std::equal(x.begin(), x.end(), point);
     repeats = same ? repeats + 1 : 0;
-    if (same && (derivatives || !with_derivatives)) {
-      if (repeats > kMostRepeats) stop();
-      return answer;
-    }
+    if (same && repeats <= kMostRepeats && (derivatives || !with_derivatives)) return answer;
     x.assign(point, point + n);
     try {
       stopped = !(*oracle)(x, with_derivatives, bar, answer);

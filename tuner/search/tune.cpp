@@ -66,6 +66,8 @@ class Run {
   bool begin_warm();
   /// A search in the box, as the study has it.
   JoinedSearch search_from(const std::vector<double>& x);
+  /// The global search, if there is one: its share of evaluations and minutes. False if interrupted.
+  bool search_globally(JoinedSearch search);
   /// What Simbody has to see of what another engine found.
   std::vector<Candidate> to_verify();
   /// Runs searches together until the run has `most` evaluations. False if interrupted.
@@ -80,11 +82,14 @@ class Run {
   Engine engine_ = Engine::kSimbody;  ///< that simulates now
   std::map<Engine, Seen> seen_;
   std::optional<Evaluation> best_of_sweep_;
+  double kept_ = 0.0;     ///< of the minutes for Simbody's last steps [s]
+  double seconds_ = 0.0;  ///< wall time at the last evaluation, as the journal has it [s]
   TuneResult out_;
 };
 
 void Run::take_in(const char* phase, Evaluation e) {
   const bool first = out_.evaluations++ == 0;
+  seconds_ = std::max(seconds_, e.seconds);
   auto& objective = seen().objective;
   if (!objective) {
     objective.emplace(study_.terms, study_.constraints, study_.scenarios, e.results, study_.source);
@@ -113,8 +118,10 @@ bool Run::start() {
   if (!evaluate({{"start", x}})) return false;
   const Engine engine = engine_of_search(study_);
   if (engine == Engine::kSimbody) return true;
-  evaluator_.use(Minutes::kSearch, kept_seconds(study_, seen().start->seconds));
+  kept_ = kept_seconds(study_, seen().start->seconds);
+  evaluator_.use(Minutes::kSearch, kept_);
   if (evaluations_left(most_in(engine)) == 0) {  // too little time for two engines is Simbody's
+    kept_ = 0.0;
     evaluator_.use(Minutes::kRun);
     return true;
   }
@@ -198,16 +205,23 @@ JoinedSearch Run::search_from(const std::vector<double>& x) {
   return search;
 }
 
+bool Run::search_globally(JoinedSearch search) {
+  search.options.algorithm = global_of(study_);
+  const long left = std::max(0L, most_in(engine_) - out_.evaluations);
+  const long share = std::lround(study_.global_share * static_cast<double>(left));
+  // The clock as it stood at the last evaluation: the same where the run goes on.
+  const double rest = std::max(0.0, 60.0 * study_.max_minutes - kept_ - seconds_);
+  evaluator_.use(Minutes::kGlobal, kept_ + (1.0 - study_.global_share) * rest);
+  const bool whole = search_together("global", {search}, out_.evaluations + share);
+  evaluator_.use(engine_ == Engine::kSimbody ? Minutes::kRun : Minutes::kSearch, kept_);
+  return whole;
+}
+
 void Run::search() {
   if (!begin_warm()) return;
   JoinedSearch local = search_from(box_.x);
-  const long most = most_in(engine_);
-  if (const std::string algorithm = global_of(study_); !algorithm.empty()) {
-    JoinedSearch global = local;
-    global.options.algorithm = algorithm;
-    const long left = std::max(0L, most - out_.evaluations);
-    const long share = std::lround(study_.global_share * static_cast<double>(left));
-    if (!search_together("global", {global}, out_.evaluations + share)) return;
+  if (!global_of(study_).empty()) {
+    if (!search_globally(local)) return;
     if (seen().best_inside()) local.problem.start = seen().best_inside()->x;
   }
   std::vector<JoinedSearch> searches(study_.starts, local);
@@ -216,7 +230,7 @@ void Run::search() {
     searches[s].problem.start = others[s - 1];
     searches[s].options.seed += s;
   }
-  search_together("search", searches, most);
+  search_together("search", searches, most_in(engine_));
 }
 
 std::vector<Candidate> Run::to_verify() {

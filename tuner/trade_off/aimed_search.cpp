@@ -48,6 +48,7 @@ void AimedSearch::take_in(const char* phase, Evaluation e) {
   known.costs = point.costs;
   if (callbacks_.evaluated) callbacks_.evaluated(phase, point.e);
   if (out_.evaluations == 1) out_.start = point;
+  if (!best_ || better(point.e, *best_)) best_ = point.e;
   archive_.add(std::move(point));
   if (callbacks_.progress) {
     callbacks_.progress({shown_, out_.evaluations, options_.max_evaluations, archive_.points().size()});

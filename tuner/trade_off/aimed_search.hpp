@@ -36,6 +36,9 @@ class AimedSearch {
 
   /// Every feasible point that no other dominates.
   const Archive& archive() const { return archive_; }
+  /// Best of all points by the study's own order: what comes nearest to its constraints where none keeps
+  /// them.
+  const Evaluation& best() const { return *best_; }
   /// Start, evaluations and whether interrupted; neither front nor levels.
   const ParetoResult& so_far() const { return out_; }
 
@@ -61,6 +64,7 @@ class AimedSearch {
   std::optional<Objective> objective_;
   std::map<std::vector<double>, Known> known_;
   Archive archive_;
+  std::optional<Evaluation> best_;
   ParetoResult out_;
   std::string shown_;
 };

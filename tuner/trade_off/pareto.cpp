@@ -79,9 +79,9 @@ void Front::anchors() {
       }
     }
     const ParetoPoint* best = search_.archive().best_under(k, held);
-    search_.minimise("anchor", shown,
-                     {{k, held, best ? best->e.x : search_.so_far().start.e.x,
-                       static_cast<long>(share * budget), solver}});
+    search_.minimise(
+        "anchor", shown,
+        {{k, held, best ? best->e.x : search_.best().x, static_cast<long>(share * budget), solver}});
   }
 }
 

@@ -100,7 +100,10 @@ TEST(Outdone, ARunThatGoesOnGivesUpTheSame) {
     tune(study, workers, stop, callbacks, &journal);
     return evaluations;
   };
-  part(*Journal::begin(files / "journal.txt", {}), 70);
+  const auto before = part(*Journal::begin(files / "journal.txt", {}), 70);
+  EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](const Evaluation& e) {
+    return e.beyond < HUGE_VAL;
+  })) << "one that was given up is recalled below";
   stop = false;
   std::string warning;
   const auto again = part(*Journal::resume(files / "journal.txt", {}, warning), 0);

@@ -141,6 +141,34 @@ TEST_F(LastStepsInTime, TheBudgetHoldsForThemToo) {
   EXPECT_LT(done.seconds, 60.0 * study_.max_minutes + 24.0 * unit_);
 }
 
+TEST_F(LastStepsInTime, AGlobalSearchLeavesItsShareToTheLocalOne) {
+  begin(80.0);
+  study_.global_algorithm = "CRS2";
+  study_.global_share = 0.5;
+  study_.solver.algorithm = "SBPLX";
+  Done whole;
+  std::uint64_t global = 0;
+  {
+    const auto journal = journal_begun();
+    whole = tune(journal.get());
+    ASSERT_TRUE(journal->time_was_up(Minutes::kGlobal).has_value());
+    global = *journal->time_was_up(Minutes::kGlobal);
+  }
+  EXPECT_EQ(count(whole, "global native"), static_cast<long>(global) - 2);
+  EXPECT_GE(count(whole, "search native"), 8);
+  // Killed in the local search, the global one ends where it did.
+  cut_behind("global-time-up", 3);
+  {
+    const auto journal = resumed();
+    const Done again = tune(journal.get());
+    EXPECT_EQ(journal->time_was_up(Minutes::kGlobal), global);
+    EXPECT_EQ(count(again, "global native"), count(whole, "global native"));
+    EXPECT_TRUE(std::equal(whole.points.begin(),
+                           whole.points.begin() + static_cast<std::ptrdiff_t>(global) + 3,
+                           again.points.begin()));
+  }
+}
+
 TEST_F(LastStepsInTime, AreTheSameWhereTheRunGoesOn) {
   begin(20.0);
   Done whole;

@@ -141,10 +141,23 @@ TEST(LookAhead, KeepsToItsCap) {
 TEST(LookAhead, EndsWithAPopulationThatHasBecomeOnePoint) {
   SolverOptions options;
   options.algorithm = "CRS2";
-  options.constraints = ConstraintHandling::kPenalty;
+  options.x_tolerance = 0.0;
   for (const std::size_t look_ahead : {1U, 64U}) {
-    options.look_ahead = look_ahead;
-    EXPECT_LE(search(options, 1, 2000).points.size(), 2000U);
+    for (const double sign : {1.0, -1.0}) {  // best at the lower bound, at the upper one
+      options.look_ahead = look_ahead;
+      SolverProblem problem;
+      problem.start = {0.3};
+      std::size_t evaluated = 0;
+      problem.evaluate = [&](const std::vector<SolverPoint>& points, std::vector<SolverValue>& values) {
+        evaluated += points.size();
+        for (const SolverPoint& point : points) values.push_back({sign * point.x[0], {}});
+        return evaluated < 5000;
+      };
+      const SolverOutcome outcome = minimize(problem, options);
+      EXPECT_LT(evaluated, 5000U);
+      EXPECT_FALSE(outcome.stopped) << "by nothing but itself";
+      EXPECT_THAT(outcome.reason, testing::HasSubstr("asks for nothing new"));
+    }
   }
 }
 

@@ -87,6 +87,21 @@ TEST_F(Pareto, ItsFirstEndIsSearchedAsTheStudyIsGlobalPhaseIncluded) {
               1e-9);
 }
 
+TEST_F(Pareto, WithNothingFeasibleItsLocalSearchBeginsAtTheLeastViolation) {
+  const test::ShortStudy files(
+      test::kShortParameters, test::kShortObjective,
+      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 0.1, hopeless: never}\n", "");
+  study_ = load_study(files.path());
+  options_.max_evaluations = 40;
+  run(2);
+  ASSERT_GE(evaluations_.size(), 7U);
+  const auto best = std::min_element(evaluations_.begin(), evaluations_.begin() + 6, better);
+  ASSERT_FALSE(best->feasible);
+  ASSERT_NE(best, evaluations_.begin()) << "the start is not the best, so that it shows";
+  const auto& first = evaluations_[6].x;
+  EXPECT_EQ((first[0] != best->x[0]) + (first[1] != best->x[1]), 1);
+}
+
 TEST_F(Pareto, IsTheSameForAnyNumberOfWorkersAndAgainInFreshRollouts) {
   ParetoResult one = run(1);
   const std::string text = pareto_csv(study_, options_, one);
