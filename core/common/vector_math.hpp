@@ -52,7 +52,7 @@ void sine_cosine(const V& x, V& sine, V& cosine) {
   cosine = reinterpret_cast<V>((c_bits ^ changed) ^ (((quarter + 1) & 2) << 62));
 }
 
-/// Zero below -708 and 3e307 from 708 on.
+/// e^x; beyond 708 to either side that of +-708, so that nothing overflows.
 template <typename V>
 V exponential(const V& x) {
   const V lowest = V{} - 708.0;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tuner/search/seen.hpp"
-
 namespace armtune {
 namespace {
 
@@ -12,6 +10,20 @@ namespace {
 constexpr long kToJudge = static_cast<long>(Seen::kBest) + 2;
 
 }  // namespace
+
+std::vector<Candidate> to_judge(const Seen& searched, const std::optional<Evaluation>& best_of_sweep,
+                                const Seen& judged) {
+  std::vector<Candidate> candidates;
+  const auto add = [&](const Evaluation& e) {
+    const auto same = [&e](const Candidate& c) { return c.x == e.x; };
+    if (judged.at(e.x) || std::any_of(candidates.begin(), candidates.end(), same)) return;
+    candidates.push_back({"verify", e.x});
+  };
+  for (const Evaluation& e : searched.best()) add(e);
+  if (searched.best_inside()) add(*searched.best_inside());
+  if (best_of_sweep) add(*best_of_sweep);
+  return candidates;
+}
 
 long kept_evaluations(const Study& study) {
   const double share = std::round(study.verify_share * static_cast<double>(study.max_evaluations));

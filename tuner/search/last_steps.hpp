@@ -2,12 +2,22 @@
 // The last steps on Simbody after a search in another engine, and what that leaves for them: evaluations,
 // and wall time.
 
+#include <optional>
+#include <vector>
+
+#include "tuner/journal/evaluator.hpp"
+#include "tuner/search/seen.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune {
 
 /// Initial step of the last search, from the best of another engine: of the box between the bounds.
 constexpr double kLastStep = 0.02;
+
+/// What Simbody has to see of what another engine found: its best, and those of the sweep, but for what is
+/// judged already.
+std::vector<Candidate> to_judge(const Seen& searched, const std::optional<Evaluation>& best_of_sweep,
+                                const Seen& judged);
 
 /// The study's verify_share, and at least what it takes to judge what was found.
 long kept_evaluations(const Study& study);

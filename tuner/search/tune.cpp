@@ -68,8 +68,6 @@ class Run {
   JoinedSearch search_from(const std::vector<double>& x);
   /// The global search, if there is one: its share of evaluations and minutes. False if interrupted.
   bool search_globally(JoinedSearch search);
-  /// What Simbody has to see of what another engine found.
-  std::vector<Candidate> to_verify();
   /// Runs searches together until the run has `most` evaluations. False if interrupted.
   bool search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most);
   void serve(const char* phase, std::vector<Request>& requests, long most);
@@ -233,26 +231,12 @@ void Run::search() {
   search_together("search", searches, most_in(engine_));
 }
 
-std::vector<Candidate> Run::to_verify() {
-  const Seen& judged = seen_[Engine::kSimbody];
-  std::vector<Candidate> candidates;
-  const auto add = [&](const Evaluation& e) {
-    const auto same = [&e](const Candidate& c) { return c.x == e.x; };
-    if (judged.at(e.x) || std::any_of(candidates.begin(), candidates.end(), same)) return;
-    candidates.push_back({"verify", e.x});
-  };
-  for (const Evaluation& e : seen().best()) add(e);
-  if (seen().best_inside()) add(*seen().best_inside());
-  if (best_of_sweep_) add(*best_of_sweep_);
-  return candidates;
-}
-
 void Run::verify() {
   if (engine_ == Engine::kSimbody || out_.interrupted) return;
   const long most = std::min(study_.max_evaluations, out_.evaluations + kept_evaluations(study_));
   const std::string searched = out_.reason;
   // These few are simulated also when time is up: without them there is no result.
-  const auto candidates = to_verify();
+  const auto candidates = to_judge(seen(), best_of_sweep_, seen_[Engine::kSimbody]);
   engine_ = Engine::kSimbody;
   evaluator_.use(Minutes::kRun);
   if (!candidates.empty() && !evaluate(candidates)) return interrupt();

@@ -94,40 +94,6 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
   EXPECT_FALSE(again.end_outdone);
 }
 
-TEST(StudyFile, ThatNamesNoAlgorithmSearchesInTwoPhases) {
-  const auto study = [](const std::string& search) {
-    const ShortStudy files(test::kShortParameters, test::kShortObjective, "", search);
-    return load_study(files.path());
-  };
-  for (const char* silent : {"", "search: {max_evaluations: 20, seed: 4}\n"}) {
-    const Study s = study(silent);
-    EXPECT_FALSE(algorithm_from_name(global_of(s)).local);
-    EXPECT_TRUE(algorithm_from_name(s.solver.algorithm).local);
-    EXPECT_EQ(s.solver.constraints, ConstraintHandling::kPenalty);
-  }
-  EXPECT_EQ(study("search: {constraints: lagrangian}\n").solver.constraints, ConstraintHandling::kLagrangian);
-  EXPECT_EQ(global_of(study("search: {global: ESCH}\n")), "ESCH");
-
-  const Study named = study("search: {algorithm: BOBYQA}\n");
-  EXPECT_EQ(global_of(named), "");
-  EXPECT_EQ(named.solver.algorithm, "BOBYQA");
-  EXPECT_EQ(named.solver.constraints, ConstraintHandling::kAuto);
-}
-
-TEST(StudyFile, AWarmStartGoesWithoutAGlobalSearchThatNobodyNamed) {
-  const auto study = [](const std::string& search) {
-    const ShortStudy files(test::kShortParameters, test::kShortObjective, "",
-                           search + "warm_start: {from: gains.yaml}\n");
-    const Study warm = load_study(files.path());
-    files.write("kept.yaml", gains_yaml(warm.warm->gains, {}));
-    const std::string text = study_yaml(warm, "gains.yaml", "kept.yaml");
-    EXPECT_EQ(global_of(load_study(files.write("resolved.yaml", text))), global_of(warm)) << text;
-    return warm;
-  };
-  EXPECT_EQ(global_of(study("")), "");
-  EXPECT_EQ(global_of(study("search: {global: DIRECT_L}\n")), "DIRECT_L");
-}
-
 TEST(StudyFile, TheBundledStudyReadsBackFromItsResolvedForm) {
   const Study study = load_study("ur10_gaze");
   const test::TemporaryFolder folder;

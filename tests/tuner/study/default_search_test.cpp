@@ -1,0 +1,48 @@
+// How a study searches that does not say so.
+
+#include <gtest/gtest.h>
+
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::ShortStudy;
+
+TEST(DefaultSearch, OfAStudyThatNamesNoAlgorithmHasTwoPhases) {
+  const auto study = [](const std::string& search) {
+    const ShortStudy files(test::kShortParameters, test::kShortObjective, "", search);
+    return load_study(files.path());
+  };
+  for (const char* silent : {"", "search: {max_evaluations: 20, seed: 4}\n"}) {
+    const Study s = study(silent);
+    EXPECT_FALSE(algorithm_from_name(global_of(s)).local);
+    EXPECT_TRUE(algorithm_from_name(s.solver.algorithm).local);
+    EXPECT_EQ(s.solver.constraints, ConstraintHandling::kPenalty);
+  }
+  EXPECT_EQ(study("search: {constraints: lagrangian}\n").solver.constraints, ConstraintHandling::kLagrangian);
+  EXPECT_EQ(global_of(study("search: {global: ESCH}\n")), "ESCH");
+
+  const Study named = study("search: {algorithm: BOBYQA}\n");
+  EXPECT_EQ(global_of(named), "");
+  EXPECT_EQ(named.solver.algorithm, "BOBYQA");
+  EXPECT_EQ(named.solver.constraints, ConstraintHandling::kAuto);
+}
+
+TEST(DefaultSearch, AWarmStartGoesWithoutAGlobalSearchThatNobodyNamed) {
+  const auto study = [](const std::string& search) {
+    const ShortStudy files(test::kShortParameters, test::kShortObjective, "",
+                           search + "warm_start: {from: gains.yaml}\n");
+    const Study warm = load_study(files.path());
+    files.write("kept.yaml", gains_yaml(warm.warm->gains, {}));
+    const std::string text = study_yaml(warm, "gains.yaml", "kept.yaml");
+    EXPECT_EQ(global_of(load_study(files.write("resolved.yaml", text))), global_of(warm)) << text;
+    return warm;
+  };
+  EXPECT_EQ(global_of(study("")), "");
+  EXPECT_EQ(global_of(study("search: {global: DIRECT_L}\n")), "DIRECT_L");
+}
+
+}  // namespace
+}  // namespace armtune
