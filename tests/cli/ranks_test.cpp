@@ -108,16 +108,17 @@ TEST_F(Ranks, TuneTheSameByteForByteAsThreads) {
         alone(tune(files.path(), files / (std::string("threads") + workers), {"--workers", workers}));
     ASSERT_EQ(done.exit_code, 0) << done.err;
   }
-  for (const int ranks : {2, 4}) {
+  for (const int ranks : {1, 2, 4}) {
     const Finished done = run(ranks, tune(files.path(), files / ("ranks" + std::to_string(ranks)), {}));
     ASSERT_EQ(done.exit_code, 0) << done.err << done.out;
     EXPECT_EQ(done.out.find("study study:"), done.out.rfind("study study:")) << "only one rank speaks";
+    if (ranks == 1) continue;  // alone it is one process with threads
     EXPECT_THAT(test::read_text(files / ("ranks" + std::to_string(ranks)) + "/run.yaml"),
                 HasSubstr("workers: " + std::to_string(ranks) + "\n"));
   }
   const std::string expected = without_time(files / "threads1/evaluations.csv");
   ASSERT_FALSE(expected.empty());
-  for (const char* folder : {"threads2", "threads4", "ranks2", "ranks4"}) {
+  for (const char* folder : {"threads2", "threads4", "ranks1", "ranks2", "ranks4"}) {
     EXPECT_EQ(without_time(files / folder + "/evaluations.csv"), expected) << folder;
     for (const char* file : {"/gains.yaml", "/errors.csv", "/start/errors.csv"}) {
       EXPECT_EQ(test::read_text(files / folder + file), test::read_text(files / "threads1" + file))

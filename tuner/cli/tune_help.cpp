@@ -70,7 +70,8 @@ Where constraints are penalties (search/constraints: penalty), CRS2 and ESCH giv
 and penalties so far are more than the worst they keep: they go the same way as if it were simulated whole, and the
 study's best few are never given up. Such a row of evaluations.csv has no figures and says so in its status; should
 another phase or start ask for exactly that point, it is simulated anew. search/end_outdone: false simulates every
-candidate whole; other algorithms, to which every value counts, and robust studies do so in any case.
+candidate whole; other algorithms, to which every value counts, robust studies, and those of one scenario of which
+nothing is known before its end do so in any case.
 )";
   return text;
 }

@@ -5,8 +5,11 @@ namespace armtune {
 std::optional<Outdone> giving_up(const Study& study, const std::optional<Objective>& objective) {
   const bool one_value = study.solver.constraints == ConstraintHandling::kPenalty;
   if (!study.end_outdone || !one_value || study.robust || !objective || !objective->only_grows()) return {};
-  Outdone outdone;
   const double penalty = study.solver.penalty;
+  // One scenario, nothing of which is known before its end: there is nothing left to save then.
+  const std::vector<std::optional<RolloutResult>> none_yet(study.scenarios.size());
+  if (none_yet.size() == 1 && objective->end_cost(0, none_yet, penalty, 0.0).shares.empty()) return {};
+  Outdone outdone;
   outdone.end = [&objective, penalty](std::size_t scenario,
                                       const std::vector<std::optional<RolloutResult>>& finished, double bar) {
     return objective->end_cost(scenario, finished, penalty, bar);

@@ -123,5 +123,20 @@ TEST(Outdone, NothingEndsWhereConstraintsAreNotPenalties) {
   EXPECT_EQ(outdone(run(load_study(files.path()), 2, files / "evaluations.csv")), 0);
 }
 
+// An RMS is known when a rollout is over: with a second one to come there is something to save.
+TEST(Outdone, NothingEndsWhereNothingIsKnownBeforeTheOnlyRolloutDoes) {
+  const ShortStudy files;
+  for (const std::string scenarios : {"[short.yaml]", "[short.yaml, short_realistic.yaml]"}) {
+    files.write("study.yaml",
+                "description: what is known at the end only\ngains: gains.yaml\nscenarios: " + scenarios +
+                    "\n" + test::kShortParameters +
+                    "objective: [{metric: error/orientation/rms, weight: 1}]\n" +
+                    "search: {algorithm: ESCH, constraints: penalty, max_evaluations: 90, engine: native}\n");
+    const Study study = load_study(files.path());
+    const long given_up = outdone(run(study, 2, files / fmt::format("{}.csv", study.scenarios.size())));
+    EXPECT_EQ(given_up > 0, study.scenarios.size() > 1) << given_up;
+  }
+}
+
 }  // namespace
 }  // namespace armtune
