@@ -20,6 +20,11 @@ export function launch({ webGl = true } = {}) {
   return chromium.launch({ executablePath: findBrowser(), args: [...drawing, ...sandbox] });
 }
 
+/** Ends a browser that may no longer answer. */
+export async function end(browser) {
+  await Promise.race([browser.close().catch(() => {}), new Promise((done) => setTimeout(done, 10_000))]);
+}
+
 /** What the browser says of its own copying of pictures, where it draws in software; nothing of the page's doing. */
 const OF_THE_DRIVER = /GL Driver Message \(OpenGL, Performance.*GPU stall due to ReadPixels/;
 
