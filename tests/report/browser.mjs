@@ -37,6 +37,7 @@ export async function openPage(browser, address, options = {}) {
     reducedMotion: "reduce",
     ...options,
   });
+  await withNextFrame(context);
   const page = await context.newPage();
   const requests = [];
   const complaints = [];
@@ -59,9 +60,27 @@ export async function bringIntoView(page, selector) {
   await settle(page);
 }
 
+/** What a page says that waits for a frame and gets none: chromium at times stops drawing in software. */
+export const NO_FRAME = "the browser has drawn nothing for 20 s";
+
+/** In the page: `nextFrame()`, which gives up with NO_FRAME. */
+const withNextFrame = (context) =>
+  context.addInitScript((words) => {
+    window.nextFrame = () =>
+      new Promise((done, fail) => {
+        const late = setTimeout(() => fail(new Error(words)), 20_000);
+        requestAnimationFrame(() => {
+          clearTimeout(late);
+          done();
+        });
+      });
+  }, NO_FRAME);
+
 /** Two frames after which nothing that was asked for is still to be drawn, and the time for lazy parts. */
 export async function settle(page, ms = 150) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.evaluate(async () => {
+    for (let i = 0; i < 2; ++i) await window.nextFrame();
+  });
   await page.waitForTimeout(ms);
 }
 
@@ -69,12 +88,11 @@ export async function settle(page, ms = 150) {
  * within 300 px of the window counts as seen, so steps of a window leave nothing out. */
 export async function walkThrough(page, from = "body") {
   await page.evaluate(async (selector) => {
-    const frame = () => new Promise((done) => requestAnimationFrame(done));
     const begin = document.querySelector(selector).getBoundingClientRect().top + scrollY;
     for (let top = Math.max(begin, 0); top < document.body.scrollHeight; top += innerHeight) {
       window.scrollTo({ top, behavior: "instant" });
       // One to see what is near, one to make it, one to draw it.
-      for (let i = 0; i < 3; ++i) await frame();
+      for (let i = 0; i < 3; ++i) await window.nextFrame();
     }
   }, from);
 }
