@@ -4,7 +4,7 @@
 
 add_library(armtune_options INTERFACE)
 target_compile_options(armtune_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<BOOL:${ARMTUNE_WERROR}>:-Werror>
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-psabi $<$<BOOL:${ARMTUNE_WERROR}>:-Werror>
   # g++ 12 warns of overlapping copies inside its own std::string (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(ARMTUNE_SANITIZE)

@@ -1,11 +1,15 @@
-// armtune's own kernels.
+// armtune's own kernels, and whole control periods of closed-loop rollouts.
 
+#include <chrono>
 #include <memory>
 
 #include "core/robot/dynamics.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "peer.hpp"
+#include "sim/lanes/rollout_lanes.hpp"
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/gains_file.hpp"
 
 namespace {
 
@@ -33,6 +37,57 @@ struct Arm {
     }
   }
 };
+
+/// Sensors, state machine, controller with adaptation, two accelerations, metrics: 8 s of the scenario
+/// moving_target, nanoseconds a period and arm.
+class Periods {
+ public:
+  Periods() : prepared_(std::make_shared<const PreparedScenario>(eight_seconds())) {
+    gains_ = load_gains("published", joint_names(*prepared_->scenario.robot));
+  }
+
+  double alone() const {
+    return timed(1, [this] { Rollout(prepared_, Stepper::kMidpoint, Engine::kNative).run(gains_); });
+  }
+  double side_by_side(Processor processor) const {
+    const int arms = most_lanes(processor);
+    return timed(arms, [&] {
+      RolloutLanes lanes(lane_kind(prepared_->scenario, Stepper::kMidpoint, 0), arms, processor);
+      for (int lane = 0; lane < arms; ++lane) lanes.start(lane, {prepared_, gains_});
+      while (lanes.busy() > 0) lanes.step([](int, RolloutResult&&) {});
+    });
+  }
+
+ private:
+  static Scenario eight_seconds() {
+    Scenario scenario = load_scenario("moving_target");
+    scenario.duration = 8.0;
+    return scenario;
+  }
+  template <typename Work>
+  double timed(int arms, Work&& work) const {
+    const auto began = std::chrono::steady_clock::now();
+    work();
+    const auto taken = std::chrono::steady_clock::now() - began;
+    return std::chrono::duration<double, std::nano>(taken).count() / (arms * prepared_->scenario.periods());
+  }
+
+  std::shared_ptr<const PreparedScenario> prepared_;
+  Gains gains_;
+};
+
+std::vector<peers::Period> periods() {
+  const auto work = std::make_shared<Periods>();
+  std::vector<peers::Period> all = {{"period_alone", [work] { return work->alone(); }},
+                                    {"period_any", [work] { return work->side_by_side(Processor::kAny); }}};
+  if (best_processor() >= Processor::kAvx2) {
+    all.push_back({"period_avx2", [work] { return work->side_by_side(Processor::kAvx2); }});
+  }
+  if (best_processor() >= Processor::kAvx512) {
+    all.push_back({"period_avx512", [work] { return work->side_by_side(Processor::kAvx512); }});
+  }
+  return all;
+}
 
 peers::Peer load(const std::string& urdf) {
   const auto arm = std::make_shared<Arm>(urdf);
@@ -93,7 +148,8 @@ peers::Peer load(const std::string& urdf) {
             [&a](std::vector<double>& out) {
               Arm::add_rows(a.q, out);
               Arm::add_rows(a.qd, out);
-            }}}};
+            }}},
+          periods()};
 }
 
 }  // namespace

@@ -10,6 +10,8 @@
 namespace peers {
 namespace {
 
+constexpr int kBatches = 15;
+
 /// Uniform, the same with every standard library.
 std::vector<State> random_states(std::size_t count) {
   std::mt19937_64 bits(20240229);  // NOLINT: the same states every time are wanted
@@ -42,7 +44,6 @@ void print_results(const Peer& peer) {
 /// The least of several batches: what the work takes when nothing else disturbs it.
 double nanoseconds(const Kernel& kernel, const std::vector<State>& states) {
   using Clock = std::chrono::steady_clock;
-  constexpr int kBatches = 15;
   constexpr std::chrono::milliseconds kBatch(20);
   for (const State& state : states) kernel.run(state);
   double least = 1e300;
@@ -78,6 +79,11 @@ int peer_main(int argc, char** argv, const std::function<Peer(const std::string&
       const auto states = random_states(256);
       for (const Kernel& kernel : peer.kernels)
         std::printf("%s %.1f\n", kernel.name, nanoseconds(kernel, states));
+      for (const Period& period : peer.periods) {
+        double least = 1e300;
+        for (int batch = 0; batch < kBatches; ++batch) least = std::min(least, period.nanoseconds());
+        std::printf("%s %.1f\n", period.name, least);
+      }
     } else {
       std::fprintf(stderr, "%s: no mode '%s'\n", argv[0], mode.c_str());
       return 2;

@@ -29,14 +29,22 @@ struct Kernel {
   std::function<void(std::vector<double>&)> results;  ///< of the last run, appended; not timed
 };
 
+/// What has no peer: a whole control period in closed loop.
+struct Period {
+  const char* name;
+  std::function<double()> nanoseconds;  ///< a period and arm, of one measurement
+};
+
 struct Peer {
   std::string name;
   std::string version;
   std::vector<Kernel> kernels;
+  std::vector<Period> periods = {};
 };
 
 /// PROGRAM results    every kernel's results for some states: "kernel number number ..." per line
-/// PROGRAM time       nanoseconds a call of every kernel, least of several batches: "kernel nanoseconds"
+/// PROGRAM time       nanoseconds a call of every kernel, least of several batches: "kernel nanoseconds"; the
+///                    same of every period
 /// PROGRAM version
 int peer_main(int argc, char** argv, const std::function<Peer(const std::string& urdf)>& load);
 

@@ -45,4 +45,18 @@ inline void sines_and_cosines(const JointVector& x, JointVector& sines, JointVec
   }
 }
 
+/// Of one angle.
+inline void sine_and_cosine(double x, double& sine, double& cosine) {
+  if (!(std::abs(x) <= vector_math::kLargestAngle)) {
+    sine = std::sin(x);
+    cosine = std::cos(x);
+    return;
+  }
+  vector_math::Double2 s;
+  vector_math::Double2 c;
+  vector_math::sine_cosine(vector_math::Double2{x, x}, s, c);
+  sine = s[0];
+  cosine = c[0];
+}
+
 }  // namespace armtune

@@ -3,34 +3,49 @@
 //   theta <- theta - gamma Y^T S dt,   S = q' - qr';   compensation torque Y theta.
 // Two things keep theta from wandering off on noise; the published law has neither: leakage and projection.
 
+#include "core/common/select.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "core/robot/slotine_li.hpp"
 
 namespace armtune {
 
-class Adaptation {
+template <typename T>
+class AdaptationT {
  public:
-  explicit Adaptation(const ParameterVector& theta) : start_(theta), theta_(theta), gradient_(theta) {}
+  AdaptationT() = default;
+  explicit AdaptationT(const ParameterVectorT<T>& theta) : start_(theta), theta_(theta), gradient_(theta) {}
 
-  const ParameterVector& theta() const { return theta_; }
+  const ParameterVectorT<T>& theta() const { return theta_; }
+  ParameterVectorT<T>& theta() { return theta_; }
+  /// Where leakage leads back to.
+  ParameterVectorT<T>& start() { return start_; }
 
-  /// One explicit Euler step of length dt [s]; `motion` holds Y and S of this period.
-  void step(const SlotineLi& motion, double gamma, double dt) {
+  /// One explicit Euler step of length dt [s], where it is to be done; `motion` holds Y and S of this period.
+  void step(const SlotineLiT<T>& motion, const T& gamma, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
     slotine_li_gradient(motion, gradient_);
-    theta_ -= (gamma * dt) * gradient_;
+    const T rate = gamma * dt;
+    for (Eigen::Index i = 0; i < theta_.size(); ++i) {
+      theta_[i] = select(where, theta_[i] - rate * gradient_[i], theta_[i]);
+    }
   }
 
   /// Leakage (Ioannou and Kokotovic's sigma modification): theta <- theta - rate (theta - start) dt. rate
   /// [1/s].
-  void leak(double rate, double dt) { theta_ -= (rate * dt) * (theta_ - start_); }
+  void leak(const T& leakage, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
+    const T rate = leakage * dt;
+    for (Eigen::Index i = 0; i < theta_.size(); ++i) {
+      theta_[i] = select(where, theta_[i] - rate * (theta_[i] - start_[i]), theta_[i]);
+    }
+  }
 
   /// Moves theta to the nearest physically valid one (physical_theta.hpp).
   void project() { project_to_physical(theta_); }
 
  private:
-  ParameterVector start_;
-  ParameterVector theta_;
-  ParameterVector gradient_;
+  ParameterVectorT<T> start_;
+  ParameterVectorT<T> theta_;
+  ParameterVectorT<T> gradient_;
 };
+using Adaptation = AdaptationT<double>;
 
 }  // namespace armtune

@@ -17,14 +17,25 @@ struct CartesianErrors {
   Vec6 desired_accel = Vec6::Zero();  ///< xd''
 };
 
-inline void cartesian_references(const CartesianErrors& x, const Vec6& Kp, const Vec6& Ki,
-                                 const TaskInverse& inverse, const Jacobian& J_dot,
-                                 JointReference& reference) {
-  const Vec6 xr_dot = x.desired_rate - Kp.cwiseProduct(x.pose) - Ki.cwiseProduct(x.integral);
-  const Vec6 xr_ddot = x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose);
-  inverse.apply(xr_dot, reference.velocity);
-  const Vec6 rest = xr_ddot - J_dot * reference.velocity;
-  inverse.apply(rest, reference.acceleration);
+/// xr' and xr''.
+template <typename T>
+struct TaskReferenceT {
+  Vec6T<T> rate = Vec6T<T>::Zero();
+  Vec6T<T> acceleration = Vec6T<T>::Zero();
+};
+using TaskReference = TaskReferenceT<double>;
+
+inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, const Vec6& Ki) {
+  return {x.desired_rate - Kp.cwiseProduct(x.pose) - Ki.cwiseProduct(x.integral),
+          x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose)};
+}
+
+/// qr' and qr''.
+template <typename T>
+void resolve(const TaskReferenceT<T>& x, const TaskInverseT<T>& inverse, const JacobianT<T>& J_dot,
+             JointReferenceT<T>& reference) {
+  inverse.apply(x.rate, reference.velocity);
+  inverse.apply(Vec6T<T>(x.acceleration - times(J_dot, reference.velocity)), reference.acceleration);
 }
 
 }  // namespace armtune

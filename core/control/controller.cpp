@@ -1,230 +1,44 @@
 #include "core/control/controller.hpp"
 
-#include <cmath>
-
 #include "core/control/obstacle_impedance.hpp"
-#include "core/control/velocity_barrier.hpp"
-#include "core/control/velocity_governor.hpp"
 
 namespace armtune {
-namespace {
-
-/// The wrist: a slerp lowers Kd of the last three joints.
-constexpr int kWristJoints = 3;
-
-JointVector goal_in_si(const RobotModel& model, const Gains& gains) {
-  JointVector goal = gains.joint_space_goal;
-  for (int i = 0; i < model.n(); ++i) {
-    if (model.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) goal[i] *= M_PI / 180.0;
-  }
-  return goal;
-}
-
-}  // namespace
 
 Controller::Controller(std::shared_ptr<const RobotModel> model, const Gains& gains,
                        const ParameterVector& theta, double period)
-    : model_(std::move(model)),
-      gains_(gains),
-      goal_(goal_in_si(*model_, gains)),
-      effort_limits_(model_->effort_limits()),
-      velocity_limits_(model_->velocity_limits()),
-      velocity_bound_(gains.velocity_margin * velocity_limits_),
-      damping_(inverse_damping(gains)),
-      period_(period),
-      adaptation_(theta) {
-  if (gains_.release_radius == 0.0) gains_.release_radius = gains_.obstacleInfluenceRadius;
-}
+    : logic_(std::move(model), gains, period), adaptation_(theta) {}
 
 const ControlOutput& Controller::update(const JointState& measured, const Scene& scene, double time) {
-  const Chain& chain = model_->chain;
-  if (!started_) {
-    started_ = true;
-    out_.state = first_state(scene.plan != nullptr);
-    q_start_ = measured.q;
-    task_goal_.start(goal_);
+  const Chain& chain = logic_.model().chain;
+  ControlOutput& out = logic_.output();
+  arm_.measure(chain, measured.q, measured.qd, logic_.damping());
+  const ArmView view{arm_.poses.R_0T,
+                     arm_.poses.p_0T,
+                     arm_.twist,
+                     arm_.inverse.manipulability(),
+                     arm_.inverse.damped(),
+                     obstacle_distance(arm_.poses, scene.obstacles),
+                     &arm_};
+  if (logic_.decide(measured, view, scene, time)) {
+    arm_.differentiate(chain, measured.qd);
+    resolve(logic_.task_reference(), arm_.inverse, arm_.J_dot, out.reference);
   }
-  forward_kinematics(chain, measured.q, poses_);
-  tool_jacobian(chain, poses_, J_);
-  twist_.noalias() = J_ * measured.qd;
-  inverse_.compute(J_, damping_);
-  out_.manipulability = inverse_.manipulability();
-  out_.damped = inverse_.damped();
-  out_.obstacle_distance = obstacle_distance(poses_, scene.obstacles);
+  logic_.keep_pace(scene, time);
 
-  const ControlState state =
-      next_state(out_.state, {.joint_trajectory_finished = time - lag_ >= gains_.joint_trajectory_duration,
-                              .return_finished = time - lag_ - return_start_ >= return_.duration(),
-                              .obstacle_distance = out_.obstacle_distance,
-                              .influence_radius = gains_.obstacleInfluenceRadius,
-                              .release_radius = gains_.release_radius,
-                              .plan_finished = scene.plan == nullptr || time >= scene.plan->end()});
-  if (state != out_.state) {
-    out_.state = state;
-    enter_state(scene, time);
-  }
-  if (state == ControlState::kLeaveSingularity) {
-    follow_joint_trajectory(measured, scene, time);
-  } else if (state == ControlState::kFollowPlan) {
-    follow_plan(measured, scene, time);
-  } else {
-    follow_task(measured, scene, time);
-  }
-  // A plan keeps its own velocity limits, and what it meets (a moving path, a target) waits for nobody.
-  if (gains_.velocity_margin > 0.0 && state != ControlState::kFollowPlan) keep_pace(scene, time);
-  torque(measured, scene);
-  // Integral and theta stand still while a joint is saturated: its error is not the law's doing.
-  if (!out_.saturated) {
-    if (!out_.slerping) integral_ += period_ * out_.errors.pose;
-    adapt();
-  }
-  return out_;
-}
-
-void Controller::enter_state(const Scene& scene, double time) {
-  integral_.setZero();
-  if (out_.state != ControlState::kReturnToTrajectory) return;
-  // Start from the measured position and velocity and the last reference's acceleration, which is zero at
-  // the end of leaveSingularity's quintic and in avoidObstacles, and the plan's at the end of followPlan.
-  const MotionPoint<Vec3> start{poses_.p_0T, twist_.head<3>(), out_.desired.acceleration};
-  return_ = return_trajectory(start, *scene.path, time, gains_.trajectoryDurationErrorGain);
-  if (gains_.velocity_margin > 0.0) {
-    Vec6 displacement;
-    displacement << scene.path->at(time + return_.duration()).position - poses_.p_0T, Vec3::Zero();
-    const double shortest = shortest_duration(inverse_, displacement, velocity_bound_);
-    if (shortest > return_.duration()) return_ = {start, scene.path->at(time + shortest), shortest};
-  }
-  return_start_ = time - lag_;
-}
-
-void Controller::follow_joint_trajectory(const JointState& measured, const Scene& scene, double time) {
-  out_.desired = {poses_.p_0T, twist_.head<3>(), Vec3::Zero()};
-  const MotionPoint<double> s = rest_to_rest(0.0, 1.0, gains_.joint_trajectory_duration).at(time - lag_);
-  MotionPoint<JointVector> goal{goal_, JointVector::Zero(goal_.size()), JointVector::Zero(goal_.size())};
-  if (gains_.joint_goal_follows_task) {
-    const MotionPoint<Vec3> path = scene.path->at(time);
-    // By way of joint_space_goal, which the arm's user has chosen, so that the first half of the way stays.
-    goal = towards(goal_, task_goal_.step(model_->chain, path, scene.target, damping_, period_), s);
-    out_.desired.acceleration = path.acceleration;
-  }
-  joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,
-                         out_.reference);
-  Kd_ = gains_.joint_space_gains_d;
-  out_.slerping = false;
-  out_.errors = {};
-}
-
-void Controller::follow_plan(const JointState& measured, const Scene& scene, double time) {
-  out_.planned = scene.plan->at(time);
-  // The torque is held over the period: its acceleration is the period's mean, not that of its beginning.
-  out_.planned.acceleration = scene.plan->mean_acceleration(time, period_);
-  joint_space_references(out_.planned, gains_.joint_space_gains_p, measured.q, measured.qd, out_.reference);
-  Kd_ = gains_.joint_space_gains_d;
-  // The tool's acceleration on the plan: what a return that comes next starts with.
-  tool_jacobian_derivative(model_->chain, poses_, J_, measured.qd, J_dot_);
-  const Vec6 tool_acceleration = J_ * out_.planned.acceleration + J_dot_ * measured.qd;
-  out_.desired = {poses_.p_0T, twist_.head<3>(), tool_acceleration.head<3>()};
-  out_.slerping = false;
-  out_.errors = {};
-}
-
-std::optional<GazeControl::SpeedBound> Controller::speed_bound() const {
-  if (gains_.velocity_margin > 0.0) return GazeControl::SpeedBound{inverse_, velocity_bound_};
-  return {};
-}
-
-MotionPoint<Vec3> Controller::desired_motion(const Scene& scene, double time) const {
-  switch (out_.state) {
-    case ControlState::kReturnToTrajectory:
-      return return_.at(time - lag_ - return_start_);
-    case ControlState::kFollowTrajectory:
-      return scene.path->at(time);
-    default:
-      return {poses_.p_0T, Vec3::Zero(), Vec3::Zero()};
-  }
-}
-
-void Controller::follow_task(const JointState& measured, const Scene& scene, double time) {
-  const bool avoiding = out_.state == ControlState::kAvoidObstacles;
-  const Eigen::Quaterniond Q_0T(poses_.R_0T);
-  out_.desired = desired_motion(scene, time);
-  // The line to the target starts at the tool as it is and moves as the tool is meant to, without sensor
-  // noise. Avoiding, nothing says how it is meant to move.
-  const MotionPoint<Vec3> tool{poses_.p_0T, avoiding ? Vec3(twist_.head<3>()) : out_.desired.velocity,
-                               out_.desired.acceleration};
-  const GazeControl::Output gaze =
-      gaze_.update(gains_, poses_.R_0T, Q_0T, tool, scene.target, time - lag_, speed_bound());
-  out_.slerping = gaze.slerping;
-  out_.desired_gaze = gaze.desired;
-
-  // The integral stays empty while a slerp runs: it would wind up on an error that is meant to be there.
-  if (gaze.slerping) integral_.setZero();
-  CartesianErrors& x = out_.errors;
-  x.pose << poses_.p_0T - out_.desired.position, -rotation_log(gaze.desired.orientation * Q_0T.conjugate());
-  x.desired_rate << out_.desired.velocity, gaze.desired.angular_velocity;
-  x.desired_accel << out_.desired.acceleration, gaze.desired.angular_acceleration;
-  x.rate = twist_ - x.desired_rate;
-  x.integral = integral_;
-  // No position control while avoiding, so that the repulsion meets damping only.
-  if (avoiding) x.rate.head<3>().setZero();
-
-  Vec6 Kp = gains_.task_space_gains_p;
-  Kd_ = gains_.task_space_gains_d;
-  if (gaze.slerping) {
-    Kp.tail<3>() *= gains_.interpolation_gain_scale;
-    Kd_.tail(std::min<Eigen::Index>(kWristJoints, Kd_.size())) *= gains_.interpolation_gain_scale;
-  }
-  tool_jacobian_derivative(model_->chain, poses_, J_, measured.qd, J_dot_);
-  cartesian_references(x, Kp, gains_.task_space_gains_i, inverse_, J_dot_, out_.reference);
-}
-
-void Controller::keep_pace(const Scene& scene, double time) {
-  out_.pace = govern(velocity_bound_, out_.reference);
-  const bool returning = out_.state == ControlState::kReturnToTrajectory;
-  const bool interpolating = out_.slerping || returning || out_.state == ControlState::kLeaveSingularity;
-  if (out_.pace == 1.0 || !interpolating) return;
-  const double delay = (1.0 - out_.pace) * period_;
-  if (returning) {
-    // The path does not wait: plan the rest of the way anew, to where it will be by then.
-    const double done = time - lag_ - return_start_;
-    const double rest = return_.duration() - done;
-    if (rest > kShortestInterpolation) {
-      return_ = {return_.at(done), scene.path->at(time + rest), rest};
-      return_start_ = time - lag_;
-    }
-  }
-  lag_ += delay;
-}
-
-void Controller::torque(const JointState& measured, const Scene& scene) {
-  const Chain& chain = model_->chain;
-  out_.S = measured.qd - out_.reference.velocity;
-  slotine_li_forward(chain, poses_, measured.qd, out_.reference.velocity, out_.reference.acceleration,
+  out.S = measured.qd - out.reference.velocity;
+  slotine_li_forward(chain, arm_.poses, measured.qd, out.reference.velocity, out.reference.acceleration,
                      motion_);
-  slotine_li_torque(chain, poses_, motion_, adaptation_.theta(), out_.commanded);
-  out_.commanded -= Kd_.cwiseProduct(out_.S);
-  const bool avoiding = out_.state == ControlState::kAvoidObstacles;
-  if (avoiding) {
-    obstacle_torque(chain, poses_, scene.obstacles, gains_.obstacleInfluenceRadius,
-                    gains_.force_control_gains, scratch_);
-  } else {
-    scratch_.setZero(chain.n);
-  }
-  // The barrier is for torques that no planner has weighed: to a plan near its limits it would be a brake.
-  const bool barred = gains_.velocity_barrier_gain > 0.0 && out_.state != ControlState::kFollowPlan;
-  if (avoiding || barred) {
-    add_behind_barrier(measured.qd, velocity_limits_, gains_.velocity_barrier_start,
-                       gains_.velocity_barrier_gain, Kd_, scratch_, out_.commanded);
-  }
-  out_.torque = out_.commanded.cwiseMax(-effort_limits_).cwiseMin(effort_limits_);
-  out_.saturated = !(out_.torque.array() == out_.commanded.array()).all();
-}
+  slotine_li_torque(chain, arm_.poses, motion_, adaptation_.theta(), out.commanded);
+  out.commanded -= logic_.Kd().cwiseProduct(out.S);
+  logic_.limit_torque(measured, view, scene);
 
-void Controller::adapt() {
-  if (out_.state == ControlState::kAvoidObstacles && !gains_.adapt_while_avoiding) return;
-  adaptation_.step(motion_, gains_.adaptation_gain, period_);
-  if (gains_.adaptation_leakage > 0.0) adaptation_.leak(gains_.adaptation_leakage, period_);
-  if (gains_.adaptation_projection) adaptation_.project();
+  if (logic_.conclude()) {
+    const Gains& gains = logic_.gains();
+    adaptation_.step(motion_, gains.adaptation_gain, logic_.period());
+    if (gains.adaptation_leakage > 0.0) adaptation_.leak(gains.adaptation_leakage, logic_.period());
+    if (gains.adaptation_projection) adaptation_.project();
+  }
+  return out;
 }
 
 }  // namespace armtune

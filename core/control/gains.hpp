@@ -45,7 +45,7 @@ struct Gains {
 };
 
 inline InverseDamping inverse_damping(const Gains& gains) {
-  return {gains.manipulability_threshold, gains.manipulability_damping, gains.variable_damping};
+  return {gains.manipulability_threshold, gains.manipulability_damping, gains.variable_damping ? 1.0 : 0.0};
 }
 
 }  // namespace armtune

@@ -17,7 +17,7 @@ GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, co
     if (angle < start_angle) {
       const TurnRate rate =
           gains.gaze_feedforward ? direction_rate(gaze_direction(tool, target)) : TurnRate{};
-      return {{rotation_exp(turn) * Q_0T, rate.velocity, rate.acceleration}, false};
+      return {{rotation_exp(turn) * Q_0T, rate.velocity, rate.acceleration}, false, turn};
     }
     slerping_ = true;
     start_time_ = time;
@@ -27,15 +27,15 @@ GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, co
     if (speed) {
       Vec6 displacement;
       displacement << Vec3::Zero(), (1.0 - gains.slerp_start) * turn;
-      duration = std::max(duration, shortest_duration(speed->inverse, displacement, speed->bound));
+      duration = std::max(duration, shortest_duration(speed->inverse(), displacement, speed->bound));
     }
     parameter_ = rest_to_rest(gains.slerp_start, 1.0, duration);
   }
   if (gains.slerp_reference == SlerpReference::kCurrent) {
-    return {interpolated(gains, R_0T, Q_0T, tool, target, time), true};
+    return {interpolated(gains, R_0T, Q_0T, tool, target, time), true, turn};
   }
   // The goal moves with target and tool: the turn is computed anew, but always from the frozen start.
-  return {interpolated(gains, R_start_, Q_start_, tool, target, time), true};
+  return {interpolated(gains, R_start_, Q_start_, tool, target, time), true, turn};
 }
 
 OrientationPoint GazeControl::interpolated(const Gains& gains, const Mat3& R_from,

@@ -5,6 +5,7 @@
 // rates are exact for a slerp from the start; from the `current` orientation they leave out that this one
 // moves.
 
+#include <functional>
 #include <optional>
 
 #include "core/control/gains.hpp"
@@ -21,12 +22,13 @@ class GazeControl {
   struct Output {
     OrientationPoint desired;  ///< Qd, wd, wd'
     bool slerping = false;
+    Vec3 turn = Vec3::Zero();  ///< gaze_turn of the measured tool
   };
 
   /// Largest share of the joints' speed that a slerp may take: its duration is stretched for it.
   struct SpeedBound {
-    const TaskInverse& inverse;
-    const JointVector& bound;  ///< (n) [rad/s, m/s]
+    std::function<const TaskInverse&()> inverse;  ///< of the Jacobian as it is; asked when a slerp starts
+    const JointVector& bound;                     ///< (n) [rad/s, m/s]
   };
 
   /// Desired orientation at `time` [s] for the measured tool orientation and the motions of tool and target

@@ -7,16 +7,18 @@
 
 namespace armtune {
 
-struct InverseDamping {
-  double threshold = 0.0;  ///< manipulability below which it is damped [m^3]
-  double psi = 0.0;        ///< [m^2]
-  bool variable = false;   ///< psi grows from zero at the threshold; otherwise it is there at once
+template <typename T>
+struct InverseDampingT {
+  T threshold{0.0};  ///< manipulability below which it is damped [m^3]
+  T psi{0.0};        ///< [m^2]
+  T growing{0.0};    ///< 1: psi grows from zero at the threshold; 0: it is there at once
 
   /// psi at a manipulability below the threshold.
-  double at(double manipulability) const {
-    const double below = variable ? 1.0 - manipulability / threshold : 1.0;
+  T at(const T& manipulability) const {
+    const T below = T(1) - growing * (manipulability / threshold);
     return psi * below * below;
   }
 };
+using InverseDamping = InverseDampingT<double>;
 
 }  // namespace armtune

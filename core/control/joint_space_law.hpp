@@ -8,10 +8,12 @@
 
 namespace armtune {
 
-struct JointReference {
-  JointVector velocity;      ///< qr' [rad/s]
-  JointVector acceleration;  ///< qr'' [rad/s^2]
+template <typename T>
+struct JointReferenceT {
+  JointVectorT<T> velocity;      ///< qr' [rad/s]
+  JointVectorT<T> acceleration;  ///< qr'' [rad/s^2]
 };
+using JointReference = JointReferenceT<double>;
 
 /// qd, qd', qd'' at t on the rest-to-rest quintic between two joint configurations (n each).
 inline MotionPoint<JointVector> joint_trajectory(const JointVector& start, const JointVector& goal,

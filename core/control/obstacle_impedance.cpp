@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace armtune {
 
@@ -13,16 +12,6 @@ Vec3 repulsion(const Vec3& d, double influence_radius) {
   if (!(distance > 0.0)) return Vec3::UnitZ();
   const double depth = 1.0 - distance / influence_radius;
   return (depth * depth / distance) * d;
-}
-
-double obstacle_distance(const Poses& poses, std::span<const Vec3> centers) {
-  double squared = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < poses.n; ++i) {
-    for (const Vec3& center : centers) {
-      squared = std::min(squared, (poses.p_0B[static_cast<std::size_t>(i)] - center).squaredNorm());
-    }
-  }
-  return std::sqrt(squared);
 }
 
 void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Vec3> centers,

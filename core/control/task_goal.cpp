@@ -21,8 +21,8 @@ const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionP
   rate << path.velocity - kTaskGoalGain * (poses_.p_0T - path.position),
       gaze.velocity + kTaskGoalGain * gaze_turn(poses_.R_0T, poses_.p_0T, target.position);
   inverse_.apply(rate, motion_.velocity);
-  tool_jacobian_derivative(chain, poses_, J_, motion_.velocity, J_dot_);
-  const Vec6 twist = J_ * motion_.velocity;
+  const Vec6 twist = times(J_, motion_.velocity);
+  tool_jacobian_derivative(chain, poses_, twist, motion_.velocity, J_dot_);
   Vec6 accel;
   accel << path.acceleration, gaze.acceleration;
   Vec6 desired;

@@ -39,12 +39,14 @@ void inverse_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const Join
     f[k] = link.mass * a + w_dot.cross(h) + w.cross(w.cross(h));
     t[k] = h.cross(a) + link.inertia * w_dot + w.cross(link.inertia * w);
   }
+  JointVectorT<T> coulomb;
+  coulomb_directions(qd, chain.coulomb_friction, coulomb);
   tau.resize(chain.n);
   for (int i = chain.n - 1; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
     tau[i] = (chain.motion[k] == JointMotion::kRevolute ? t[k].z() : f[k].z()) +
              chain.rotor_inertia[i] * qdd[i] + chain.viscous_friction[i] * qd[i] +
-             chain.coulomb_friction[i] * coulomb_direction(qd[i]);
+             chain.coulomb_friction[i] * coulomb[i];
     if (i > 0) {
       const Vec3T<T> f_P = poses.R_PB[k] * f[k];
       f[k - 1] += f_P;

@@ -56,8 +56,8 @@ struct ArticulatedBodyT {
   /// The same body seen from the previous one's frame.
   ArticulatedBodyT in_parent(const TwinRotationT<T>& R, const Mat3T<T>& R_PB, const Vec3T<T>& p) const {
     ArticulatedBodyT moved;
-    moved.M_I = R.rotated(M_I);
-    const SplitMat3T<T> turned = armtune::rotated(R, R_PB, B);
+    moved.M_I = rotated(R, M_I);
+    const SplitMat3T<T> turned = rotated(R, R_PB, B);
     // B' = turned - M [p]: a row times [p] is that row cross p.
     const TwinSymmetric3T<T>& N = moved.M_I;
     const TwinVec3T<T> upper({N.xx.first(), N.xy.first()}, {N.xy.first(), N.yy.first()},
@@ -98,7 +98,7 @@ void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const Joint
     const TwinRotationT<T> R(poses.R_PB[k]);
     s.R_PB[k] = R;
     V.add_first(V.second().cross(poses.p_PB[k]));
-    V = R.back(V);
+    V = back(R, V);
     // The joint's own turning accelerates the body by (v x z q', w x z q') without any q''.
     if (chain.motion[k] == JointMotion::kRevolute) {
       s.turning[k] = Twin<T>::both(qd[i]) * V.cross_axis();
@@ -165,7 +165,7 @@ void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const F
   for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     a.add_first(a.second().cross(poses.p_PB[k]));
-    a = s.R_PB[k].back(a) + s.turning[k];
+    a = back(s.R_PB[k], a) + s.turning[k];
     const Twin<T> taken = s.U[k].dot(a);
     qdd[i] = s.inverse_d[k] * (s.u[k] - taken.first() - taken.second());
     a.z += chain.motion[k] == JointMotion::kRevolute ? Twin<T>(zero, qdd[i]) : Twin<T>(qdd[i], zero);
@@ -177,7 +177,7 @@ void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const F
 template <typename T>
 void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                       const JointVectorT<T>& torque, ForwardDynamicsT<T>& s, JointVectorT<T>& qdd) {
-  coulomb_directions(qd, s.coulomb);
+  coulomb_directions(qd, chain.coulomb_friction, s.coulomb);
   body_velocities(chain, poses, qd, s);
   articulated_bodies(chain, poses, qd, torque, s);
   joint_accelerations(chain, poses, s, qdd);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/common/select.hpp"
 #include "core/common/types.hpp"
 #include "core/common/vector_math.hpp"
 
@@ -42,6 +43,21 @@ inline void coulomb_directions(const JointVector& qd, JointVector& directions) {
     directions[i + 1] = both[1];
   }
   if (n % 2 == 1) directions[n - 1] = coulomb_direction(qd[n - 1]);
+}
+
+/// The same; zero where no joint has Coulomb friction (coefficients, n), so that nothing would come of them.
+template <typename T>
+void coulomb_directions(const JointVectorT<T>& qd, const JointVectorT<T>& coefficients,
+                        JointVectorT<T>& directions) {
+  T largest = coefficients[0];
+  for (Eigen::Index i = 1; i < coefficients.size(); ++i) {
+    largest = select(coefficients[i] > largest, coefficients[i], largest);
+  }
+  if (any(largest > T(0))) {
+    coulomb_directions(qd, directions);
+  } else {
+    directions.setZero(qd.size());
+  }
 }
 
 }  // namespace armtune

@@ -3,6 +3,7 @@
 // Siciliano et al., Robotics: Modelling, Planning and Control, chapters 2 and 3. Frame 0 is the base.
 
 #include "core/common/joint_math.hpp"
+#include "core/common/products.hpp"
 #include "core/robot/chain.hpp"
 
 namespace armtune {
@@ -53,12 +54,12 @@ void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT
   poses.p_0B[0] = poses.p_PB[0];
   for (int i = 1; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    poses.R_0B[k].noalias() = poses.R_0B[k - 1] * poses.R_PB[k];
-    poses.p_0B[k] = poses.p_0B[k - 1] + poses.R_0B[k - 1] * poses.p_PB[k];
+    poses.R_0B[k] = times(poses.R_0B[k - 1], poses.R_PB[k]);
+    poses.p_0B[k] = poses.p_0B[k - 1] + times(poses.R_0B[k - 1], poses.p_PB[k]);
   }
   const auto last = static_cast<std::size_t>(chain.n - 1);
-  poses.R_0T.noalias() = poses.R_0B[last] * chain.R_BT;
-  poses.p_0T = poses.p_0B[last] + poses.R_0B[last] * chain.p_BT;
+  poses.R_0T = times(poses.R_0B[last], chain.R_BT);
+  poses.p_0T = poses.p_0B[last] + times(poses.R_0B[last], chain.p_BT);
 }
 
 /// Geometric Jacobian J (6 x n, linear rows first) of the point p (fixed in body `body`, given in the base
@@ -85,12 +86,12 @@ void tool_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, JacobianT<T>&
   point_jacobian(chain, poses, chain.n - 1, poses.p_0T, J);
 }
 
-/// Exact J' (6 x n) along q': columns d/dt (z x (p_T - p_i), z) with z' = w x z.
+/// Exact J' (6 x n) along q', with twist = J q': columns d/dt (z x (p_T - p_i), z) with z' = w x z.
 template <typename T>
-void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, const JacobianT<T>& J,
+void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, const Vec6T<T>& twist,
                               const JointVectorT<T>& qd, JacobianT<T>& J_dot) {
   J_dot.resize(6, chain.n);
-  const Vec3T<T> v_T = J.template topRows<3>() * qd;
+  const Vec3T<T> v_T = twist.template head<3>();
   Vec3T<T> w = Vec3T<T>::Zero();  // angular velocity of the body before joint i
   Vec3T<T> v = Vec3T<T>::Zero();  // velocity of that body's origin
   Vec3T<T> p = Vec3T<T>::Zero();  // that origin
@@ -110,6 +111,11 @@ void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, co
     }
     p = poses.p_0B[k];
   }
+}
+template <typename T>
+void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, const JacobianT<T>& J,
+                              const JointVectorT<T>& qd, JacobianT<T>& J_dot) {
+  tool_jacobian_derivative(chain, poses, times(J, qd), qd, J_dot);
 }
 
 }  // namespace armtune

@@ -13,19 +13,19 @@
 #include "core/robot/friction.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/robot/theta.hpp"
+#include "core/robot/twin_vectors.hpp"
 
 namespace armtune {
 
-/// Motion of every body for one (q, q', qr', qr''); from it come Y theta, Y^T S and Y itself.
+/// Motion of every body for one (q, q', qr', qr''); from it come Y theta, Y^T S and Y itself. Twins: linear
+/// and angular half, of the body's origin and in its frame.
 template <typename T>
 struct SlotineLiT {
   int n = 0;
-  std::array<Vec3T<T>, kMaxJoints> v{};   ///< linear velocity of the body origin, body frame
-  std::array<Vec3T<T>, kMaxJoints> w{};   ///< angular velocity
-  std::array<Vec3T<T>, kMaxJoints> vr{};  ///< reference velocities
-  std::array<Vec3T<T>, kMaxJoints> wr{};
-  std::array<Vec3T<T>, kMaxJoints> e{};  ///< effective linear acceleration, gravity included
-  std::array<Vec3T<T>, kMaxJoints> a{};  ///< effective angular acceleration
+  std::array<TwinRotationT<T>, kMaxJoints> R_PB;
+  std::array<TwinVec3T<T>, kMaxJoints> velocity;      ///< (v, w)
+  std::array<TwinVec3T<T>, kMaxJoints> reference;     ///< (vr, wr)
+  std::array<TwinVec3T<T>, kMaxJoints> acceleration;  ///< (e, a), effective, gravity included
   JointVectorT<T> qd;
   JointVectorT<T> qdr;
   JointVectorT<T> qddr;
@@ -42,64 +42,79 @@ void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   s.qdr = qdr;
   s.qddr = qddr;
   coulomb_directions(qd, s.coulomb);
-  Vec3T<T> v = Vec3T<T>::Zero();
-  Vec3T<T> w = Vec3T<T>::Zero();
-  Vec3T<T> vr = Vec3T<T>::Zero();
-  Vec3T<T> wr = Vec3T<T>::Zero();
-  Vec3T<T> ar = -chain.gravity;  // spatial reference acceleration, linear part
-  Vec3T<T> aw = Vec3T<T>::Zero();
+  const T zero(0);
+  TwinVec3T<T> V = TwinVec3T<T>::zero();
+  TwinVec3T<T> Vr = TwinVec3T<T>::zero();
+  TwinVec3T<T> A(Vec3T<T>(-chain.gravity), Vec3T<T>::Zero());  // spatial reference acceleration
   for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Mat3T<T>& R = poses.R_PB[k];
     const Vec3T<T>& p = poses.p_PB[k];
-    v = R.transpose() * (v + w.cross(p)).eval();
-    w = (R.transpose() * w).eval();
-    vr = R.transpose() * (vr + wr.cross(p)).eval();
-    wr = (R.transpose() * wr).eval();
-    ar = R.transpose() * (ar + aw.cross(p)).eval();
-    aw = (R.transpose() * aw).eval();
+    const TwinRotationT<T> R(poses.R_PB[k]);
+    s.R_PB[k] = R;
+    V.add_first(V.second().cross(p));
+    Vr.add_first(Vr.second().cross(p));
+    A.add_first(A.second().cross(p));
+    V = back(R, V);
+    Vr = back(R, Vr);
+    A = back(R, A);
     // v_i x S qr' with S along z (the velocity's own S q' part drops out of it).
     if (chain.motion[k] == JointMotion::kRevolute) {
-      ar += Vec3T<T>(v.y(), -v.x(), T(0)) * qdr[i];
-      aw += Vec3T<T>(w.y() * qdr[i], -w.x() * qdr[i], qddr[i]);
-      w.z() += qd[i];
-      wr.z() += qdr[i];
+      A += Twin<T>::both(qdr[i]) * V.cross_axis();
+      A.z += Twin<T>(zero, qddr[i]);
+      V.z += Twin<T>(zero, qd[i]);
+      Vr.z += Twin<T>(zero, qdr[i]);
     } else {
-      ar += Vec3T<T>(w.y() * qdr[i], -w.x() * qdr[i], qddr[i]);
-      v.z() += qd[i];
-      vr.z() += qdr[i];
+      const Vec3T<T> w = V.second();
+      A.add_first(Vec3T<T>(w.y() * qdr[i], -w.x() * qdr[i], qddr[i]));
+      V.z += Twin<T>(qd[i], zero);
+      Vr.z += Twin<T>(qdr[i], zero);
     }
-    s.v[k] = v;
-    s.w[k] = w;
-    s.vr[k] = vr;
-    s.wr[k] = wr;
-    s.e[k] = ar + wr.cross(v);
-    s.a[k] = aw - T(0.5) * w.cross(wr);
+    s.velocity[k] = V;
+    s.reference[k] = Vr;
+    // (wr x v, -w x wr / 2)
+    const Vec3T<T> wr = Vr.second();
+    const TwinVec3T<T> turned = TwinVec3T<T>::both(wr).cross(V);
+    s.acceleration[k] = A + Twin<T>(T(1), T(0.5)) * turned;
   }
+}
+
+/// The inertia in a link's ten parameters, twice.
+template <typename T, typename Link>
+TwinSymmetric3T<T> inertia_twice(const Link& link) {
+  return {Twin<T>::both(link[4]), Twin<T>::both(link[5]), Twin<T>::both(link[6]),
+          Twin<T>::both(link[7]), Twin<T>::both(link[8]), Twin<T>::both(link[9])};
 }
 
 /// tau = Y theta (n), by recursion, without forming Y. theta (13 n) need not be physically valid.
 template <typename T>
 void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const SlotineLiT<T>& s,
                        const ParameterVectorT<T>& theta, JointVectorT<T>& tau) {
-  Vec3T<T> f = Vec3T<T>::Zero();
-  Vec3T<T> t = Vec3T<T>::Zero();
+  const T zero(0);
+  const Twin<T> half = Twin<T>::both(T(0.5));
+  TwinVec3T<T> F = TwinVec3T<T>::zero();  // (f, t)
   tau.resize(s.n);
   for (int i = s.n - 1; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
     const auto link = theta.template segment<kLinkParameters>(i * kLinkParameters);
     const Vec3T<T> h = link.template segment<3>(1);
-    Mat3T<T> I;
-    I << link[4], link[5], link[6], link[5], link[7], link[8], link[6], link[8], link[9];
-    const Vec3T<T>& w = s.w[k];
-    const Vec3T<T>& wr = s.wr[k];
-    f += link[0] * s.e[k] + s.a[k].cross(h) + T(0.5) * (w.cross(wr.cross(h)) + wr.cross(w.cross(h)));
-    t += h.cross(s.e[k]) + I * s.a[k] + T(0.5) * (w.cross(I * wr) + wr.cross(I * w));
+    const TwinSymmetric3T<T> m_I = {{link[0], link[4]}, {zero, link[5]}, {zero, link[6]},
+                                    {link[0], link[7]}, {zero, link[8]}, {link[0], link[9]}};
+    const TwinVec3T<T>& E = s.acceleration[k];
+    const Vec3T<T> w = s.velocity[k].second();
+    const Vec3T<T> wr = s.reference[k].second();
+    // (m e + a x h, I a + h x e)
+    F += m_I * E + TwinVec3T<T>(E.second(), h).cross(TwinVec3T<T>(h, E.first()));
+    // w x (wr x h) + wr x (w x h), w x (I wr) + wr x (I w): the twins are w and wr first.
+    const TwinVec3T<T> W(w, wr);
+    const TwinVec3T<T> W_r(wr, w);
+    const TwinVec3T<T> forces = W.cross(W_r.cross(TwinVec3T<T>::both(h)));
+    const TwinVec3T<T> moments = W.cross(inertia_twice<T>(link) * W_r);
+    F += half * TwinVec3T<T>(forces.first() + forces.second(), moments.first() + moments.second());
     const auto joint = theta.template segment<kJointParameters>(joint_parameter_index(s.n, i));
-    tau[i] = (chain.motion[k] == JointMotion::kRevolute ? t.z() : f.z()) + joint[0] * s.qddr[i] +
+    tau[i] = (chain.motion[k] == JointMotion::kRevolute ? F.z.second() : F.z.first()) + joint[0] * s.qddr[i] +
              joint[1] * s.qd[i] + joint[2] * s.coulomb[i];
-    f = (poses.R_PB[k] * f).eval();
-    t = (poses.R_PB[k] * t).eval() + poses.p_PB[k].cross(f);
+    F = s.R_PB[k] * F;
+    F.add_second(poses.p_PB[k].cross(F.first()));
   }
 }
 
@@ -107,19 +122,19 @@ void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const Slo
 template <typename T>
 Eigen::Matrix<T, kLinkParameters, 1> link_power_gradient(const SlotineLiT<T>& s, std::size_t k,
                                                          const Vec3T<T>& x_v, const Vec3T<T>& x_w) {
-  const Vec3T<T>& w = s.w[k];
-  const Vec3T<T>& wr = s.wr[k];
-  const Vec3T<T>& e = s.e[k];
-  const Vec3T<T>& a = s.a[k];
+  const Vec3T<T> w = s.velocity[k].second();
+  const Vec3T<T> wr = s.reference[k].second();
+  const Vec3T<T> e = s.acceleration[k].first();
+  const Vec3T<T> a = s.acceleration[k].second();
   // Transposes of the maps from h: (a x h) . x = h . (x x a), (w x (wr x h)) . x = h . (wr x (w x x)).
   const Vec3T<T> moment =
       x_v.cross(a) + T(0.5) * (wr.cross(w.cross(x_v)) + w.cross(wr.cross(x_v))) + e.cross(x_w);
   // x_w . (I a) + ((x_w x w) . (I wr) + (x_w x wr) . (I w)) / 2 as coefficients of Ixx .. Izz.
   const Vec3T<T> b = T(0.5) * x_w.cross(w);
   const Vec3T<T> c = T(0.5) * x_w.cross(wr);
-  const Mat3T<T> G = x_w * a.transpose() + b * wr.transpose() + c * w.transpose();
+  const auto G = [&](int i, int j) { return x_w[i] * a[j] + b[i] * wr[j] + c[i] * w[j]; };
   Eigen::Matrix<T, kLinkParameters, 1> gradient;
-  gradient << x_v.dot(e), moment, G(0, 0), G(0, 1) + G(1, 0), G(0, 2) + G(2, 0), G(1, 1), G(1, 2) + G(2, 1),
+  gradient << dot3(x_v, e), moment, G(0, 0), G(0, 1) + G(1, 0), G(0, 2) + G(2, 0), G(1, 1), G(1, 2) + G(2, 1),
       G(2, 2);
   return gradient;
 }
@@ -132,7 +147,8 @@ void slotine_li_gradient(const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) 
     const auto k = static_cast<std::size_t>(i);
     const T S = s.qd[i] - s.qdr[i];
     gradient.template segment<kLinkParameters>(i * kLinkParameters) =
-        link_power_gradient<T>(s, k, s.v[k] - s.vr[k], s.w[k] - s.wr[k]);
+        link_power_gradient<T>(s, k, s.velocity[k].first() - s.reference[k].first(),
+                               s.velocity[k].second() - s.reference[k].second());
     gradient.template segment<kJointParameters>(joint_parameter_index(s.n, i)) << S * s.qddr[i], S * s.qd[i],
         S * s.coulomb[i];
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Vectors and matrices of twins: two vectors that the same rotation turns, two symmetric matrices at once.
 
+#include "core/common/products.hpp"
 #include "core/common/twin.hpp"
 #include "core/common/types.hpp"
 
@@ -67,28 +68,39 @@ struct TwinSymmetric3T {
   }
 };
 
-/// One rotation for both.
+/// One rotation for both. Of doubles each entry fills a register twice.
 template <typename T>
-struct TwinRotationT {
-  TwinVec3T<T> row[3];
-
+class TwinRotationT {
+ public:
   TwinRotationT() = default;
   explicit TwinRotationT(const Mat3T<T>& R)
-      : row{TwinVec3T<T>::both(R.row(0)), TwinVec3T<T>::both(R.row(1)), TwinVec3T<T>::both(R.row(2))} {}
+      : row_{TwinVec3T<T>::both(R.row(0)), TwinVec3T<T>::both(R.row(1)), TwinVec3T<T>::both(R.row(2))} {}
 
-  TwinVec3T<T> operator*(const TwinVec3T<T>& v) const {
-    return {row[0].dot(v), row[1].dot(v), row[2].dot(v)};
-  }
-  /// R^T v.
-  TwinVec3T<T> back(const TwinVec3T<T>& v) const { return v.x * row[0] + v.y * row[1] + v.z * row[2]; }
-  /// R S R^T.
-  TwinSymmetric3T<T> rotated(const TwinSymmetric3T<T>& S) const {
-    const TwinVec3T<T> a = S * row[0];
-    const TwinVec3T<T> b = S * row[1];
-    const TwinVec3T<T> c = S * row[2];
-    return {row[0].dot(a), row[0].dot(b), row[0].dot(c), row[1].dot(b), row[1].dot(c), row[2].dot(c)};
-  }
+  TwinVec3T<T> row(int i) const { return row_[i]; }
+
+ private:
+  TwinVec3T<T> row_[3];
 };
+
+template <typename T>
+[[gnu::always_inline]] inline TwinVec3T<T> operator*(const TwinRotationT<T>& R, const TwinVec3T<T>& v) {
+  return {R.row(0).dot(v), R.row(1).dot(v), R.row(2).dot(v)};
+}
+/// R^T v.
+template <typename T>
+[[gnu::always_inline]] inline TwinVec3T<T> back(const TwinRotationT<T>& R, const TwinVec3T<T>& v) {
+  return v.x * R.row(0) + v.y * R.row(1) + v.z * R.row(2);
+}
+/// R S R^T.
+template <typename T>
+[[gnu::always_inline]] inline TwinSymmetric3T<T> rotated(const TwinRotationT<T>& R,
+                                                         const TwinSymmetric3T<T>& S) {
+  const TwinVec3T<T> a = S * R.row(0);
+  const TwinVec3T<T> b = S * R.row(1);
+  const TwinVec3T<T> c = S * R.row(2);
+  return {R.row(0).dot(a), R.row(0).dot(b), R.row(0).dot(c),
+          R.row(1).dot(b), R.row(1).dot(c), R.row(2).dot(c)};
+}
 
 /// One 3 x 3 matrix by its columns, the upper two rows of each as a twin.
 template <typename T>
@@ -108,17 +120,18 @@ struct SplitMat3T {
 
 /// R B R^T.
 template <typename T>
-SplitMat3T<T> rotated(const TwinRotationT<T>& R2, const Mat3T<T>& R, const SplitMat3T<T>& B) {
+[[gnu::always_inline]] inline SplitMat3T<T> rotated(const TwinRotationT<T>& R2, const Mat3T<T>& R,
+                                                    const SplitMat3T<T>& B) {
   // R B, whose columns 0 and 1 are the twins here.
   const TwinVec3T<T> left({B.top[0].first(), B.top[1].first()}, {B.top[0].second(), B.top[1].second()},
                           {B.bottom[0], B.bottom[1]});
   const Vec3T<T> right = B.column(2);
   const TwinVec3T<T> RB = R2 * left;
-  const Vec3T<T> RB_2 = R * right;
+  const Vec3T<T> RB_2 = times(R, right);
   const TwinVec3T<T> rows({RB.x.first(), RB.y.first()}, {RB.x.second(), RB.y.second()}, {RB_2[0], RB_2[1]});
   const Vec3T<T> last(RB.z.first(), RB.z.second(), RB_2[2]);
-  const Vec3T<T> bottom = R * last;
-  return {{R2.row[0].dot(rows), R2.row[1].dot(rows), R2.row[2].dot(rows)}, {bottom[0], bottom[1], bottom[2]}};
+  const Vec3T<T> bottom = times(R, last);
+  return {{R2.row(0).dot(rows), R2.row(1).dot(rows), R2.row(2).dot(rows)}, {bottom[0], bottom[1], bottom[2]}};
 }
 
 }  // namespace armtune

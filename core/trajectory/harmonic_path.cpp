@@ -1,6 +1,6 @@
 #include "core/trajectory/harmonic_path.hpp"
 
-#include <cmath>
+#include "core/common/joint_math.hpp"
 
 namespace armtune {
 
@@ -9,8 +9,9 @@ MotionPoint<Vec3> HarmonicPath::at(double t) const {
   for (const HarmonicTerm& term : terms) {
     const double kw = term.order * frequency;
     const double angle = term.order * (frequency * t + phase);
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    double s = 0.0;
+    double c = 0.0;
+    sine_and_cosine(angle, s, c);
     const Vec3 wave = term.cosine * c + term.sine * s;
     point.position += wave;
     point.velocity += kw * (term.sine * c - term.cosine * s);

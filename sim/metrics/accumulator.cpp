@@ -51,13 +51,23 @@ double Reacquisition::longest(double end) {
 
 MetricAccumulator::MetricAccumulator(const RobotModel& model, double threshold, double period)
     : model_(model),
-      velocity_limits_(model.velocity_limits()),
-      effort_limits_(model.effort_limits()),
+      per_velocity_limit_(model.velocity_limits().cwiseInverse()),
+      per_effort_limit_(model.effort_limits().cwiseInverse()),
       threshold_(threshold),
       period_(period),
       min_margin_(kInfinity),
       min_clearance_(kInfinity),
-      last_torque_(JointVector::Zero(model.n())) {}
+      last_torque_(JointVector::Zero(model.n())) {
+  // A joint without position limits is infinitely far from them.
+  lower_limits_.setConstant(model.n(), -kInfinity);
+  upper_limits_.setConstant(model.n(), kInfinity);
+  for (int i = 0; i < model.n(); ++i) {
+    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
+    if (!limits.has_position) continue;
+    lower_limits_[i] = limits.lower;
+    upper_limits_[i] = limits.upper;
+  }
+}
 
 void MetricAccumulator::add(const Observation& o) {
   if (o.control->state != state_) {
@@ -101,19 +111,16 @@ void MetricAccumulator::add_tracking(const Observation& o) {
 
 void MetricAccumulator::add_limits(const Observation& o) {
   const JointVector& q = *o.q;
-  const JointVector& qd = *o.qd;
-  for (int i = 0; i < model_.n(); ++i) {
-    const double ratio = std::abs(qd[i]) / velocity_limits_[i];
+  const JointVector& commanded = o.control->commanded;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    const double ratio = std::abs((*o.qd)[i]) * per_velocity_limit_[i];
     if (ratio > max_ratio_) {
       max_ratio_ = ratio;
       max_ratio_time_ = o.time;
       max_ratio_joint_ = i;
     }
-    const JointLimits& limits = model_.joints[static_cast<std::size_t>(i)].limits;
-    if (limits.has_position) {
-      min_margin_ = std::min({min_margin_, q[i] - limits.lower, limits.upper - q[i]});
-    }
-    max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(o.control->commanded[i]) / effort_limits_[i]);
+    min_margin_ = std::min(min_margin_, std::min(q[i] - lower_limits_[i], upper_limits_[i] - q[i]));
+    max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(commanded[i]) * per_effort_limit_[i]);
   }
   min_clearance_ = std::min(min_clearance_, o.obstacle_distance);
   if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);

@@ -68,8 +68,10 @@ class MetricAccumulator {
   void add_limits(const Observation& o);
 
   const RobotModel& model_;
-  JointVector velocity_limits_;
-  JointVector effort_limits_;
+  JointVector per_velocity_limit_;
+  JointVector per_effort_limit_;
+  JointVector lower_limits_;
+  JointVector upper_limits_;
   double threshold_;
   double period_;
 
@@ -87,7 +89,7 @@ class MetricAccumulator {
   long periods_outside_ = 0;
   double max_ratio_ = 0.0;
   double max_ratio_time_ = 0.0;
-  int max_ratio_joint_ = 0;
+  Eigen::Index max_ratio_joint_ = 0;
   double min_margin_;
   double max_effort_ratio_ = 0.0;
   double min_clearance_;

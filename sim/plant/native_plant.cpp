@@ -18,6 +18,13 @@ class NativePlant final : public SteppedPlant {
     forward_dynamics(chain_, poses_, qd, torque, dynamics_, qdd);
   }
 
+ protected:
+  void accelerations_at(const Poses* poses, const JointVector& q, const JointVector& qd,
+                        const JointVector& torque, JointVector& qdd) override {
+    if (poses == nullptr) return accelerations(q, qd, torque, qdd);
+    forward_dynamics(chain_, *poses, qd, torque, dynamics_, qdd);
+  }
+
  private:
   Chain chain_;
   Poses poses_;

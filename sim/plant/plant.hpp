@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "core/robot/kinematics.hpp"
 #include "core/robot/robot_model.hpp"
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
@@ -23,11 +24,17 @@ class Plant {
   virtual const JointVector& qd() const = 0;
 
   /// Advances by dt [s] with the torque (n) [N m, N] held. Friction and rotor inertia follow from the model.
-  virtual void step(const JointVector& torque, double dt) = 0;
+  /// poses: of the model at q, if somebody has computed them already.
+  void step(const JointVector& torque, double dt, const Poses* poses = nullptr) {
+    advance(torque, dt, poses);
+  }
 
   /// q'' at any state: (M + D) q'' + C q' + g = torque - Fv q' - Fc tanh(q'/0.05).
   virtual void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
                              JointVector& qdd) = 0;
+
+ protected:
+  virtual void advance(const JointVector& torque, double dt, const Poses* poses) = 0;
 };
 
 /// The arm in Simbody. Throws InputError if Simbody refuses the model.

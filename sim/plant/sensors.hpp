@@ -14,6 +14,9 @@ class Sensors {
   Sensors(double position_noise, double velocity_noise, std::uint64_t seed)
       : position_noise_(position_noise), velocity_noise_(velocity_noise), generator_(seed) {}
 
+  /// What is measured is what is.
+  bool exact() const { return position_noise_ <= 0.0 && velocity_noise_ <= 0.0; }
+
   void measure(const JointVector& q, const JointVector& qd, JointState& measured) {
     measured.q = q;
     measured.qd = qd;

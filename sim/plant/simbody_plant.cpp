@@ -205,7 +205,13 @@ class SimbodyReferencePlant final : public Plant {
   const JointVector& q() const override { return q_; }
   const JointVector& qd() const override { return qd_; }
 
-  void step(const JointVector& torque, double dt) override {
+  void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
+                     JointVector& qdd) override {
+    instant_.accelerations(q, qd, torque, qdd);
+  }
+
+ private:
+  void advance(const JointVector& torque, double dt, const Poses* /*poses*/) override {
     drive_->torque = torque;
     state_.setTime(0.0);
     for (int i = 0; i < q_.size(); ++i) {
@@ -226,12 +232,6 @@ class SimbodyReferencePlant final : public Plant {
     }
   }
 
-  void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
-                     JointVector& qdd) override {
-    instant_.accelerations(q, qd, torque, qdd);
-  }
-
- private:
   SimbodyPlant instant_;
   Tree tree_;
   DriveForce* drive_;

@@ -18,13 +18,22 @@ class SteppedPlant : public Plant {
   const JointVector& q() const final { return q_; }
   const JointVector& qd() const final { return qd_; }
 
-  void step(const JointVector& torque, double dt) final {
+ protected:
+  void advance(const JointVector& torque, double dt, const Poses* poses) final {
+    const Poses* at_q = poses;
     integrate(
         stepper_, dt,
         [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
-          accelerations(q, qd, torque, qdd);
+          accelerations_at(at_q, q, qd, torque, qdd);
+          at_q = nullptr;  // only the first stage is where the step starts
         },
         q_, qd_, work_);
+  }
+
+  /// Accelerations; poses: those at q, or null.
+  virtual void accelerations_at(const Poses* /*poses*/, const JointVector& q, const JointVector& qd,
+                                const JointVector& torque, JointVector& qdd) {
+    accelerations(q, qd, torque, qdd);
   }
 
  private:

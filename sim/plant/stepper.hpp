@@ -32,14 +32,17 @@ constexpr const char* name(Stepper stepper) {
 Stepper stepper_from_name(const std::string& text);
 
 /// Work space of a step, so that no step allocates.
-struct StepWorkspace {
-  JointVector q, qd, k1, k2, k3, k4;
+template <typename T>
+struct StepWorkspaceT {
+  JointVectorT<T> q, qd, k1, k2, k3, k4;
 };
+using StepWorkspace = StepWorkspaceT<double>;
 
 /// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations. Not for Stepper::kReference.
-template <typename Accelerations>
-void integrate(Stepper stepper, double h, Accelerations&& f, JointVector& q, JointVector& qd,
-               StepWorkspace& w) {
+template <typename T, typename Accelerations>
+void integrate(Stepper stepper, const T& h, Accelerations&& f, JointVectorT<T>& q, JointVectorT<T>& qd,
+               StepWorkspaceT<T>& w) {
+  const T half = T(0.5) * h;
   switch (stepper) {
     case Stepper::kSemiImplicitEuler:
       f(q, qd, w.k1);
@@ -48,24 +51,24 @@ void integrate(Stepper stepper, double h, Accelerations&& f, JointVector& q, Joi
       return;
     case Stepper::kRungeKutta4: {
       f(q, qd, w.k1);
-      w.q = q + 0.5 * h * qd;
-      w.qd = qd + 0.5 * h * w.k1;
+      w.q = q + half * qd;
+      w.qd = qd + half * w.k1;
       f(w.q, w.qd, w.k2);
-      w.q = q + 0.5 * h * qd + 0.25 * h * h * w.k1;
-      w.qd = qd + 0.5 * h * w.k2;
+      w.q = q + half * qd + (half * half) * w.k1;
+      w.qd = qd + half * w.k2;
       f(w.q, w.qd, w.k3);
-      w.q = q + h * qd + 0.5 * h * h * w.k2;
+      w.q = q + h * qd + (half * h) * w.k2;
       w.qd = qd + h * w.k3;
       f(w.q, w.qd, w.k4);
-      q += h * qd + (h * h / 6.0) * (w.k1 + w.k2 + w.k3);
-      qd += (h / 6.0) * (w.k1 + 2.0 * w.k2 + 2.0 * w.k3 + w.k4);
+      q += h * qd + (h * h / T(6.0)) * (w.k1 + w.k2 + w.k3);
+      qd += (h / T(6.0)) * (w.k1 + T(2.0) * w.k2 + T(2.0) * w.k3 + w.k4);
       return;
     }
     case Stepper::kMidpoint:
     case Stepper::kReference:
       f(q, qd, w.k1);
-      w.q = q + 0.5 * h * qd;
-      w.qd = qd + 0.5 * h * w.k1;
+      w.q = q + half * qd;
+      w.qd = qd + half * w.k1;
       f(w.q, w.qd, w.k2);
       q += h * w.qd;
       qd += h * w.k2;

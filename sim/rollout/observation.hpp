@@ -15,7 +15,7 @@ struct Observation {
   const ParameterVector* theta = nullptr;
 
   // From the true state, base frame.
-  const Poses* poses = nullptr;
+  const Poses* poses = nullptr;     ///< of an arm among several side by side, the tool's alone
   Vec6 twist = Vec6::Zero();        ///< (v_0T, w_0T)
   std::size_t target = 0;           ///< index of the active target
   MotionPoint<Vec3> target_motion;  ///< of the active target

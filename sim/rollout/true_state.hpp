@@ -1,10 +1,13 @@
 #pragma once
 // Fills an observation from the plant's true state.
 
-#include "sim/rollout/observation.hpp"
-#include "sim/scenario/scenario.hpp"
+#include "sim/rollout/running_rollout.hpp"
 
 namespace armtune {
+
+/// Errors and gaze of `o`, whose poses (of the tool), twist, control and target_motion are set. exact: the
+/// controller has looked from this pose at this target.
+void see_errors(bool exact, Observation& o);
 
 /// Work space and constants of the observation of one rollout.
 class TrueState {
@@ -13,13 +16,11 @@ class TrueState {
   TrueState(const RobotModel& model, const ParameterVector& theta_true)
       : chain_(model.chain), theta_true_(theta_true) {}
 
-  /// Completes `o`, whose time, q, qd, control, theta, target and target_motion are set. centers: obstacles.
-  void observe(std::span<const Vec3> centers, Observation& o);
+  /// Completes `o`, whose time, q, qd, control, theta, target and target_motion are set. What the controller
+  /// measured exactly, it has computed already.
+  void observe(const RunningRollout& running, const Controller& controller, Observation& o);
 
  private:
-  void track_errors(Observation& o) const;
-  double compensation_error(const Observation& o);
-
   const Chain& chain_;
   const ParameterVector& theta_true_;
   Poses poses_;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "tuner/workers/patience.hpp"
 
@@ -23,7 +22,7 @@ Rollout& LocalWorker::rollout(const RolloutJob& job) {
   }
   ready_.push_back(
       {job.scenario, job.sample, job.engine, uses_,
-       std::make_unique<Rollout>(arm_of(plan_, job.scenario, job.sample), plan_.stepper, job.engine)});
+       std::make_unique<Rollout>(arms_.at(job.scenario, job.sample), plan_.stepper, job.engine)});
   return *ready_.back().rollout;
 }
 
@@ -31,18 +30,20 @@ RolloutResult LocalWorker::run(const RolloutJob& job, const std::atomic<bool>& s
   return run_until(job, [&stop] { return stop.load(); });
 }
 
+std::runtime_error LocalWorker::late(const RolloutJob& job, double deadline, double simulated) const {
+  const Scenario& scenario = plan_.scenarios[job.scenario];
+  return std::runtime_error(
+      fmt::format("{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s; allow "
+                  "more with --rollout-deadline, or find out what slows it down",
+                  scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", simulated,
+                  scenario.duration, deadline));
+}
+
 RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<bool()>& stop) {
   RunningTime time;
-  const Scenario& scenario = plan_.scenarios[job.scenario];
-  const double deadline = deadline_of(plan_, scenario);
+  const double deadline = deadline_of(plan_, plan_.scenarios[job.scenario]);
   const auto observer = [&](const Observation& o) {
-    if (time.look() > deadline) {
-      throw std::runtime_error(fmt::format(
-          "{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s; allow "
-          "more with --rollout-deadline, or find out what slows it down",
-          scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", o.time, scenario.duration,
-          deadline));
-    }
+    if (time.look() > deadline) throw late(job, deadline, o.time);
     return !stop();
   };
   return rollout(job).run(job.gains, observer, job.limits, job.cost);

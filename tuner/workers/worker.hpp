@@ -1,12 +1,31 @@
 #pragma once
-// One worker: it does one rollout at a time, here or elsewhere.
+// One worker: it does rollouts, one at a time or several side by side, here or elsewhere.
 
 #include <atomic>
+#include <cstddef>
+#include <optional>
 
 #include "sim/rollout/rollout.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune {
+
+struct GivenJob {
+  std::size_t number = 0;
+  RolloutJob job;
+};
+
+/// Where workers get their jobs and hand in their results.
+class JobSource {
+ public:
+  virtual ~JobSource() = default;
+  /// How many jobs a worker should have under way at most, lest others have none.
+  virtual std::size_t share() const = 0;
+  /// The next one to be started; none: there are no more, or no more are wanted.
+  virtual std::optional<GivenJob> next() = 0;
+  /// One that was given out is done, or interrupted.
+  virtual void finished(std::size_t number, RolloutResult&& result) = 0;
+};
 
 class Worker {
  public:
@@ -18,6 +37,11 @@ class Worker {
   /// The job of the plan it was made for; kInterrupted once `stop` is true. The result depends on plan and
   /// job alone. Throws std::runtime_error past the rollout's deadline, or if the worker is lost.
   virtual RolloutResult run(const RolloutJob& job, const std::atomic<bool>& stop) = 0;
+
+  /// Jobs until there are no more; the same results as run()'s.
+  virtual void work(JobSource& jobs, const std::atomic<bool>& stop) {
+    while (const std::optional<GivenJob> one = jobs.next()) jobs.finished(one->number, run(one->job, stop));
+  }
 };
 
 }  // namespace armtune

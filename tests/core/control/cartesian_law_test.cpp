@@ -37,7 +37,7 @@ void fill(Case& c, std::mt19937& generator, const RobotModel& arm, double thresh
 
 JointReference references(const Case& c) {
   JointReference reference;
-  cartesian_references(c.x, c.Kp, c.Ki, c.inverse, c.J_dot, reference);
+  resolve(task_reference(c.x, c.Kp, c.Ki), c.inverse, c.J_dot, reference);
   return reference;
 }
 

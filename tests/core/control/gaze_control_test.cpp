@@ -193,9 +193,10 @@ TEST(GazeControl, StretchesASlerpThatTheJointsCannotFollow) {
       gains.slerp_start = start;
       GazeControl control;
       const auto at = [&](double time) {
-        return control.update(gains, poses.R_0T, Eigen::Quaterniond(poses.R_0T),
-                              {poses.p_0T, Vec3::Zero(), Vec3::Zero()}, {p_0G, Vec3::Zero(), Vec3::Zero()},
-                              time, GazeControl::SpeedBound{inverse, bound});
+        return control.update(
+            gains, poses.R_0T, Eigen::Quaterniond(poses.R_0T), {poses.p_0T, Vec3::Zero(), Vec3::Zero()},
+            {p_0G, Vec3::Zero(), Vec3::Zero()}, time,
+            GazeControl::SpeedBound{[&]() -> const TaskInverse& { return inverse; }, bound});
       };
       at(0.0);
       const double duration = std::max(seconds, 2.5);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/lanes/rollout_lanes.hpp"
 #include "tests/core/support/allocation_counter.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
@@ -14,21 +15,38 @@ class RolloutAllocation : public testing::TestWithParam<std::string> {};
 TEST_P(RolloutAllocation, NeverHappensInAPeriodOfTheNativeEngine) {
   if (!test::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns malloc";
   const Scenario scenario = test::scenario_of(GetParam());
-  const Gains gains = test::published_gains(scenario);
-  for (const Stepper stepper : {Stepper::kMidpoint, Stepper::kRungeKutta4}) {
-    Rollout rollout(scenario, stepper, Engine::kNative);
-    long first = -1;
-    long last = -1;
-    int periods = 0;
-    rollout.run(gains, [&](const Observation&) {
-      if (first < 0) first = test::allocations();
-      last = test::allocations();
-      ++periods;
-      return true;
-    });
-    EXPECT_EQ(periods, scenario.periods());
-    EXPECT_EQ(last, first) << name(stepper);
+  for (const char* set : {"published", "extended"}) {
+    const Gains gains = load_gains(set, joint_names(*scenario.robot));
+    for (const Stepper stepper : {Stepper::kMidpoint, Stepper::kRungeKutta4}) {
+      Rollout rollout(scenario, stepper, Engine::kNative);
+      long first = -1;
+      long last = -1;
+      int periods = 0;
+      rollout.run(gains, [&](const Observation&) {
+        if (first < 0) first = test::allocations();
+        last = test::allocations();
+        ++periods;
+        return true;
+      });
+      EXPECT_EQ(periods, scenario.periods());
+      EXPECT_EQ(last, first) << set << ", " << name(stepper);
+    }
   }
+}
+
+TEST_P(RolloutAllocation, NeverHappensInAPeriodOfArmsSideBySide) {
+  if (!test::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns malloc";
+  const auto prepared = std::make_shared<const PreparedScenario>(test::scenario_of(GetParam()));
+  const Scenario& scenario = prepared->scenario;
+  RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, scenario.obstacles.size()), 2);
+  lanes.start(0, {prepared, load_gains("published", joint_names(*scenario.robot))});
+  lanes.start(1, {prepared, load_gains("extended", joint_names(*scenario.robot))});
+  const RolloutLanes::Finished finished = [](int, RolloutResult&&) {};
+  lanes.step(finished);
+  const long first = test::allocations();
+  for (int k = 2; k < scenario.periods(); ++k) lanes.step(finished);
+  EXPECT_EQ(test::allocations(), first);
+  EXPECT_EQ(lanes.busy(), 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bundled, RolloutAllocation,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -35,6 +36,82 @@ TEST(Workers, GiveEachCandidateItsRolloutsWhateverTheirNumber) {
       }
     }
   }
+}
+
+// Scenarios of every kind, more than there are lanes: with and without obstacles, two control periods, arms
+// drawn.
+TEST(Workers, SimulateSideBySideWhatTheySimulateAlone) {
+  std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 4.0),
+                                     test::scenario_of("realistic_obstacle_pass", 3.5),
+                                     test::scenario_of("target_switch", 3.0)};
+  scenarios.push_back(scenarios[0]);
+  scenarios.back().control_period *= 2.0;
+  std::vector<Gains> candidates(3, test::quick_gains(scenarios[0]));
+  candidates[1].task_space_gains_p *= 1.2;
+  candidates[2].task_space_gains_d *= -3.0;
+  std::vector<EndLimits> limits(scenarios.size());
+  limits[2] = {{Metric::kJointVelocityMaxRatio, 0.2}};
+  const std::atomic<bool> never{false};
+  for (const int count : {1, 2, 5}) {
+    Workers workers(scenarios, Stepper::kMidpoint, count);
+    const auto results = *workers.run(candidates, never, {}, {Engine::kNative, limits});
+    EXPECT_EQ(workers.rollouts_done(), 12);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      for (std::size_t s = 0; s < scenarios.size(); ++s) {
+        const RolloutResult expected =
+            Rollout(scenarios[s], Stepper::kMidpoint, Engine::kNative).run(candidates[c], {}, limits[s]);
+        EXPECT_EQ(test::bits(results[c][s].metrics), test::bits(expected.metrics))
+            << "candidate " << c << ", scenario " << s << ", " << count << " workers";
+        EXPECT_EQ(results[c][s].status, expected.status);
+        EXPECT_EQ(results[c][s].reason, expected.reason);
+      }
+    }
+  }
+  SampleSet set;
+  set.samples = 70;  // more arms than a worker keeps
+  set.measure = RiskMeasure::kWorst;
+  scenarios = {test::scenario_of("moving_target", 2.2)};
+  Workers arms(scenarios, Stepper::kMidpoint, 2, set);
+  const auto folded_results = (*arms.run({candidates.data(), 1}, never, {}, {Engine::kNative}))[0];
+  double largest = 0.0;
+  for (std::uint64_t k = 0; k < set.samples; ++k) {
+    const Scenario arm = perturbed(scenarios[0], set.perturbation, set.seed, k);
+    const RolloutResult alone = Rollout(arm, Stepper::kMidpoint, Engine::kNative).run(candidates[0]);
+    largest = std::max(largest, alone.metrics[Metric::kJointVelocityMaxRatio]);
+  }
+  EXPECT_EQ(folded_results[0].metrics[Metric::kJointVelocityMaxRatio], largest);
+}
+
+TEST(Workers, SideBySideAreStoppedAndKeepToTheirDeadline) {
+  const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 10.0)};
+  const std::vector<Gains> candidates(20, test::quick_gains(scenarios[0]));  // more than there are lanes
+  RolloutPlan plan = plan_of(scenarios, Stepper::kMidpoint, std::nullopt);
+  plan.deadline = 1e-6;
+  Workers late(std::make_unique<Crew>(plan, 1), std::nullopt);
+  std::atomic<bool> stop{false};
+  const Conditions native{.engine = Engine::kNative};
+  try {
+    late.run(candidates, stop, {}, native);
+    ADD_FAILURE() << "the deadline did not strike";
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(std::string(e.what()).find("moving_target: the rollout came to"), std::string::npos)
+        << e.what();
+  }
+  // The crew that threw is of use again, and one that is stopped returns nothing.
+  plan.deadline = 0.0;
+  Workers workers(std::make_unique<Crew>(plan, 1), std::nullopt);
+  int finished = 0;
+  const auto none = workers.run(
+      candidates, stop,
+      [&](std::size_t, const std::vector<RolloutResult>&) {
+        ++finished;
+        stop = true;
+      },
+      native);
+  EXPECT_FALSE(none.has_value());
+  EXPECT_LT(finished, 20);
+  stop = false;
+  EXPECT_TRUE(workers.run({candidates.data(), 2}, stop, {}, native).has_value());
 }
 
 TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {

@@ -108,7 +108,7 @@ Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid&
   motion.acceleration.setZero(robot.n(), knots);
   TaskGoal goal;
   goal.start(q);
-  const InverseDamping damping{1e-3, 1e-3, true};
+  const InverseDamping damping{1e-3, 1e-3, 1.0};
   double t = times.front();
   for (Eigen::Index k = 0; k < knots; ++k) {
     const double until = times[static_cast<std::size_t>(k)];

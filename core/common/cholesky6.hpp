@@ -1,0 +1,62 @@
+#pragma once
+// Cholesky factorisation A = L L^T of a symmetric matrix of at most six rows, for one matrix or for several
+// side by side. Golub and Van Loan, Matrix Computations, section 4.2.
+
+#include <cmath>
+
+#include "core/common/select.hpp"
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+template <typename T>
+class Cholesky6T {
+ public:
+  using Matrix = Eigen::Matrix<T, 6, 6>;
+
+  /// The leading n rows and columns of A, of which the lower triangle is read.
+  void compute(const Matrix& A, int n) {
+    using std::sqrt;
+    n_ = n;
+    product_ = T(1);
+    for (int j = 0; j < n; ++j) {
+      T square = A(j, j);
+      for (int k = 0; k < j; ++k) square -= L_(j, k) * L_(j, k);
+      // Not positive: A has lost rank, and its product is zero whatever comes after.
+      const T root = sqrt(square);
+      product_ = select(square > T(0), product_ * root, T(0));
+      L_(j, j) = root;
+      inverse_[j] = T(1) / root;
+      for (int i = j + 1; i < n; ++i) {
+        T sum = A(i, j);
+        for (int k = 0; k < j; ++k) sum -= L_(i, k) * L_(j, k);
+        L_(i, j) = sum * inverse_[j];
+      }
+    }
+  }
+
+  /// sqrt(det A): the product of L's diagonal; zero where A is not positive definite.
+  const T& root_of_determinant() const { return product_; }
+
+  /// A^-1 b, for n = 6.
+  Vec6T<T> solve(const Vec6T<T>& b) const {
+    Vec6T<T> x = b;
+    for (int i = 0; i < n_; ++i) {
+      for (int k = 0; k < i; ++k) x[i] -= L_(i, k) * x[k];
+      x[i] *= inverse_[i];
+    }
+    for (int i = n_ - 1; i >= 0; --i) {
+      for (int k = i + 1; k < n_; ++k) x[i] -= L_(k, i) * x[k];
+      x[i] *= inverse_[i];
+    }
+    return x;
+  }
+
+ private:
+  int n_ = 0;
+  Matrix L_;
+  Vec6T<T> inverse_;  ///< of L's diagonal
+  T product_;
+};
+
+}  // namespace armtune

@@ -1,0 +1,145 @@
+#pragma once
+// Several doubles side by side, as a scalar type: a kernel over Pack<W> does W arms at once, each with the
+// very operations, in the same order, that it has alone, so with the same bits. GCC's vector extensions: any
+// width compiles for any processor.
+
+#include <Eigen/Core>
+
+#include "core/common/joint_math.hpp"
+#include "core/common/select.hpp"
+#include "core/robot/friction.hpp"
+#include "core/robot/twin_vectors.hpp"
+
+namespace armtune {
+
+template <int W>
+struct PackRegister;
+template <>
+struct PackRegister<2> {
+  using Doubles = double __attribute__((vector_size(16)));
+};
+template <>
+struct PackRegister<4> {
+  using Doubles = double __attribute__((vector_size(32)));
+};
+template <>
+struct PackRegister<8> {
+  using Doubles = double __attribute__((vector_size(64)));
+};
+
+template <int W>
+class Pack {
+ public:
+  using Register = typename PackRegister<W>::Doubles;
+  /// All bits set where a comparison holds.
+  using Mask = decltype(Register{} < Register{});
+
+  Pack() = default;
+  Pack(double x) : v_(x - Register{}) {}  // NOLINT(google-explicit-constructor): as a double would
+  explicit Pack(const Register& v) : v_(v) {}
+
+  const Register& values() const { return v_; }
+  double operator[](int lane) const { return v_[lane]; }
+  void set(int lane, double x) { v_[lane] = x; }
+
+  friend Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v_ + b.v_); }
+  friend Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v_ - b.v_); }
+  friend Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v_ * b.v_); }
+  friend Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v_ / b.v_); }
+  Pack operator-() const { return Pack(-v_); }
+  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  Pack& operator-=(const Pack& b) { return *this = *this - b; }
+  Pack& operator*=(const Pack& b) { return *this = *this * b; }
+  Pack& operator/=(const Pack& b) { return *this = *this / b; }
+  friend Mask operator<(const Pack& a, const Pack& b) { return a.v_ < b.v_; }
+  friend Mask operator>(const Pack& a, const Pack& b) { return a.v_ > b.v_; }
+  friend Mask operator>=(const Pack& a, const Pack& b) { return a.v_ >= b.v_; }
+
+ private:
+  Register v_;
+};
+
+/// Where the mask holds a, elsewhere b.
+template <int W>
+Pack<W> select(const typename Pack<W>::Mask& where, const Pack<W>& a, const Pack<W>& b) {
+  return Pack<W>(where ? a.values() : b.values());
+}
+
+template <int W>
+Pack<W> abs(const Pack<W>& x) {
+  return select<W>(x < Pack<W>(0.0), -x, x);
+}
+template <int W>
+Pack<W> sqrt(const Pack<W>& x) {
+  typename Pack<W>::Register root = x.values();
+  for (int lane = 0; lane < W; ++lane) root[lane] = std::sqrt(root[lane]);
+  return Pack<W>(root);
+}
+
+/// sin and cos of every entry of x (n). An arm one of whose angles is too large for the quick way takes the
+/// other one with all of them, as it does alone.
+template <int W>
+void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& sines,
+                       JointVectorT<Pack<W>>& cosines) {
+  sines.resize(x.size());
+  cosines.resize(x.size());
+  auto large = Pack<W>(0.0) > Pack<W>(0.0);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    typename Pack<W>::Register s;
+    typename Pack<W>::Register c;
+    vector_math::sine_cosine(x[i].values(), s, c);
+    sines[i] = Pack<W>(s);
+    cosines[i] = Pack<W>(c);
+    large |= ~(abs(x[i]).values() <= Pack<W>(vector_math::kLargestAngle).values());
+  }
+  if (!any(large)) return;
+  for (int lane = 0; lane < W; ++lane) {
+    if (large[lane] == 0) continue;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      sines[i].set(lane, std::sin(x[i][lane]));
+      cosines[i].set(lane, std::cos(x[i][lane]));
+    }
+  }
+}
+
+/// tanh(q'/0.05), see core/robot/friction.hpp.
+template <int W>
+Pack<W> coulomb_direction(const Pack<W>& qd) {
+  return Pack<W>(1.0 - 2.0 / (1.0 + vector_math::exponential(qd.values() * (2.0 / kCoulombVelocity))));
+}
+
+/// Packs fill their registers: the rotation is kept once, and every entry loaded where it is used.
+template <int W>
+class TwinRotationT<Pack<W>> {
+ public:
+  using T = Pack<W>;
+  TwinRotationT() = default;
+  explicit TwinRotationT(const Mat3T<T>& R) : R_(R) {}
+  TwinVec3T<T> row(int i) const { return TwinVec3T<T>::both(Vec3T<T>(R_(i, 0), R_(i, 1), R_(i, 2))); }
+
+ private:
+  Mat3T<T> R_;
+};
+
+}  // namespace armtune
+
+namespace Eigen {
+
+template <int W>
+struct NumTraits<armtune::Pack<W>> : GenericNumTraits<double> {
+  using Real = armtune::Pack<W>;
+  using NonInteger = armtune::Pack<W>;
+  using Nested = armtune::Pack<W>;
+  using Literal = double;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};
+
+}  // namespace Eigen

@@ -1,0 +1,38 @@
+#pragma once
+// Choices written once for one number and for several side by side (core/common/pack.hpp): what is a branch
+// for the one is a blend for the others.
+
+#include <type_traits>
+
+namespace armtune {
+
+/// Where the condition holds a, elsewhere b.
+template <typename T>
+T select(bool where, const T& a, const T& b) {
+  return where ? a : b;
+}
+
+/// True if a mask holds anywhere; everywhere.
+inline bool any(bool where) {
+  return where;
+}
+inline bool all(bool where) {
+  return where;
+}
+template <typename Mask, std::enable_if_t<!std::is_same_v<Mask, bool>, int> = 0>
+bool any(const Mask& where) {
+  constexpr auto kLanes = static_cast<int>(sizeof(Mask) / sizeof(where[0]));
+  auto some = where[0];
+  for (int lane = 1; lane < kLanes; ++lane) some |= where[lane];
+  return some != 0;
+}
+template <typename Mask, std::enable_if_t<!std::is_same_v<Mask, bool>, int> = 0>
+bool all(const Mask& where) {
+  return !any(~where);
+}
+
+/// What comparing two T gives.
+template <typename T>
+using MaskT = decltype(T(0) < T(0));
+
+}  // namespace armtune

@@ -1,0 +1,236 @@
+#include "core/control/control_logic.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "core/control/obstacle_impedance.hpp"
+#include "core/control/velocity_barrier.hpp"
+#include "core/control/velocity_governor.hpp"
+
+namespace armtune {
+namespace {
+
+/// The wrist: a slerp lowers Kd of the last three joints.
+constexpr int kWristJoints = 3;
+
+JointVector goal_in_si(const RobotModel& model, const Gains& gains) {
+  JointVector goal = gains.joint_space_goal;
+  for (int i = 0; i < model.n(); ++i) {
+    if (model.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) goal[i] *= M_PI / 180.0;
+  }
+  return goal;
+}
+
+MotionPoint<Vec3> path_now(const Scene& scene, double time) {
+  return scene.on_path != nullptr ? *scene.on_path : scene.path->at(time);
+}
+
+}  // namespace
+
+ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period)
+    : model_(std::move(model)),
+      gains_(gains),
+      goal_(goal_in_si(*model_, gains)),
+      effort_limits_(model_->effort_limits()),
+      velocity_limits_(model_->velocity_limits()),
+      velocity_bound_(gains.velocity_margin * velocity_limits_),
+      damping_(inverse_damping(gains)),
+      period_(period) {
+  if (gains_.release_radius == 0.0) gains_.release_radius = gains_.obstacleInfluenceRadius;
+}
+
+const MeasuredArm& ControlLogic::whole(const JointState& measured, const ArmView& arm) {
+  if (arm.whole != nullptr) return *arm.whole;
+  if (!spare_is_now_) spare_.measure(model_->chain, measured.q, measured.qd, damping_);
+  spare_is_now_ = true;
+  return spare_;
+}
+
+bool ControlLogic::decide(const JointState& measured, const ArmView& arm, const Scene& scene, double time) {
+  spare_is_now_ = false;
+  if (!started_) {
+    started_ = true;
+    out_.state = first_state(scene.plan != nullptr);
+    q_start_ = measured.q;
+    task_goal_.start(goal_);
+  }
+  out_.manipulability = arm.manipulability;
+  out_.damped = arm.damped;
+  out_.obstacle_distance = arm.obstacle_distance;
+
+  const ControlState state =
+      next_state(out_.state, {.joint_trajectory_finished = time - lag_ >= gains_.joint_trajectory_duration,
+                              .return_finished = time - lag_ - return_start_ >= return_.duration(),
+                              .obstacle_distance = out_.obstacle_distance,
+                              .influence_radius = gains_.obstacleInfluenceRadius,
+                              .release_radius = gains_.release_radius,
+                              .plan_finished = scene.plan == nullptr || time >= scene.plan->end()});
+  if (state != out_.state) {
+    out_.state = state;
+    enter_state(measured, arm, scene, time);
+  }
+  if (state == ControlState::kLeaveSingularity) {
+    follow_joint_trajectory(measured, arm, scene, time);
+    return false;
+  }
+  if (state == ControlState::kFollowPlan) {
+    follow_plan(measured, arm, scene, time);
+    return false;
+  }
+  follow_task(measured, arm, scene, time);
+  return true;
+}
+
+void ControlLogic::enter_state(const JointState& measured, const ArmView& arm, const Scene& scene,
+                               double time) {
+  integral_.setZero();
+  if (out_.state != ControlState::kReturnToTrajectory) return;
+  // Start from the measured position and velocity and the last reference's acceleration, which is zero at
+  // the end of leaveSingularity's quintic and in avoidObstacles, and the plan's at the end of followPlan.
+  const MotionPoint<Vec3> start{arm.p_0T, arm.twist.head<3>(), out_.desired.acceleration};
+  return_ = return_trajectory(start, *scene.path, time, gains_.trajectoryDurationErrorGain);
+  if (gains_.velocity_margin > 0.0) {
+    Vec6 displacement;
+    displacement << scene.path->at(time + return_.duration()).position - arm.p_0T, Vec3::Zero();
+    const double shortest = shortest_duration(whole(measured, arm).inverse, displacement, velocity_bound_);
+    if (shortest > return_.duration()) return_ = {start, scene.path->at(time + shortest), shortest};
+  }
+  return_start_ = time - lag_;
+}
+
+void ControlLogic::follow_joint_trajectory(const JointState& measured, const ArmView& arm, const Scene& scene,
+                                           double time) {
+  out_.desired = {arm.p_0T, arm.twist.head<3>(), Vec3::Zero()};
+  const MotionPoint<double> s = rest_to_rest(0.0, 1.0, gains_.joint_trajectory_duration).at(time - lag_);
+  MotionPoint<JointVector> goal{goal_, JointVector::Zero(goal_.size()), JointVector::Zero(goal_.size())};
+  if (gains_.joint_goal_follows_task) {
+    const MotionPoint<Vec3> path = path_now(scene, time);
+    // By way of joint_space_goal, which the arm's user has chosen, so that the first half of the way stays.
+    goal = towards(goal_, task_goal_.step(model_->chain, path, scene.target, damping_, period_), s);
+    out_.desired.acceleration = path.acceleration;
+  }
+  joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,
+                         out_.reference);
+  Kd_ = gains_.joint_space_gains_d;
+  out_.slerping = false;
+  out_.errors = {};
+}
+
+void ControlLogic::follow_plan(const JointState& measured, const ArmView& arm, const Scene& scene,
+                               double time) {
+  out_.planned = scene.plan->at(time);
+  // The torque is held over the period: its acceleration is the period's mean, not that of its beginning.
+  out_.planned.acceleration = scene.plan->mean_acceleration(time, period_);
+  joint_space_references(out_.planned, gains_.joint_space_gains_p, measured.q, measured.qd, out_.reference);
+  Kd_ = gains_.joint_space_gains_d;
+  // The tool's acceleration on the plan: what a return that comes next starts with.
+  const MeasuredArm& at = whole(measured, arm);
+  Jacobian J_dot;
+  tool_jacobian_derivative(model_->chain, at.poses, at.twist, measured.qd, J_dot);
+  const Vec6 tool_acceleration = times(at.J, out_.planned.acceleration) + times(J_dot, measured.qd);
+  out_.desired = {arm.p_0T, arm.twist.head<3>(), tool_acceleration.head<3>()};
+  out_.slerping = false;
+  out_.errors = {};
+}
+
+MotionPoint<Vec3> ControlLogic::desired_motion(const ArmView& arm, const Scene& scene, double time) const {
+  switch (out_.state) {
+    case ControlState::kReturnToTrajectory:
+      return return_.at(time - lag_ - return_start_);
+    case ControlState::kFollowTrajectory:
+      return path_now(scene, time);
+    default:
+      return {arm.p_0T, Vec3::Zero(), Vec3::Zero()};
+  }
+}
+
+void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, const Scene& scene,
+                               double time) {
+  const bool avoiding = out_.state == ControlState::kAvoidObstacles;
+  const Eigen::Quaterniond Q_0T(arm.R_0T);
+  out_.desired = desired_motion(arm, scene, time);
+  // The line to the target starts at the tool as it is and moves as the tool is meant to, without sensor
+  // noise. Avoiding, nothing says how it is meant to move.
+  const MotionPoint<Vec3> tool{arm.p_0T, avoiding ? Vec3(arm.twist.head<3>()) : out_.desired.velocity,
+                               out_.desired.acceleration};
+  // By reference: a std::function of that allocates nothing.
+  const auto inverse = [&]() -> const TaskInverse& { return whole(measured, arm).inverse; };
+  std::optional<GazeControl::SpeedBound> speed;
+  if (gains_.velocity_margin > 0.0)
+    speed.emplace(GazeControl::SpeedBound{std::ref(inverse), velocity_bound_});
+  const GazeControl::Output gaze =
+      gaze_.update(gains_, arm.R_0T, Q_0T, tool, scene.target, time - lag_, speed);
+  out_.slerping = gaze.slerping;
+  out_.desired_gaze = gaze.desired;
+  out_.gaze_turn = gaze.turn;
+
+  // The integral stays empty while a slerp runs: it would wind up on an error that is meant to be there.
+  if (gaze.slerping) integral_.setZero();
+  CartesianErrors& x = out_.errors;
+  x.pose << arm.p_0T - out_.desired.position, -rotation_log(gaze.desired.orientation * Q_0T.conjugate());
+  x.desired_rate << out_.desired.velocity, gaze.desired.angular_velocity;
+  x.desired_accel << out_.desired.acceleration, gaze.desired.angular_acceleration;
+  x.rate = arm.twist - x.desired_rate;
+  x.integral = integral_;
+  // No position control while avoiding, so that the repulsion meets damping only.
+  if (avoiding) x.rate.head<3>().setZero();
+
+  Vec6 Kp = gains_.task_space_gains_p;
+  Kd_ = gains_.task_space_gains_d;
+  if (gaze.slerping) {
+    Kp.tail<3>() *= gains_.interpolation_gain_scale;
+    Kd_.tail(std::min<Eigen::Index>(kWristJoints, Kd_.size())) *= gains_.interpolation_gain_scale;
+  }
+  task_reference_ = armtune::task_reference(x, Kp, gains_.task_space_gains_i);
+}
+
+// A plan keeps its own velocity limits, and what it meets (a moving path, a target) waits for nobody.
+bool ControlLogic::keeps_pace() const {
+  return gains_.velocity_margin > 0.0 && out_.state != ControlState::kFollowPlan;
+}
+
+void ControlLogic::keep_pace(const Scene& scene, double time) {
+  if (!keeps_pace()) return;
+  out_.pace = govern(velocity_bound_, out_.reference);
+  const bool returning = out_.state == ControlState::kReturnToTrajectory;
+  const bool interpolating = out_.slerping || returning || out_.state == ControlState::kLeaveSingularity;
+  if (out_.pace == 1.0 || !interpolating) return;
+  const double delay = (1.0 - out_.pace) * period_;
+  if (returning) {
+    // The path does not wait: plan the rest of the way anew, to where it will be by then.
+    const double done = time - lag_ - return_start_;
+    const double rest = return_.duration() - done;
+    if (rest > kShortestInterpolation) {
+      return_ = {return_.at(done), scene.path->at(time + rest), rest};
+      return_start_ = time - lag_;
+    }
+  }
+  lag_ += delay;
+}
+
+void ControlLogic::limit_torque(const JointState& measured, const ArmView& arm, const Scene& scene) {
+  const bool avoiding = out_.state == ControlState::kAvoidObstacles;
+  if (avoiding) {
+    obstacle_torque(model_->chain, whole(measured, arm).poses, scene.obstacles,
+                    gains_.obstacleInfluenceRadius, gains_.force_control_gains, bypassing_);
+  } else {
+    bypassing_.setZero(model_->n());
+  }
+  // The barrier is for torques that no planner has weighed: to a plan near its limits it would be a brake.
+  const bool barred = gains_.velocity_barrier_gain > 0.0 && out_.state != ControlState::kFollowPlan;
+  if (avoiding || barred) {
+    add_behind_barrier(measured.qd, velocity_limits_, gains_.velocity_barrier_start,
+                       gains_.velocity_barrier_gain, Kd_, bypassing_, out_.commanded);
+  }
+  out_.torque = out_.commanded.cwiseMax(-effort_limits_).cwiseMin(effort_limits_);
+  out_.saturated = !(out_.torque.array() == out_.commanded.array()).all();
+}
+
+bool ControlLogic::conclude() {
+  // Integral and theta stand still while a joint is saturated: its error is not the law's doing.
+  if (out_.saturated) return false;
+  if (!out_.slerping) integral_ += period_ * out_.errors.pose;
+  return out_.state != ControlState::kAvoidObstacles || gains_.adapt_while_avoiding;
+}
+
+}  // namespace armtune

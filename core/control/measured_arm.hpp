@@ -1,0 +1,35 @@
+#pragma once
+// Where an arm is measured to be, and what the control laws ask of that place: poses, Jacobian, its inverse.
+
+#include "core/control/task_inverse.hpp"
+#include "core/robot/kinematics.hpp"
+
+namespace armtune {
+
+template <typename T>
+struct MeasuredArmT {
+  PosesT<T> poses;
+  JacobianT<T> J;
+  JacobianT<T> J_dot;
+  Vec6T<T> twist;  ///< (v_0T, w_0T)
+  TaskInverseT<T> inverse;
+
+  MeasuredArmT() = default;
+  MeasuredArmT(const MeasuredArmT&) = delete;  // the inverse refers to this J
+  MeasuredArmT& operator=(const MeasuredArmT&) = delete;
+
+  /// Everything but J_dot at q, q' (n).
+  void measure(const ChainT<T>& chain, const JointVectorT<T>& q, const JointVectorT<T>& qd,
+               const InverseDampingT<T>& damping) {
+    forward_kinematics(chain, q, poses);
+    tool_jacobian(chain, poses, J);
+    twist = times(J, qd);
+    inverse.compute(J, damping);
+  }
+  void differentiate(const ChainT<T>& chain, const JointVectorT<T>& qd) {
+    tool_jacobian_derivative(chain, poses, twist, qd, J_dot);
+  }
+};
+using MeasuredArm = MeasuredArmT<double>;
+
+}  // namespace armtune

@@ -1,0 +1,25 @@
+#include "sim/lanes/arm_lanes.hpp"
+
+#include "sim/lanes/kinds.hpp"
+
+namespace armtune {
+
+Processor best_processor() {
+#if defined(ARMTUNE_LANES_X86)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return Processor::kAvx512;
+  if (__builtin_cpu_supports("avx2")) return Processor::kAvx2;
+#endif
+  return Processor::kAny;
+}
+
+int most_lanes(Processor processor) {
+  return processor == Processor::kAvx512 ? 8 : processor == Processor::kAvx2 ? 4 : 2;
+}
+
+std::unique_ptr<ArmLanes> make_arm_lanes(const LaneKind& kind, int lanes, Processor processor) {
+  if (lanes > 4 && processor == Processor::kAvx512) return make_avx512_lanes(kind);
+  if (lanes > 2 && processor != Processor::kAny) return make_avx2_lanes(kind);
+  return make_any_lanes(kind);
+}
+
+}  // namespace armtune

@@ -1,0 +1,22 @@
+#pragma once
+// What arms must have in common to be simulated side by side.
+
+#include <array>
+#include <cstddef>
+
+#include "core/robot/chain.hpp"
+#include "sim/plant/stepper.hpp"
+
+namespace armtune {
+
+struct LaneKind {
+  int n = 0;                                     ///< joints
+  std::array<JointMotion, kMaxJoints> motion{};  ///< of each
+  std::size_t most_obstacles = 0;
+  double control_period = 0.0;  ///< [s]
+  Stepper stepper = Stepper::kMidpoint;
+
+  bool operator==(const LaneKind&) const = default;
+};
+
+}  // namespace armtune

@@ -1,0 +1,19 @@
+#pragma once
+// What kinds of processors there are kernels for.
+
+namespace armtune {
+
+enum class Processor {
+  kAny,    ///< any x86-64, or whatever else the compiler knows
+  kAvx2,   ///< x86-64-v3's 256-bit registers
+  kAvx512  ///< x86-64-v4's 512-bit registers
+};
+
+constexpr const char* name(Processor processor) {
+  return processor == Processor::kAvx512 ? "avx512" : processor == Processor::kAvx2 ? "avx2" : "any";
+}
+
+/// The best kind that this program has kernels for and this machine can run.
+Processor best_processor();
+
+}  // namespace armtune

@@ -1,0 +1,250 @@
+#include "sim/lanes/rollout_lanes.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include "sim/lanes/chain_numbers.hpp"
+#include "sim/plant/flush_denormals.hpp"
+#include "sim/rollout/running_rollout.hpp"
+#include "sim/rollout/true_state.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr int kMostLanes = 8;
+
+std::array<double, kMostChainNumbers> numbers_of(const Chain& chain) {
+  std::array<double, kMostChainNumbers> numbers{};
+  std::size_t count = 0;
+  for_each_number(chain, [&](double x) { numbers[count++] = x; });
+  return numbers;
+}
+
+const double* numbers_of(std::span<const Vec3> points) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  return points.empty() ? nullptr : points.front().data();
+}
+
+}  // namespace
+
+LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles) {
+  const Chain& chain = scenario.robot->chain;
+  return {chain.n, chain.motion, most_obstacles, scenario.control_period, stepper};
+}
+
+struct RolloutLanes::Lane {
+  explicit Lane(LaneJob given)
+      : job(std::move(given)),
+        running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits, job.cost),
+        logic(job.scenario->scenario.robot, job.gains, job.scenario->scenario.control_period),
+        q(job.scenario->scenario.start_position),
+        qd(running.start_velocity()),
+        theta(job.scenario->theta_start) {
+    logic.output().commanded.setZero(q.size());
+    logic.output().reference = {JointVector::Zero(q.size()), JointVector::Zero(q.size())};
+  }
+
+  LaneJob job;
+  RunningRollout running;
+  ControlLogic logic;
+  JointVector q, qd;  ///< of the plant
+  ParameterVector theta;
+  ArmView view;
+  Poses pose;  ///< of the tool, true
+  int period = 0;
+  World world;
+  const World* world_in = nullptr;  ///< its own, or that of a lane with the same scenario in the same period
+};
+
+RolloutLanes::RolloutLanes(const LaneKind& kind, int lanes, Processor processor)
+    : kind_(kind), arms_(make_arm_lanes(kind, lanes, processor)) {
+  lanes_.resize(static_cast<std::size_t>(arms_->lanes()));
+}
+
+RolloutLanes::~RolloutLanes() = default;
+
+bool RolloutLanes::is_busy(int lane) const {
+  return lanes_[static_cast<std::size_t>(lane)] != nullptr;
+}
+
+double RolloutLanes::time(int lane) const {
+  return lanes_[static_cast<std::size_t>(lane)]->running.time();
+}
+
+int RolloutLanes::free_lane() const {
+  for (int lane = 0; lane < lanes(); ++lane) {
+    if (!is_busy(lane)) return lane;
+  }
+  return -1;
+}
+
+void RolloutLanes::clear() {
+  for (auto& lane : lanes_) lane = nullptr;
+  busy_ = 0;
+}
+
+void RolloutLanes::start(int lane, LaneJob job) {
+  const Scenario& own = job.scenario->scenario;
+  if (own.obstacles.size() > kind_.most_obstacles ||
+      lane_kind(own, kind_.stepper, kind_.most_obstacles) != kind_) {
+    throw std::invalid_argument(own.name + " is not of the kind of these lanes");
+  }
+  auto& place = lanes_[static_cast<std::size_t>(lane)];
+  const bool first = busy_ == 0;
+  place = std::make_unique<Lane>(std::move(job));
+  ++busy_;
+  const PreparedScenario& scenario = *place->job.scenario;
+  const auto control = numbers_of(scenario.scenario.robot->chain);
+  const auto plant = numbers_of(scenario.plant.chain);
+  const Gains& gains = place->logic.gains();
+  // Lanes without a rollout go through the same arithmetic: they begin as an arm, not as nothing.
+  for (int l = 0; l < lanes(); ++l) {
+    if (l != lane && !(first && !is_busy(l))) continue;
+    arms_->put_chains(l, control.data(), plant.data());
+    arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage});
+    arms_->put_theta(l, scenario.theta_start.data(), scenario.theta_true.data());
+    arms_->put_state(l, place->q.data(), place->qd.data());
+  }
+}
+
+const World& RolloutLanes::world_of(int lane) {
+  Lane& own = *lanes_[static_cast<std::size_t>(lane)];
+  own.period = own.running.period();
+  for (int l = 0; l < lane; ++l) {
+    const Lane* other = lanes_[static_cast<std::size_t>(l)].get();
+    if (other != nullptr && other->job.scenario == own.job.scenario && other->period == own.period) {
+      own.world_in = other->world_in;
+      return *own.world_in;
+    }
+  }
+  world_at(own.running.scenario(), own.period, own.world);
+  own.world_in = &own.world;
+  return own.world;
+}
+
+void RolloutLanes::sense() {
+  exact_ = true;
+  const Lane* some = nullptr;
+  for (int l = 0; l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr) continue;
+    some = lane;
+    lane->running.sense(lane->q, lane->qd, world_of(l));
+    const JointState& measured = lane->running.measured();
+    const std::span<const Vec3> obstacles = lane->running.scene().obstacles;
+    arms_->put_measured(l, measured.q.data(), measured.qd.data(), numbers_of(obstacles), obstacles.size());
+    exact_ = exact_ && lane->running.measures_exactly();
+  }
+  if (some == nullptr || busy_ == lanes()) return;
+  // A lane without a rollout stays where an arm can be: what is far out takes longer.
+  for (int l = 0; l < lanes(); ++l) {
+    if (is_busy(l)) continue;
+    const JointState& measured = some->running.measured();
+    arms_->put_measured(l, measured.q.data(), measured.qd.data(), nullptr, 0);
+    arms_->put_state(l, some->q.data(), some->qd.data());
+  }
+}
+
+void RolloutLanes::control() {
+  arms_->measure();
+  bool some_keep_pace = false;
+  for (int l = 0; l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr) continue;
+    ArmView& view = lane->view;
+    arms_->get_measured(l, {view.R_0T.data(), view.p_0T.data(), view.twist.data()}, view.manipulability,
+                        view.damped, view.obstacle_distance);
+    const RunningRollout& running = lane->running;
+    if (lane->logic.decide(running.measured(), view, running.scene(), running.time())) {
+      const TaskReference& task = lane->logic.task_reference();
+      arms_->put_task_reference(l, task.rate.data(), task.acceleration.data());
+    } else {
+      const JointReference& reference = lane->logic.output().reference;
+      arms_->put_joint_reference(l, reference.velocity.data(), reference.acceleration.data());
+    }
+    arms_->put_Kd(l, lane->logic.Kd().data());
+    some_keep_pace = some_keep_pace || lane->logic.keeps_pace();
+  }
+  arms_->resolve();
+  for (int l = 0; some_keep_pace && l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr || !lane->logic.keeps_pace()) continue;
+    JointReference& reference = lane->logic.output().reference;
+    arms_->get_joint_reference(l, reference.velocity.data(), reference.acceleration.data());
+    lane->logic.keep_pace(lane->running.scene(), lane->running.time());
+    arms_->put_joint_reference(l, reference.velocity.data(), reference.acceleration.data());
+  }
+  arms_->torque();
+}
+
+void RolloutLanes::act() {
+  std::array<bool, kMostLanes> adapting{};
+  for (int l = 0; l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr) continue;
+    arms_->get_commanded(l, lane->logic.output().commanded.data());
+    lane->logic.limit_torque(lane->running.measured(), lane->view, lane->running.scene());
+    adapting[static_cast<std::size_t>(l)] = lane->logic.conclude();
+  }
+  arms_->adapt(adapting.data());
+  for (int l = 0; l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr || !adapting[static_cast<std::size_t>(l)]) continue;
+    if (!lane->logic.gains().adaptation_projection) continue;
+    arms_->get_theta(l, lane->theta.data());
+    project_to_physical(lane->theta);
+    arms_->replace_theta(l, lane->theta.data());
+  }
+  arms_->observe(exact_);
+}
+
+void RolloutLanes::move(const Finished& finished) {
+  std::array<bool, kMostLanes> moving{};
+  for (int l = 0; l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr) continue;
+    Observation& o = lane->running.act(lane->logic.output(), lane->theta);
+    Poses& pose = lane->pose;
+    if (exact_) {
+      pose.R_0T = lane->view.R_0T;
+      pose.p_0T = lane->view.p_0T;
+      o.twist = lane->view.twist;
+    }
+    arms_->get_observed(l, {pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, o.obstacle_distance,
+                        o.compensation_error);
+    o.poses = &pose;
+    see_errors(lane->running.sees_exactly(), o);
+    if (lane->running.judge({})) {
+      arms_->put_torque(l, o.applied->data());
+      moving[static_cast<std::size_t>(l)] = true;
+    }
+  }
+  arms_->step();
+  for (int l = 0; l < lanes(); ++l) {
+    Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
+    if (lane == nullptr) continue;
+    if (moving[static_cast<std::size_t>(l)]) {
+      arms_->get_state(l, lane->q.data(), lane->qd.data());
+      lane->running.moved(lane->q, lane->qd, {});
+    }
+    if (!lane->running.goes_on()) end(l, finished);
+  }
+}
+
+void RolloutLanes::end(int lane, const Finished& finished) {
+  RolloutResult result = lanes_[static_cast<std::size_t>(lane)]->running.result();
+  lanes_[static_cast<std::size_t>(lane)] = nullptr;
+  --busy_;
+  finished(lane, std::move(result));
+}
+
+void RolloutLanes::step(const Finished& finished) {
+  if (busy_ == 0) return;
+  const FlushDenormals flush;
+  sense();
+  control();
+  act();
+  move(finished);
+}
+
+}  // namespace armtune

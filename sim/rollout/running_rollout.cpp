@@ -1,0 +1,143 @@
+#include "sim/rollout/running_rollout.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+/// A joint this many times faster than its limit will not come back.
+constexpr double kDivergedRatio = 20.0;
+
+/// Why the state is beyond use.
+std::string divergence(const RobotModel& model, const JointVector& q, const JointVector& qd) {
+  for (int i = 0; i < model.n(); ++i) {
+    const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
+    if (!std::isfinite(q[i]) || !std::isfinite(qd[i])) return fmt::format("{} is not finite", joint.name);
+    if (std::abs(qd[i]) > kDivergedRatio * joint.limits.velocity) {
+      return fmt::format("{} moves at {:.3g}, over {} times its velocity limit {:.3g}", joint.name, qd[i],
+                         kDivergedRatio, joint.limits.velocity);
+    }
+  }
+  return {};
+}
+
+/// The first limit that is reached, or null.
+const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metrics) {
+  for (const EndLimit& limit : limits) {
+    if (limit.reached_by(metrics.so_far(limit.metric))) return &limit;
+  }
+  return nullptr;
+}
+
+double cost_so_far(const EndCost& cost, const MetricAccumulator& metrics) {
+  double sum = 0.0;
+  for (const EndCost::Share& share : cost.shares) sum += share.at(metrics.so_far(share.metric));
+  return sum;
+}
+
+}  // namespace
+
+RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
+                               const EndCost& cost)
+    : prepared_(prepared),
+      scenario_(prepared.scenario),
+      limits_(limits),
+      cost_(cost),
+      periods_(scenario_.periods()),
+      sensors_(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed),
+      camera_(scenario_),
+      delay_(scenario_.robot->n(), scenario_.plant.torque_delay_periods),
+      metrics_(*scenario_.robot, threshold, scenario_.control_period),
+      diverged_velocity_(kDivergedRatio * scenario_.robot->velocity_limits()),
+      path_(scenario_.path),
+      scene_{&path_, {}, {}, scenario_.planned.get()} {
+  if (scenario_.planned) {
+    metrics_.look_from(
+        scenario_.active_target(std::max(0.0, scenario_.start_time - scenario_.control_period)));
+  }
+  if (scenario_.stimulus) response_.emplace(scenario_);
+}
+
+JointVector RunningRollout::start_velocity() const {
+  if (scenario_.start_velocity.size() > 0) return scenario_.start_velocity;
+  return JointVector::Zero(scenario_.robot->n());
+}
+
+void RunningRollout::end(RolloutStatus status, std::string reason) {
+  ended_ = true;
+  result_.status = status;
+  result_.reason = std::move(reason);
+}
+
+void RunningRollout::sense(const JointVector& q, const JointVector& qd, const World& world) {
+  Observation& o = observation_;
+  o.q = &q;
+  o.qd = &qd;
+  o.time = world.time;
+  o.target = world.target;
+  o.target_motion = world.target_motion;
+  sensors_.measure(q, qd, measured_);
+  if (scenario_.stimulus) path_.center = scenario_.path.center + world.path_shift;
+  scene_.on_path = &world.on_path;
+  scene_.target = camera_.see(o.target, o.target_motion, o.time);
+  scene_.obstacles = world.obstacles;
+}
+
+Observation& RunningRollout::act(const ControlOutput& control, const ParameterVector& theta) {
+  observation_.control = &control;
+  observation_.theta = &theta;
+  observation_.applied = &delay_.pass(control.torque);
+  return observation_;
+}
+
+bool RunningRollout::judge(const Observer& observer) {
+  const Observation& o = observation_;
+  metrics_.add(o);
+  if (response_) response_->add(o);
+  if (observer && !observer(o)) {
+    end(RolloutStatus::kInterrupted, fmt::format("interrupted at {:.3f} s", o.time));
+  } else if (const EndLimit* limit = reached(limits_, metrics_)) {
+    end(RolloutStatus::kHopeless,
+        fmt::format("{} reached {:.4g} at {:.3f} s in {}; beyond repair from {:.4g} on", name(limit->metric),
+                    metrics_.so_far(limit->metric), o.time, name(o.control->state), limit->value));
+  } else if (cost_so_far(cost_, metrics_) > cost_.beyond) {
+    end(RolloutStatus::kOutdone,
+        fmt::format("objective and penalties reached {:.4g} at {:.3f} s in {}; of no use to the search from "
+                    "{:.4g} on",
+                    cost_so_far(cost_, metrics_), o.time, name(o.control->state), cost_.beyond));
+  }
+  return !ended_;
+}
+
+void RunningRollout::moved(const JointVector& q, const JointVector& qd, const std::string& failure) {
+  ++k_;
+  // Sums of what is not finite are not either.
+  const bool sane = (qd.array().abs() <= diverged_velocity_.array()).all() && std::isfinite(q.sum());
+  if (sane && failure.empty()) return;
+  const std::string why =
+      failure.empty() ? divergence(*scenario_.robot, q, qd) : fmt::format("the engine gave up: {}", failure);
+  if (why.empty()) return;
+  end(RolloutStatus::kDiverged,
+      fmt::format("diverged at {:.3f} s in {}: {}", observation_.time + scenario_.control_period,
+                  name(observation_.control->state), why));
+}
+
+RolloutResult RunningRollout::result() {
+  result_.end_time = k_ * scenario_.control_period;
+  result_.metrics = metrics_.result(scenario_.start_time + result_.end_time);
+  if (response_) response_->write(result_.metrics);
+  if (result_.status == RolloutStatus::kCompleted && !scenario_.planned &&
+      !(result_.metrics[Metric::kSamples] > 0.0)) {
+    result_.status = RolloutStatus::kNoSamples;
+    result_.reason = fmt::format(
+        "no period of {} s counted as tracking: followTrajectory was never held for "
+        "1 s outside a slerp; last state {}",
+        scenario_.duration, name(observation_.control->state));
+  }
+  return std::move(result_);
+}
+
+}  // namespace armtune

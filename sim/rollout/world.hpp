@@ -1,0 +1,22 @@
+#pragma once
+// What is around the arm in one control period. It waits for nobody: it is the same whatever the arm does.
+
+#include <vector>
+
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune {
+
+struct World {
+  double time = 0.0;                ///< [s]
+  std::size_t target = 0;           ///< index of the active target
+  MotionPoint<Vec3> target_motion;  ///< of the active target, stimulus included
+  MotionPoint<Vec3> on_path;        ///< of the tool's path, stimulus included
+  Vec3 path_shift = Vec3::Zero();   ///< by the stimulus
+  std::vector<Vec3> obstacles;      ///< centres
+};
+
+/// In the scenario's k-th period. Allocates nothing from the second call on.
+void world_at(const Scenario& scenario, int k, World& world);
+
+}  // namespace armtune

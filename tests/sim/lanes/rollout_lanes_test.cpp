@@ -1,0 +1,162 @@
+#include "sim/lanes/rollout_lanes.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/scenario/perturbation.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+using test::bits;
+using test::quick_gains;
+using test::scenario_of;
+
+std::vector<Processor> processors() {
+  std::vector<Processor> all;
+  for (const Processor p : {Processor::kAny, Processor::kAvx2, Processor::kAvx512}) {
+    if (p <= best_processor()) all.push_back(p);
+  }
+  return all;
+}
+
+LaneJob job_of(const Scenario& scenario, const Gains& gains) {
+  return {std::make_shared<const PreparedScenario>(scenario), gains};
+}
+
+RolloutResult alone(const LaneJob& job) {
+  return Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative).run(job.gains, {}, job.limits, job.cost);
+}
+
+/// All jobs through `lanes` lanes, refilled as they become free.
+std::vector<RolloutResult> side_by_side(const std::vector<LaneJob>& jobs, int lanes, Processor processor) {
+  std::vector<RolloutResult> results(jobs.size());
+  std::size_t obstacles = 0;
+  for (const LaneJob& job : jobs) obstacles = std::max(obstacles, job.scenario->scenario.obstacles.size());
+  RolloutLanes block(lane_kind(jobs[0].scenario->scenario, Stepper::kMidpoint, obstacles), lanes, processor);
+  std::vector<std::size_t> in_lane(static_cast<std::size_t>(block.lanes()));
+  std::size_t next = 0;
+  const auto fill = [&] {
+    for (int lane = block.free_lane(); lane >= 0 && next < jobs.size(); lane = block.free_lane()) {
+      in_lane[static_cast<std::size_t>(lane)] = next;
+      block.start(lane, jobs[next++]);
+    }
+  };
+  for (fill(); block.busy() > 0; fill()) {
+    block.step([&](int lane, RolloutResult&& result) {
+      results[in_lane[static_cast<std::size_t>(lane)]] = std::move(result);
+    });
+  }
+  return results;
+}
+
+void expect_the_same(const std::vector<LaneJob>& jobs) {
+  std::vector<RolloutResult> expected;
+  for (const LaneJob& job : jobs) expected.push_back(alone(job));
+  for (const Processor processor : processors()) {
+    for (const int lanes : {1, 3, 8}) {
+      const std::vector<RolloutResult> found = side_by_side(jobs, lanes, processor);
+      for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const std::string what = fmt::format("{}, {} lanes, {}", i, lanes, name(processor));
+        EXPECT_EQ(bits(found[i].metrics), bits(expected[i].metrics)) << what;
+        EXPECT_EQ(found[i].status, expected[i].status) << what;
+        EXPECT_EQ(found[i].reason, expected[i].reason) << what;
+        EXPECT_EQ(found[i].end_time, expected[i].end_time) << what;
+      }
+    }
+  }
+}
+
+/// Every gain a bit larger in each candidate.
+std::vector<LaneJob> candidates(const Scenario& scenario, int count) {
+  const auto prepared = std::make_shared<const PreparedScenario>(scenario);
+  std::vector<LaneJob> jobs;
+  for (int i = 0; i < count; ++i) {
+    Gains gains = quick_gains(scenario);
+    gains.task_space_gains_p *= 1.0 + 0.05 * i;
+    gains.slerpDurationErrorGain *= 1.0 + 0.1 * i;
+    gains.adaptation_gain *= 1.0 + 0.02 * i;
+    jobs.push_back({prepared, gains});
+  }
+  return jobs;
+}
+
+TEST(RolloutLanes, EveryRolloutIsTheOneAloneToTheBit) {
+  std::vector<LaneJob> jobs = candidates(scenario_of("moving_target", 6.0), 5);
+  // Others beside them, longer and shorter, which begin and end when they do.
+  for (const auto& [name, duration] :
+       {std::pair{"step_position", 9.0}, {"fixed_target", 5.0}, {"target_switch", 9.0}}) {
+    const Scenario other = scenario_of(name, duration);
+    jobs.push_back(job_of(other, quick_gains(other)));
+  }
+  expect_the_same(jobs);
+}
+
+TEST(RolloutLanes, NoiseCameraDelayFrictionAndObstaclesAreEachArmsOwn) {
+  const Scenario scenario = scenario_of("realistic_obstacle_pass", 8.0);
+  ASSERT_GT(scenario.plant.position_noise, 0.0);
+  std::vector<LaneJob> jobs = candidates(scenario, 3);
+  const Scenario without = scenario_of("realistic_fixed_target", 6.0);
+  ASSERT_LT(without.obstacles.size(), scenario.obstacles.size());
+  jobs.push_back(job_of(without, quick_gains(without)));
+  for (int sample = 0; sample < 4; ++sample) {
+    const Scenario other = perturbed(scenario, Perturbation{}, 7, static_cast<std::uint64_t>(sample));
+    jobs.push_back(job_of(other, quick_gains(scenario)));
+  }
+  expect_the_same(jobs);
+}
+
+TEST(RolloutLanes, ACameraSeesItsOwnTargets) {
+  std::vector<LaneJob> jobs = candidates(scenario_of("realistic_camera_target", 5.0), 2);
+  ASSERT_TRUE(jobs[0].scenario->scenario.camera);
+  jobs.push_back(job_of(scenario_of("moving_target", 5.0), jobs[0].gains));
+  expect_the_same(jobs);
+}
+
+TEST(RolloutLanes, TheExtendedLawDecidesArmByArm) {
+  const Scenario scenario = scenario_of("realistic_target_switch", 6.0);
+  Gains extended = load_gains("extended", joint_names(*scenario.robot));
+  std::vector<LaneJob> jobs = {job_of(scenario, quick_gains(scenario))};
+  for (int i = 0; i < 3; ++i) {
+    extended.velocity_margin = 0.5 + 0.1 * i;
+    extended.adaptation_leakage = 0.1 * i;
+    extended.adaptation_projection = i != 1;
+    jobs.push_back(job_of(scenario, extended));
+  }
+  expect_the_same(jobs);
+}
+
+TEST(RolloutLanes, OneThatDivergesOrEndsEarlyLeavesItsNeighboursAlone) {
+  const Scenario scenario = scenario_of("moving_target", 5.0);
+  std::vector<LaneJob> jobs = candidates(scenario, 4);
+  jobs[1].gains.task_space_gains_d *= -3.0;
+  jobs[2].limits = {{Metric::kJointVelocityMaxRatio, 0.2}};
+  jobs[3].cost.shares = {{Metric::kJointVelocityMaxRatio}};
+  jobs[3].cost.beyond = 0.25;
+  ASSERT_EQ(alone(jobs[1]).status, RolloutStatus::kDiverged);
+  ASSERT_EQ(alone(jobs[2]).status, RolloutStatus::kHopeless);
+  ASSERT_EQ(alone(jobs[3]).status, RolloutStatus::kOutdone);
+  expect_the_same(jobs);
+}
+
+TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
+  const Scenario scenario = scenario_of("moving_target", 1.0);
+  RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, 0), 2);
+  Scenario slower = scenario;
+  slower.control_period *= 2.0;
+  for (const Scenario& other : {scenario_of("obstacle_pass"), slower}) {
+    EXPECT_THROW(lanes.start(0, job_of(other, quick_gains(other))), std::invalid_argument);
+  }
+  EXPECT_EQ(lanes.busy(), 0);
+  lanes.start(1, job_of(scenario, quick_gains(scenario)));
+  EXPECT_EQ(lanes.busy(), 1);
+  EXPECT_EQ(lanes.free_lane(), 0);
+  lanes.clear();
+  EXPECT_EQ(lanes.busy(), 0);
+}
+
+}  // namespace
+}  // namespace armtune
