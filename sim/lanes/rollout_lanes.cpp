@@ -78,6 +78,10 @@ int RolloutLanes::free_lane() const {
   return -1;
 }
 
+void RolloutLanes::end_by(int lane, EndCost cost) {
+  lanes_[static_cast<std::size_t>(lane)]->job.cost = std::move(cost);
+}
+
 void RolloutLanes::clear() {
   for (auto& lane : lanes_) lane = nullptr;
   busy_ = 0;

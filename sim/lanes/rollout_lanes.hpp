@@ -46,6 +46,8 @@ class RolloutLanes {
 
   /// In a lane that is not busy. Throws std::invalid_argument if the job's scenario is not of this kind.
   void start(int lane, LaneJob job);
+  /// From now on the rollout in a busy lane ends by this cost.
+  void end_by(int lane, EndCost cost);
   /// One control period of every lane that is busy. `finished` gets what ends with it; it may start another
   /// rollout in that lane. Allocates nothing but for what ends.
   void step(const Finished& finished);

@@ -22,6 +22,7 @@ class SharedJobs final : public JobSource {
     if (number >= count_) return std::nullopt;
     return GivenJob{number, job_(number)};
   }
+  EndCost cost_now(std::size_t number) override { return job_(number).cost; }
   void finished(std::size_t number, RolloutResult&& result) override {
     const std::lock_guard lock(mutex_);
     finished_(number, std::move(result));

@@ -1,6 +1,7 @@
 #include "tuner/workers/lane_worker.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace armtune {
 namespace {
@@ -77,6 +78,14 @@ void LaneWorker::step(JobSource& jobs) {
       one.reset();
       jobs.finished(number, std::move(result));
     });
+  }
+  if (!some_ended) return;
+  // What has ended may show of others under way that they are of no use.
+  for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
+    const std::optional<InLane>& one = under_way_[lane];
+    if (one && one->job.job.cost.beyond < HUGE_VAL) {
+      lanes_->end_by(static_cast<int>(lane), jobs.cost_now(one->job.number));
+    }
   }
 }
 

@@ -23,6 +23,8 @@ class JobSource {
   virtual std::size_t share() const = 0;
   /// The next one to be started; none: there are no more, or no more are wanted.
   virtual std::optional<GivenJob> next() = 0;
+  /// Where one that was given out ends by its cost, by all that is finished now.
+  virtual EndCost cost_now(std::size_t number) = 0;
   /// One that was given out is done, or interrupted.
   virtual void finished(std::size_t number, RolloutResult&& result) = 0;
 };
