@@ -31,7 +31,7 @@ class TaskInverseT {
     }
     const T& m = manipulability_;
     // Not "below": a manipulability that is no number is damped as well.
-    undamped_ = n < 6 ? m < m : m >= damping.threshold;
+    undamped_ = n < 6 ? MaskT<T>{} : m >= damping.threshold;
     some_damped_ = !all(undamped_);
     if (some_damped_) damped_.compute(J_Jt(n < 6 ? damping.psi : damping.at(m)), 6);
   }

@@ -42,8 +42,7 @@ double cost_so_far(const EndCost& cost, const MetricAccumulator& metrics) {
 
 RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
                                const EndCost& cost)
-    : prepared_(prepared),
-      scenario_(prepared.scenario),
+    : scenario_(prepared.scenario),
       limits_(limits),
       cost_(cost),
       periods_(scenario_.periods()),

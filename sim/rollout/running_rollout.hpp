@@ -59,7 +59,6 @@ class RunningRollout {
  private:
   void end(RolloutStatus status, std::string reason);
 
-  const PreparedScenario& prepared_;
   const Scenario& scenario_;
   const EndLimits& limits_;
   const EndCost& cost_;

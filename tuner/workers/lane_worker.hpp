@@ -27,7 +27,7 @@ class LaneWorker : public Worker {
     RunningTime time;
   };
   void fill(JobSource& jobs, const std::atomic<bool>& stop);
-  void start(GivenJob&& job);
+  void start(GivenJob&& one);
   bool fits(const RolloutJob& job, std::size_t share);
   void step(JobSource& jobs);
   void check_deadlines();
