@@ -1,4 +1,4 @@
-// Every kernel that runs in a control period, on the bundled UR10.
+// Every kernel that runs in a control period, and whole periods, on the bundled UR10.
 
 #include <benchmark/benchmark.h>
 
@@ -8,6 +8,7 @@
 #include "core/robot/dynamics.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
+#include "sim/lanes/rollout_lanes.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/scenario.hpp"
 
@@ -74,7 +75,7 @@ void forward_dynamics(benchmark::State& state) {
   JointVector qdd;
   for (auto _ : state) {
     f.q[0] += 1e-6;
-    armtune::relative_poses(f.chain, f.q, f.poses);
+    armtune::body_poses(f.chain, f.q, f.poses);
     armtune::forward_dynamics(f.chain, f.poses, f.qd, f.qddr, work, qdd);
     benchmark::DoNotOptimize(qdd);
   }
@@ -129,5 +130,18 @@ void controller_update(benchmark::State& state) {
   }
 }
 BENCHMARK(controller_update);
+
+/// Sensors, controller, two accelerations and metrics of rollouts side by side; items are arms.
+void native_period(benchmark::State& state) {
+  Scenario scenario = load_scenario("moving_target");
+  scenario.duration = 1e6;
+  const Gains gains = load_gains("published", joint_names(*scenario.robot));
+  const auto prepared = std::make_shared<const PreparedScenario>(scenario);
+  RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, 0), static_cast<int>(state.range(0)));
+  while (lanes.free_lane() >= 0) lanes.start(lanes.free_lane(), {prepared, gains});
+  for (auto _ : state) lanes.step([](int, RolloutResult&&) {});
+  state.SetItemsProcessed(state.iterations() * lanes.lanes());
+}
+BENCHMARK(native_period)->Arg(2)->Arg(4)->Arg(8);
 
 }  // namespace

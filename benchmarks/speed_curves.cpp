@@ -97,7 +97,7 @@ void measure_joints(const Scenario& scenario, const Gains& six) {
     const JointVector torque = JointVector::Zero(n);
     const double accelerations = least_seconds(15, [&] {
       for (const JointState& state : states) {
-        relative_poses(model->chain, state.q, poses);
+        body_poses(model->chain, state.q, poses);
         forward_dynamics(model->chain, poses, state.qd, torque, work, qdd);
       }
     });

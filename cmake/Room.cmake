@@ -4,6 +4,8 @@
 
 add_library(armtune_options INTERFACE)
 target_compile_options(armtune_options INTERFACE
+  # Every operation rounds: one arm alone is, to the bit, the same arm beside others (sim/lanes).
+  -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-psabi $<$<BOOL:${ARMTUNE_WERROR}>:-Werror>
   # g++ 12 warns of overlapping copies inside its own std::string (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)

@@ -96,7 +96,7 @@ peers::Peer load(const std::string& urdf) {
     Arm::set(a.q, s.q);
     Arm::set(a.qd, s.qd);
     Arm::set(a.tau, s.tau);
-    relative_poses(a.model.chain, a.q, a.poses);
+    body_poses(a.model.chain, a.q, a.poses);
     forward_dynamics(a.model.chain, a.poses, a.qd, a.tau, a.work, a.qdd);
   };
   return {"armtune",

@@ -28,7 +28,7 @@ void sines_and_cosines(const JointVectorT<T>& x, JointVectorT<T>& sines, JointVe
 }
 inline void sines_and_cosines(const JointVector& x, JointVector& sines, JointVector& cosines) {
   const Eigen::Index n = x.size();
-  if (!(x.cwiseAbs().maxCoeff() <= vector_math::kLargestAngle))
+  if (!(x.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= vector_math::kLargestAngle))
     return each_sine_and_cosine(x, sines, cosines);
   sines.resize(n);
   cosines.resize(n);

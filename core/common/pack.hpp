@@ -4,11 +4,13 @@
 // width compiles for any processor.
 
 #include <Eigen/Core>
+#include <bit>
+#include <cstdint>
+#include <limits>
 
 #include "core/common/joint_math.hpp"
 #include "core/common/select.hpp"
 #include "core/robot/friction.hpp"
-#include "core/robot/twin_vectors.hpp"
 
 namespace armtune {
 
@@ -67,7 +69,9 @@ Pack<W> select(const typename Pack<W>::Mask& where, const Pack<W>& a, const Pack
 
 template <int W>
 Pack<W> abs(const Pack<W>& x) {
-  return select<W>(x < Pack<W>(0.0), -x, x);
+  using Mask = typename Pack<W>::Mask;
+  constexpr auto kMagnitude = std::numeric_limits<std::int64_t>::max();  // every bit but the sign
+  return Pack<W>(std::bit_cast<typename Pack<W>::Register>(std::bit_cast<Mask>(x.values()) & kMagnitude));
 }
 template <int W>
 Pack<W> sqrt(const Pack<W>& x) {
@@ -107,19 +111,6 @@ template <int W>
 Pack<W> coulomb_direction(const Pack<W>& qd) {
   return Pack<W>(1.0 - 2.0 / (1.0 + vector_math::exponential(qd.values() * (2.0 / kCoulombVelocity))));
 }
-
-/// Packs fill their registers: the rotation is kept once, and every entry loaded where it is used.
-template <int W>
-class TwinRotationT<Pack<W>> {
- public:
-  using T = Pack<W>;
-  TwinRotationT() = default;
-  explicit TwinRotationT(const Mat3T<T>& R) : R_(R) {}
-  TwinVec3T<T> row(int i) const { return TwinVec3T<T>::both(Vec3T<T>(R_(i, 0), R_(i, 1), R_(i, 2))); }
-
- private:
-  Mat3T<T> R_;
-};
 
 }  // namespace armtune
 

@@ -18,9 +18,12 @@ class Twin {
   friend Twin operator+(const Twin& a, const Twin& b) { return {a.first_ + b.first_, a.second_ + b.second_}; }
   friend Twin operator-(const Twin& a, const Twin& b) { return {a.first_ - b.first_, a.second_ - b.second_}; }
   friend Twin operator*(const Twin& a, const Twin& b) { return {a.first_ * b.first_, a.second_ * b.second_}; }
+  friend Twin operator*(const Twin& a, const T& b) { return {a.first_ * b, a.second_ * b}; }
   Twin operator-() const { return {-first_, -second_}; }
   Twin& operator+=(const Twin& b) { return *this = *this + b; }
   Twin& operator-=(const Twin& b) { return *this = *this - b; }
+  void add_first(const T& x) { first_ += x; }
+  void add_second(const T& x) { second_ += x; }
 
  private:
   T first_, second_;
@@ -39,9 +42,13 @@ class Twin<double> {
   friend Twin operator+(Twin a, Twin b) { return Twin(a.v_ + b.v_); }
   friend Twin operator-(Twin a, Twin b) { return Twin(a.v_ - b.v_); }
   friend Twin operator*(Twin a, Twin b) { return Twin(a.v_ * b.v_); }
+  friend Twin operator*(Twin a, double b) { return Twin(a.v_ * b); }
   Twin operator-() const { return Twin(-v_); }
   Twin& operator+=(Twin b) { return *this = *this + b; }
   Twin& operator-=(Twin b) { return *this = *this - b; }
+  // The other one stays to the bit: y - 0 is y, where y + 0 makes 0 of -0.
+  void add_first(double x) { v_ -= Register{-x, 0.0}; }
+  void add_second(double x) { v_ -= Register{0.0, -x}; }
 
  private:
   using Register = double __attribute__((vector_size(16)));

@@ -167,7 +167,9 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   // The integral stays empty while a slerp runs: it would wind up on an error that is meant to be there.
   if (gaze.slerping) integral_.setZero();
   CartesianErrors& x = out_.errors;
-  x.pose << arm.p_0T - out_.desired.position, -rotation_log(gaze.desired.orientation * Q_0T.conjugate());
+  // Outside a slerp the way to the desired orientation is the turn onto the target itself.
+  x.pose << arm.p_0T - out_.desired.position,
+      gaze.slerping ? Vec3(-rotation_log(gaze.desired.orientation * Q_0T.conjugate())) : Vec3(-gaze.turn);
   x.desired_rate << out_.desired.velocity, gaze.desired.angular_velocity;
   x.desired_accel << out_.desired.acceleration, gaze.desired.angular_acceleration;
   x.rate = arm.twist - x.desired_rate;

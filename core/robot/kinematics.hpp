@@ -5,6 +5,7 @@
 #include "core/common/joint_math.hpp"
 #include "core/common/products.hpp"
 #include "core/robot/chain.hpp"
+#include "core/robot/twin_vectors.hpp"
 
 namespace armtune {
 
@@ -46,17 +47,28 @@ void relative_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>&
   }
 }
 
-/// Poses of all bodies and of the tool at q (n) [rad, m].
+/// Poses of all bodies at q (n) [rad, m]: all of `poses` but the tool.
 template <typename T>
-void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
+void body_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
   relative_poses(chain, q, poses);
   poses.R_0B[0] = poses.R_PB[0];
   poses.p_0B[0] = poses.p_PB[0];
   for (int i = 1; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    poses.R_0B[k] = times(poses.R_0B[k - 1], poses.R_PB[k]);
-    poses.p_0B[k] = poses.p_0B[k - 1] + times(poses.R_0B[k - 1], poses.p_PB[k]);
+    const Mat3T<T>& R = poses.R_PB[k];
+    const TwinVec3T<T> xy = times(poses.R_0B[k - 1], TwinVec3T<T>(R.col(0), R.col(1)));
+    const TwinVec3T<T> z_p = times(poses.R_0B[k - 1], TwinVec3T<T>(R.col(2), poses.p_PB[k]));
+    poses.R_0B[k].col(0) = xy.first();
+    poses.R_0B[k].col(1) = xy.second();
+    poses.R_0B[k].col(2) = z_p.first();
+    poses.p_0B[k] = poses.p_0B[k - 1] + z_p.second();
   }
+}
+
+/// Poses of all bodies and of the tool at q (n) [rad, m].
+template <typename T>
+void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
+  body_poses(chain, q, poses);
   const auto last = static_cast<std::size_t>(chain.n - 1);
   poses.R_0T = times(poses.R_0B[last], chain.R_BT);
   poses.p_0T = poses.p_0B[last] + times(poses.R_0B[last], chain.p_BT);
@@ -67,7 +79,8 @@ void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT
 template <typename T>
 void point_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, int body, const Vec3T<T>& p_0,
                     JacobianT<T>& J) {
-  J.setZero(6, chain.n);
+  J.resize(6, chain.n);
+  J.rightCols(chain.n - 1 - body).setZero();
   for (int i = 0; i <= body; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Vec3T<T> z = poses.R_0B[k].col(2);
@@ -76,6 +89,7 @@ void point_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, int body, co
       J.col(i).template tail<3>() = z;
     } else {
       J.col(i).template head<3>() = z;
+      J.col(i).template tail<3>().setZero();
     }
   }
 }

@@ -22,7 +22,6 @@ namespace armtune {
 template <typename T>
 struct SlotineLiT {
   int n = 0;
-  std::array<TwinRotationT<T>, kMaxJoints> R_PB;
   std::array<TwinVec3T<T>, kMaxJoints> velocity;      ///< (v, w)
   std::array<TwinVec3T<T>, kMaxJoints> reference;     ///< (vr, wr)
   std::array<TwinVec3T<T>, kMaxJoints> acceleration;  ///< (e, a), effective, gravity included
@@ -42,32 +41,30 @@ void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   s.qdr = qdr;
   s.qddr = qddr;
   coulomb_directions(qd, s.coulomb);
-  const T zero(0);
   TwinVec3T<T> V = TwinVec3T<T>::zero();
   TwinVec3T<T> Vr = TwinVec3T<T>::zero();
   TwinVec3T<T> A(Vec3T<T>(-chain.gravity), Vec3T<T>::Zero());  // spatial reference acceleration
   for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Vec3T<T>& p = poses.p_PB[k];
-    const TwinRotationT<T> R(poses.R_PB[k]);
-    s.R_PB[k] = R;
+    const Mat3T<T>& R = poses.R_PB[k];
     V.add_first(V.second().cross(p));
     Vr.add_first(Vr.second().cross(p));
     A.add_first(A.second().cross(p));
-    V = back(R, V);
-    Vr = back(R, Vr);
-    A = back(R, A);
+    V = transposed_times(R, V);
+    Vr = transposed_times(R, Vr);
+    A = transposed_times(R, A);
     // v_i x S qr' with S along z (the velocity's own S q' part drops out of it).
     if (chain.motion[k] == JointMotion::kRevolute) {
       A += Twin<T>::both(qdr[i]) * V.cross_axis();
-      A.z += Twin<T>(zero, qddr[i]);
-      V.z += Twin<T>(zero, qd[i]);
-      Vr.z += Twin<T>(zero, qdr[i]);
+      A.z.add_second(qddr[i]);
+      V.z.add_second(qd[i]);
+      Vr.z.add_second(qdr[i]);
     } else {
       const Vec3T<T> w = V.second();
       A.add_first(Vec3T<T>(w.y() * qdr[i], -w.x() * qdr[i], qddr[i]));
-      V.z += Twin<T>(qd[i], zero);
-      Vr.z += Twin<T>(qdr[i], zero);
+      V.z.add_first(qd[i]);
+      Vr.z.add_first(qdr[i]);
     }
     s.velocity[k] = V;
     s.reference[k] = Vr;
@@ -113,7 +110,7 @@ void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const Slo
     const auto joint = theta.template segment<kJointParameters>(joint_parameter_index(s.n, i));
     tau[i] = (chain.motion[k] == JointMotion::kRevolute ? F.z.second() : F.z.first()) + joint[0] * s.qddr[i] +
              joint[1] * s.qd[i] + joint[2] * s.coulomb[i];
-    F = s.R_PB[k] * F;
+    F = times(poses.R_PB[k], F);
     F.add_second(poses.p_PB[k].cross(F.first()));
   }
 }

@@ -28,8 +28,16 @@ struct TwinVec3T {
   friend TwinVec3T operator*(const Twin<T>& s, const TwinVec3T& v) { return {s * v.x, s * v.y, s * v.z}; }
   TwinVec3T& operator+=(const TwinVec3T& b) { return *this = *this + b; }
   /// Adds to the first, or to the second.
-  void add_first(const Vec3T<T>& v) { *this += TwinVec3T(v, Vec3T<T>::Zero()); }
-  void add_second(const Vec3T<T>& v) { *this += TwinVec3T(Vec3T<T>::Zero(), v); }
+  void add_first(const Vec3T<T>& v) {
+    x.add_first(v[0]);
+    y.add_first(v[1]);
+    z.add_first(v[2]);
+  }
+  void add_second(const Vec3T<T>& v) {
+    x.add_second(v[0]);
+    y.add_second(v[1]);
+    z.add_second(v[2]);
+  }
 
   TwinVec3T cross(const TwinVec3T& b) const {
     return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
@@ -48,7 +56,17 @@ struct TwinSymmetric3T {
   TwinVec3T<T> operator*(const TwinVec3T<T>& v) const {
     return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
   }
-  TwinVec3T<T> z_column() const { return {xz, yz, zz}; }
+  /// The first of the two times v, and the second.
+  Vec3T<T> first_times(const Vec3T<T>& v) const {
+    return {xx.first() * v[0] + xy.first() * v[1] + xz.first() * v[2],
+            xy.first() * v[0] + yy.first() * v[1] + yz.first() * v[2],
+            xz.first() * v[0] + yz.first() * v[1] + zz.first() * v[2]};
+  }
+  Vec3T<T> second_times(const Vec3T<T>& v) const {
+    return {xx.second() * v[0] + xy.second() * v[1] + xz.second() * v[2],
+            xy.second() * v[0] + yy.second() * v[1] + yz.second() * v[2],
+            xz.second() * v[0] + yz.second() * v[1] + zz.second() * v[2]};
+  }
   void operator+=(const TwinSymmetric3T& b) {
     xx += b.xx;
     xy += b.xy;
@@ -68,38 +86,17 @@ struct TwinSymmetric3T {
   }
 };
 
-/// One rotation for both. Of doubles each entry fills a register twice.
+/// R v of both.
 template <typename T>
-class TwinRotationT {
- public:
-  TwinRotationT() = default;
-  explicit TwinRotationT(const Mat3T<T>& R)
-      : row_{TwinVec3T<T>::both(R.row(0)), TwinVec3T<T>::both(R.row(1)), TwinVec3T<T>::both(R.row(2))} {}
-
-  TwinVec3T<T> row(int i) const { return row_[i]; }
-
- private:
-  TwinVec3T<T> row_[3];
-};
-
-template <typename T>
-[[gnu::always_inline]] inline TwinVec3T<T> operator*(const TwinRotationT<T>& R, const TwinVec3T<T>& v) {
-  return {R.row(0).dot(v), R.row(1).dot(v), R.row(2).dot(v)};
+[[gnu::always_inline]] inline TwinVec3T<T> times(const Mat3T<T>& R, const TwinVec3T<T>& v) {
+  return {v.x * R(0, 0) + v.y * R(0, 1) + v.z * R(0, 2), v.x * R(1, 0) + v.y * R(1, 1) + v.z * R(1, 2),
+          v.x * R(2, 0) + v.y * R(2, 1) + v.z * R(2, 2)};
 }
-/// R^T v.
+/// R^T v of both.
 template <typename T>
-[[gnu::always_inline]] inline TwinVec3T<T> back(const TwinRotationT<T>& R, const TwinVec3T<T>& v) {
-  return v.x * R.row(0) + v.y * R.row(1) + v.z * R.row(2);
-}
-/// R S R^T.
-template <typename T>
-[[gnu::always_inline]] inline TwinSymmetric3T<T> rotated(const TwinRotationT<T>& R,
-                                                         const TwinSymmetric3T<T>& S) {
-  const TwinVec3T<T> a = S * R.row(0);
-  const TwinVec3T<T> b = S * R.row(1);
-  const TwinVec3T<T> c = S * R.row(2);
-  return {R.row(0).dot(a), R.row(0).dot(b), R.row(0).dot(c),
-          R.row(1).dot(b), R.row(1).dot(c), R.row(2).dot(c)};
+[[gnu::always_inline]] inline TwinVec3T<T> transposed_times(const Mat3T<T>& R, const TwinVec3T<T>& v) {
+  return {v.x * R(0, 0) + v.y * R(1, 0) + v.z * R(2, 0), v.x * R(0, 1) + v.y * R(1, 1) + v.z * R(2, 1),
+          v.x * R(0, 2) + v.y * R(1, 2) + v.z * R(2, 2)};
 }
 
 /// One 3 x 3 matrix by its columns, the upper two rows of each as a twin.
@@ -114,24 +111,25 @@ struct SplitMat3T {
   }
   /// Entry (i, j).
   T operator()(int i, int j) const { return i == 0 ? top[j].first() : i == 1 ? top[j].second() : bottom[j]; }
-  Vec3T<T> column(int j) const { return {top[j].first(), top[j].second(), bottom[j]}; }
-  Vec3T<T> last_row() const { return {bottom[0], bottom[1], bottom[2]}; }
-};
+  Vec3T<T> operator*(const Vec3T<T>& v) const {
+    const Twin<T> upper = top[0] * v[0] + top[1] * v[1] + top[2] * v[2];
+    return {upper.first(), upper.second(), bottom[0] * v[0] + bottom[1] * v[1] + bottom[2] * v[2]};
+  }
+  /// The transposed times v.
+  Vec3T<T> transposed_times(const Vec3T<T>& v) const {
+    return {dot3(column(0), v), dot3(column(1), v), dot3(column(2), v)};
+  }
+  /// Takes a b^T away.
+  void subtract_product(const Vec3T<T>& a, const Vec3T<T>& b) {
+    const Twin<T> upper(a[0], a[1]);
+    for (int j = 0; j < 3; ++j) {
+      top[j] -= upper * b[j];
+      bottom[j] -= a[2] * b[j];
+    }
+  }
 
-/// R B R^T.
-template <typename T>
-[[gnu::always_inline]] inline SplitMat3T<T> rotated(const TwinRotationT<T>& R2, const Mat3T<T>& R,
-                                                    const SplitMat3T<T>& B) {
-  // R B, whose columns 0 and 1 are the twins here.
-  const TwinVec3T<T> left({B.top[0].first(), B.top[1].first()}, {B.top[0].second(), B.top[1].second()},
-                          {B.bottom[0], B.bottom[1]});
-  const Vec3T<T> right = B.column(2);
-  const TwinVec3T<T> RB = R2 * left;
-  const Vec3T<T> RB_2 = times(R, right);
-  const TwinVec3T<T> rows({RB.x.first(), RB.y.first()}, {RB.x.second(), RB.y.second()}, {RB_2[0], RB_2[1]});
-  const Vec3T<T> last(RB.z.first(), RB.z.second(), RB_2[2]);
-  const Vec3T<T> bottom = times(R, last);
-  return {{R2.row(0).dot(rows), R2.row(1).dot(rows), R2.row(2).dot(rows)}, {bottom[0], bottom[1], bottom[2]}};
-}
+ private:
+  Vec3T<T> column(int j) const { return {top[j].first(), top[j].second(), bottom[j]}; }
+};
 
 }  // namespace armtune

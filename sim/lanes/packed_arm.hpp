@@ -155,7 +155,7 @@ class PackedArm final : public ArmLanes {
     integrate(
         stepper_, T(period_),
         [&](const Joints& q, const Joints& qd, Joints& qdd) {
-          if (poses == nullptr) relative_poses(plant_, q, stage_poses_);
+          if (poses == nullptr) body_poses(plant_, q, stage_poses_);
           forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, dynamics_, qdd);
           poses = nullptr;  // only the first stage is where the step starts
         },

@@ -14,7 +14,7 @@ class NativePlant final : public SteppedPlant {
 
   void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
                      JointVector& qdd) override {
-    relative_poses(chain_, q, poses_);
+    body_poses(chain_, q, poses_);
     forward_dynamics(chain_, poses_, qd, torque, dynamics_, qdd);
   }
 

@@ -19,7 +19,7 @@ constexpr int kSamples = 20;
 JointVector forward_dynamics_at(const Chain& chain, const JointVector& q, const JointVector& qd,
                                 const JointVector& torque) {
   Poses poses;
-  relative_poses(chain, q, poses);
+  body_poses(chain, q, poses);
   ForwardDynamics work;
   JointVector qdd;
   forward_dynamics(chain, poses, qd, torque, work, qdd);
@@ -62,7 +62,7 @@ TEST(ForwardDynamics, SolvesTheMassMatrixWithAndWithoutRotors) {
   }
 }
 
-TEST(ForwardDynamics, NeedsNothingButRelativePosesAndKeepsNothing) {
+TEST(ForwardDynamics, NeedsNothingButBodyPosesAndKeepsNothing) {
   const RobotModel arm = test::ur10();
   std::mt19937 generator(803);
   const JointVector q = test::random_configuration(generator, arm);

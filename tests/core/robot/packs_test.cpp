@@ -169,7 +169,7 @@ TEST(Packs, OfEightAreEachArmAlone) {
 TEST(Packs, TakeTheSlowWayWithAnArmFarOutAlone) {
   using T = Pack<4>;
   JointVectorT<T> x(2), sines, cosines;
-  const double angles[2][4] = {{0.3, 2e5, -1.0, NAN}, {1.0, 0.5, 3.0, 0.2}};
+  const double angles[2][4] = {{0.3, 2e5, -1.0, NAN}, {1.0, 0.5, NAN, 0.2}};
   for (int i = 0; i < 2; ++i) {
     for (int lane = 0; lane < 4; ++lane) x[i].set(lane, angles[i][lane]);
   }
@@ -194,6 +194,8 @@ TEST(Packs, MasksHoldSomewhereEverywhereOrNowhere) {
   EXPECT_FALSE(any(x > Pack<4>(2.0)));
   EXPECT_EQ(select(x > Pack<4>(0.0), Pack<4>(5.0), Pack<4>(7.0))[2], 7.0);
   EXPECT_TRUE(std::signbit(Pack<4>(-0.0)[1]));
+  EXPECT_FALSE(std::signbit(abs(Pack<4>(-0.0))[1]));
+  EXPECT_EQ(abs(x)[2], 1.0);
 }
 
 }  // namespace
