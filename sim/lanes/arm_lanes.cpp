@@ -6,10 +6,22 @@ namespace armtune {
 
 Processor best_processor() {
 #if defined(ARMTUNE_LANES_X86)
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return Processor::kAvx512;
+  // All that the file is compiled for (sim/CMakeLists.txt).
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma")) {
+    return Processor::kAvx512;
+  }
   if (__builtin_cpu_supports("avx2")) return Processor::kAvx2;
 #endif
   return Processor::kAny;
+}
+
+bool runs_here(Processor processor) {
+#if defined(ARMTUNE_LANES_X86)
+  return processor <= best_processor();
+#else
+  return processor <= Processor::kAvx512;  // all kernels are compiled for any processor
+#endif
 }
 
 int most_lanes(Processor processor) {

@@ -16,4 +16,7 @@ constexpr const char* name(Processor processor) {
 /// The best kind that this program has kernels for and this machine can run.
 Processor best_processor();
 
+/// Whether this machine can run the kernels of that kind, as they are compiled in this program.
+bool runs_here(Processor processor);
+
 }  // namespace armtune

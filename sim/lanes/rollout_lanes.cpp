@@ -28,6 +28,9 @@ const double* numbers_of(std::span<const Vec3> points) {
 }  // namespace
 
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles) {
+  if (stepper == Stepper::kReference) {
+    throw std::invalid_argument("the stepper 'reference' is Simbody's own");
+  }
   const Chain& chain = scenario.robot->chain;
   return {chain.n, chain.motion, most_obstacles, scenario.control_period, stepper};
 }
@@ -82,11 +85,6 @@ void RolloutLanes::end_by(int lane, EndCost cost) {
   lanes_[static_cast<std::size_t>(lane)]->job.cost = std::move(cost);
 }
 
-void RolloutLanes::clear() {
-  for (auto& lane : lanes_) lane = nullptr;
-  busy_ = 0;
-}
-
 void RolloutLanes::start(int lane, LaneJob job) {
   const Scenario& own = job.scenario->scenario;
   if (own.obstacles.size() > kind_.most_obstacles ||
@@ -94,6 +92,8 @@ void RolloutLanes::start(int lane, LaneJob job) {
     throw std::invalid_argument(own.name + " is not of the kind of these lanes");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
+  if (place) throw std::invalid_argument("the lane for " + own.name + " is busy");
+  const FlushDenormals flush;  // as the rollout alone is begun
   const bool first = busy_ == 0;
   place = std::make_unique<Lane>(std::move(job));
   ++busy_;
@@ -202,7 +202,7 @@ void RolloutLanes::act() {
   arms_->observe(exact_);
 }
 
-void RolloutLanes::move(const Finished& finished) {
+void RolloutLanes::move() {
   std::array<bool, kMostLanes> moving{};
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
@@ -231,7 +231,6 @@ void RolloutLanes::move(const Finished& finished) {
       arms_->get_state(l, lane->q.data(), lane->qd.data());
       lane->running.moved(lane->q, lane->qd, {});
     }
-    if (!lane->running.goes_on()) end(l, finished);
   }
 }
 
@@ -244,11 +243,16 @@ void RolloutLanes::end(int lane, const Finished& finished) {
 
 void RolloutLanes::step(const Finished& finished) {
   if (busy_ == 0) return;
-  const FlushDenormals flush;
-  sense();
-  control();
-  act();
-  move(finished);
+  {
+    const FlushDenormals flush;
+    sense();
+    control();
+    act();
+    move();
+  }
+  for (int l = 0; l < lanes(); ++l) {
+    if (is_busy(l) && !lanes_[static_cast<std::size_t>(l)]->running.goes_on()) end(l, finished);
+  }
 }
 
 }  // namespace armtune

@@ -16,7 +16,8 @@
 
 namespace armtune {
 
-/// What may share lanes with a scenario. most_obstacles: at least its own.
+/// What may share lanes with a scenario. most_obstacles: at least its own. Throws std::invalid_argument for
+/// the stepper kReference.
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles);
 
 struct LaneJob {
@@ -44,15 +45,14 @@ class RolloutLanes {
   /// A lane that is not busy; -1: none.
   int free_lane() const;
 
-  /// In a lane that is not busy. Throws std::invalid_argument if the job's scenario is not of this kind.
+  /// In a lane that is not busy. Throws std::invalid_argument if it is, or if the job's scenario is not of
+  /// this kind.
   void start(int lane, LaneJob job);
   /// From now on the rollout in a busy lane ends by this cost.
   void end_by(int lane, EndCost cost);
   /// One control period of every lane that is busy. `finished` gets what ends with it; it may start another
   /// rollout in that lane. Allocates nothing but for what ends.
   void step(const Finished& finished);
-  /// Gives up what is under way.
-  void clear();
 
  private:
   struct Lane;
@@ -60,7 +60,7 @@ class RolloutLanes {
   void sense();
   void control();
   void act();
-  void move(const Finished& finished);
+  void move();
   void end(int lane, const Finished& finished);
 
   LaneKind kind_;

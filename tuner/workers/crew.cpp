@@ -22,6 +22,7 @@ class SharedJobs final : public JobSource {
     if (number >= count_) return std::nullopt;
     return GivenJob{number, job_(number)};
   }
+  bool stopped() override { return stop_; }
   EndCost cost_now(std::size_t number) override { return job_(number).cost; }
   void finished(std::size_t number, RolloutResult&& result) override {
     const std::lock_guard lock(mutex_);
@@ -63,7 +64,7 @@ void Crew::run(std::size_t count, const std::function<RolloutJob(std::size_t)>& 
   SharedJobs jobs(count, workers_.size(), job, stop, count_and_finish);
   parallel_for(workers_.size(), this->count(), stop, [&](std::size_t, std::size_t worker) {
     try {
-      workers_[worker]->work(jobs, stop);
+      workers_[worker]->work(jobs);
     } catch (...) {
       jobs.close();
       throw;

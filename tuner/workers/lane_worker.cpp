@@ -2,102 +2,158 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
+
+#include "sim/lanes/rollout_lanes.hpp"
+#include "tuner/workers/patience.hpp"
 
 namespace armtune {
 namespace {
 
-/// Between two looks at clock and `stop`: as long as a few periods of one arm in Simbody.
+/// Between two looks at clock and stop: as long as a few periods of one arm in Simbody.
 constexpr int kPeriodsAtOnce = 16;
+
+/// Lanes for jobs of one kind.
+class Block {
+ public:
+  explicit Block(const LaneKind& kind)
+      : kind_(kind), lanes_(kind, most_lanes(best_processor())), under_way_(lane_count()) {}
+
+  const LaneKind& kind() const { return kind_; }
+  std::size_t busy() const { return static_cast<std::size_t>(lanes_.busy()); }
+  bool is_full() const { return lanes_.free_lane() < 0; }
+
+  void start(std::shared_ptr<const PreparedScenario> scenario, GivenJob&& one) {
+    const int lane = lanes_.free_lane();
+    const RolloutJob& job = one.job;
+    lanes_.start(lane, {std::move(scenario), job.gains, job.limits, job.cost});
+    under_way_[static_cast<std::size_t>(lane)].emplace(InLane{std::move(one), {}});
+  }
+
+  /// Some control periods, until a rollout ends.
+  void step(JobSource& jobs) {
+    bool some_ended = false;
+    for (int i = 0; i < kPeriodsAtOnce && busy() > 0 && !some_ended; ++i) {
+      lanes_.step([&](int lane, RolloutResult&& result) {
+        some_ended = true;
+        std::optional<InLane>& one = under_way_[static_cast<std::size_t>(lane)];
+        const std::size_t number = one->job.number;
+        one.reset();
+        jobs.finished(number, std::move(result));
+      });
+    }
+  }
+
+  /// What has ended elsewhere may show that some here are of no use.
+  void end_outdone(JobSource& jobs) {
+    for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
+      const std::optional<InLane>& one = under_way_[lane];
+      if (one && one->job.job.cost.beyond < HUGE_VAL) {
+        lanes_.end_by(static_cast<int>(lane), jobs.cost_now(one->job.number));
+      }
+    }
+  }
+
+  void check_deadlines(const RolloutPlan& plan, const SingleRollouts& alone) {
+    for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
+      std::optional<InLane>& one = under_way_[lane];
+      if (!one) continue;
+      // Side by side a rollout takes longer than alone, all of them together less.
+      const auto arms = static_cast<int>(under_way_.size());
+      if (one->time.look() > arms * deadline_of(plan, plan.scenarios[one->job.job.scenario])) {
+        throw alone.late(one->job.job, arms, lanes_.time(static_cast<int>(lane)));
+      }
+    }
+  }
+
+  void interrupt(JobSource& jobs) const {
+    for (const std::optional<InLane>& one : under_way_) {
+      RolloutResult interrupted;
+      interrupted.status = RolloutStatus::kInterrupted;
+      if (one) jobs.finished(one->job.number, std::move(interrupted));
+    }
+  }
+
+ private:
+  struct InLane {
+    GivenJob job;
+    RunningTime time;
+  };
+  std::size_t lane_count() const { return static_cast<std::size_t>(lanes_.lanes()); }
+
+  LaneKind kind_;
+  RolloutLanes lanes_;
+  std::vector<std::optional<InLane>> under_way_;  ///< per lane
+};
+
+/// The jobs of one call to work().
+class SideBySide {
+ public:
+  SideBySide(const RolloutPlan& plan, SingleRollouts& alone, JobSource& jobs)
+      : plan_(plan), alone_(alone), jobs_(jobs) {
+    for (const Scenario& scenario : plan.scenarios) {
+      most_obstacles_ = std::max(most_obstacles_, scenario.obstacles.size());
+    }
+  }
+
+  void work() {
+    for (fill(); busy() > 0; fill()) {
+      if (jobs_.stopped()) return each([this](Block& block) { block.interrupt(jobs_); });
+      const std::size_t before = busy();
+      each([this](Block& block) { block.step(jobs_); });
+      if (busy() < before) each([this](Block& block) { block.end_outdone(jobs_); });
+      each([this](Block& block) { block.check_deadlines(plan_, alone_); });
+    }
+  }
+
+ private:
+  template <typename F>
+  void each(F f) {
+    for (const auto& block : blocks_) f(*block);
+  }
+  std::size_t busy() const {
+    std::size_t sum = 0;
+    for (const auto& block : blocks_) sum += block->busy();
+    return sum;
+  }
+  /// Whether the next job can begin at once, whatever its kind: none is taken from others that could not.
+  bool has_room() const {
+    const bool some_full =
+        std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) { return block->is_full(); });
+    return !some_full && busy() < jobs_.share();
+  }
+  Block& block_of(const RolloutJob& job) {
+    const LaneKind kind = lane_kind(plan_.scenarios[job.scenario], plan_.stepper, most_obstacles_);
+    for (const auto& block : blocks_) {
+      if (block->kind() == kind) return *block;
+    }
+    return *blocks_.emplace_back(std::make_unique<Block>(kind));
+  }
+  void fill() {
+    while (has_room()) {
+      std::optional<GivenJob> one = jobs_.next();
+      if (!one) return;
+      if (one->job.engine != Engine::kNative || jobs_.share() == 1) {
+        jobs_.finished(one->number, alone_.run(one->job, [this] { return jobs_.stopped(); }));
+        continue;
+      }
+      auto scenario = alone_.arms().at(one->job.scenario, one->job.sample);
+      block_of(one->job).start(std::move(scenario), std::move(*one));
+    }
+  }
+
+  const RolloutPlan& plan_;
+  SingleRollouts& alone_;
+  JobSource& jobs_;
+  std::size_t most_obstacles_ = 0;
+  std::vector<std::unique_ptr<Block>> blocks_;
+};
 
 }  // namespace
 
-LaneWorker::LaneWorker(const RolloutPlan& plan) : plan_(plan), alone_(plan) {
-  for (const Scenario& scenario : plan.scenarios) {
-    most_obstacles_ = std::max(most_obstacles_, scenario.obstacles.size());
-  }
-}
-
-bool LaneWorker::fits(const RolloutJob& job, std::size_t share) {
-  const LaneKind kind = lane_kind(plan_.scenarios[job.scenario], plan_.stepper, most_obstacles_);
-  const int most = most_lanes(best_processor());
-  const int wanted = static_cast<int>(std::min<std::size_t>(share, static_cast<std::size_t>(most)));
-  if (lanes_ != nullptr && kind == kind_ && lanes_->lanes() >= wanted) return lanes_->free_lane() >= 0;
-  if (lanes_ != nullptr && lanes_->busy() > 0) return false;
-  kind_ = kind;
-  lanes_ = std::make_unique<RolloutLanes>(kind, wanted);
-  under_way_.clear();
-  under_way_.resize(static_cast<std::size_t>(lanes_->lanes()));
-  return true;
-}
-
-void LaneWorker::start(GivenJob&& one) {
-  const int lane = lanes_->free_lane();
-  const RolloutJob& job = one.job;
-  lanes_->start(lane, {alone_.arms().at(job.scenario, job.sample), job.gains, job.limits, job.cost});
-  under_way_[static_cast<std::size_t>(lane)].emplace(InLane{std::move(one), {}});
-}
-
-void LaneWorker::fill(JobSource& jobs, const std::atomic<bool>& stop) {
-  const std::size_t share = jobs.share();
-  while (lanes_ == nullptr || static_cast<std::size_t>(lanes_->busy()) < share) {
-    if (!held_ && !no_more_) {
-      held_ = jobs.next();
-      no_more_ = !held_;
-    }
-    if (!held_) return;
-    if (held_->job.engine != Engine::kNative || share == 1) {
-      jobs.finished(held_->number, alone_.run(held_->job, stop));
-    } else if (fits(held_->job, share)) {
-      start(std::move(*held_));
-    } else {
-      return;
-    }
-    held_.reset();
-  }
-}
-
-void LaneWorker::check_deadlines() {
-  for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
-    std::optional<InLane>& one = under_way_[lane];
-    if (!one) continue;
-    // Side by side a rollout takes longer than alone, all of them together less.
-    const double deadline = lanes_->lanes() * deadline_of(plan_, plan_.scenarios[one->job.job.scenario]);
-    if (one->time.look() > deadline) {
-      throw alone_.late(one->job.job, deadline, lanes_->time(static_cast<int>(lane)));
-    }
-  }
-}
-
-void LaneWorker::step(JobSource& jobs) {
-  bool some_ended = false;
-  for (int i = 0; i < kPeriodsAtOnce && !some_ended; ++i) {
-    lanes_->step([&](int lane, RolloutResult&& result) {
-      some_ended = true;
-      std::optional<InLane>& one = under_way_[static_cast<std::size_t>(lane)];
-      const std::size_t number = one->job.number;
-      one.reset();
-      jobs.finished(number, std::move(result));
-    });
-  }
-  if (!some_ended) return;
-  // What has ended may show of others under way that they are of no use.
-  for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
-    const std::optional<InLane>& one = under_way_[lane];
-    if (one && one->job.job.cost.beyond < HUGE_VAL) {
-      lanes_->end_by(static_cast<int>(lane), jobs.cost_now(one->job.number));
-    }
-  }
-}
-
-void LaneWorker::work(JobSource& jobs, const std::atomic<bool>& stop) {
-  no_more_ = false;
-  held_.reset();
-  if (lanes_) lanes_->clear();
-  for (auto& one : under_way_) one.reset();
-  for (fill(jobs, stop); lanes_ != nullptr && lanes_->busy() > 0 && !stop; fill(jobs, stop)) {
-    step(jobs);
-    check_deadlines();
-  }
+void LaneWorker::work(JobSource& jobs) {
+  SideBySide(plan_, alone_, jobs).work();
 }
 
 }  // namespace armtune

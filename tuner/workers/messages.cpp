@@ -116,6 +116,7 @@ std::string job_message(const NumberedJob& job) {
   ByteWriter writer = begun(MessageKind::kJob);
   writer.add(job.number);
   writer.add(job.crew);
+  writer.add(job.share);
   // A member that is added has to be sent too: then these do not compile.
   const auto& [scenario, sample, gains, limits, engine, cost] = job.job;
   writer.add(std::uint64_t{scenario});
@@ -141,6 +142,7 @@ NumberedJob read_job(const std::string& message) {
   NumberedJob job;
   job.number = reader.integer();
   job.crew = reader.integer();
+  job.share = reader.integer();
   job.job.scenario = reader.integer();
   job.job.sample = reader.integer();
   job.job.gains = read_gains(reader);

@@ -15,7 +15,7 @@ enum class MessageKind : std::uint64_t {
   kHello,    ///< to rank 0: who, and everything that has to be the same everywhere
   kGo,       ///< from rank 0: all are the same, jobs follow
   kJob,      ///< from rank 0
-  kStop,     ///< from rank 0: interrupt the job of that number
+  kStop,     ///< from rank 0: interrupt the jobs up to that number
   kResult,   ///< to rank 0
   kFailure,  ///< to rank 0: the job threw
   kBye,      ///< from rank 0: nothing follows
@@ -33,6 +33,7 @@ struct Hello {
 struct NumberedJob {
   std::uint64_t number = 0;  ///< of this rank's jobs
   std::uint64_t crew = 0;    ///< a worker makes its plants anew for another crew
+  std::uint64_t share = 1;   ///< jobs that the rank is given at once, at most
   RolloutJob job;
 };
 

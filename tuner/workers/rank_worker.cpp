@@ -1,10 +1,12 @@
-// A rank's job, as rank 0 sees it: sent, waited for, given up when even the rank's own deadline is past.
+// A rank's jobs, as rank 0 sees them: sent, waited for, given up when even the rank's own deadline is past.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
+#include "sim/lanes/arm_lanes.hpp"
 #include "tuner/workers/messages.hpp"
 #include "tuner/workers/patience.hpp"
 #include "tuner/workers/team.hpp"
@@ -20,48 +22,84 @@ class RankWorker final : public Worker {
   RankWorker(Transport& transport, Peer& peer, std::uint64_t crew, const RolloutPlan& plan)
       : transport_(transport), peer_(peer), crew_(crew), plan_(plan) {}
 
-  RolloutResult run(const RolloutJob& job, const std::atomic<bool>& stop) override {
-    const std::uint64_t number = ++peer_.jobs;
-    transport_.send(peer_.rank, job_message({number, crew_, job}));
-    const Scenario& scenario = plan_.scenarios[job.scenario];
-    double limit = deadline_of(plan_, scenario) + kGrace;
+  void work(JobSource& jobs) override {
+    open_.clear();
     bool told = false;
     for (Patience patience;; patience.sleep()) {
-      if (const auto message = transport_.receive(peer_.rank)) return answer(*message, number);
-      if (stop && !told) {
-        transport_.send(peer_.rank, stop_message(number));
-        limit = std::min(limit, patience.seconds() + kGrace);
-        told = true;
+      send(jobs);
+      if (open_.empty()) return;
+      while (const auto message = transport_.receive(peer_.rank)) {
+        take(*message, jobs);
+        patience = Patience();
       }
-      if (patience.seconds() <= limit) continue;
-      peer_.lost = true;
-      throw std::runtime_error(fmt::format(
-          "rank {} on {} gave no answer for {:.0f} s to {}{}: it hangs (a slow one says so after {} s, "
-          "its --rollout-deadline)",
-          peer_.rank, peer_.host, patience.seconds(), scenario.name,
-          plan_.draw ? fmt::format(", sample {}", job.sample) : "", deadline_of(plan_, scenario)));
+      if (open_.empty()) continue;
+      if (jobs.stopped() && !told) {
+        transport_.send(peer_.rank, stop_message(peer_.jobs));
+        told = true;
+        patience = Patience();
+      }
+      const double seconds = patience.seconds();
+      if (seconds > (told ? 0.0 : longest()) + kGrace) throw hung(seconds);
     }
   }
 
  private:
-  RolloutResult answer(const std::string& message, std::uint64_t number) const {
+  /// As many as the rank can do side by side, but no more than is its share.
+  void send(JobSource& jobs) {
+    while (open_.empty() || open_.size() < most_) {
+      std::optional<GivenJob> one = jobs.next();
+      if (!one) return;
+      const auto lanes = static_cast<std::size_t>(most_lanes(best_processor()));
+      most_ = one->job.engine == Engine::kNative ? std::clamp<std::size_t>(jobs.share(), 1, lanes) : 1;
+      const std::uint64_t number = ++peer_.jobs;
+      transport_.send(peer_.rank, job_message({number, crew_, most_, one->job}));
+      open_.emplace(number, std::move(*one));
+    }
+  }
+
+  void take(const std::string& message, JobSource& jobs) {
     if (kind_of(message) == MessageKind::kFailure) {
       const auto [failed, what] = read_failure(message);
       throw std::runtime_error(fmt::format("rank {} on {}{}: {}", peer_.rank, peer_.host,
-                                           failed == number ? "" : fmt::format(", job {}", failed), what));
+                                           open_.contains(failed) ? "" : fmt::format(", job {}", failed),
+                                           what));
     }
     auto [answered, result] = read_result(message);
-    if (answered != number) {
-      throw std::runtime_error(
-          fmt::format("rank {} on {} answered job {}, not {}", peer_.rank, peer_.host, answered, number));
+    const auto of = open_.find(answered);
+    if (of == open_.end()) {
+      throw std::runtime_error(fmt::format("rank {} on {} answered job {}, which it was not given",
+                                           peer_.rank, peer_.host, answered));
     }
-    return std::move(result);
+    const std::size_t number = of->second.number;
+    open_.erase(of);
+    jobs.finished(number, std::move(result));
+  }
+
+  /// In which one of them at least is done, or said to be late. [s]
+  double longest() const {
+    double seconds = 0.0;
+    for (const auto& [number, one] : open_) {
+      seconds = std::max(seconds, deadline_of(plan_, plan_.scenarios[one.job.scenario]));
+    }
+    return static_cast<double>(most_) * seconds;
+  }
+
+  std::runtime_error hung(double seconds) {
+    peer_.lost = true;
+    const RolloutJob& oldest = open_.begin()->second.job;
+    return std::runtime_error(fmt::format(
+        "rank {} on {} gave no answer for {:.0f} s to {}{}: it hangs (a slow one says so after {} s, "
+        "its --rollout-deadline)",
+        peer_.rank, peer_.host, seconds, plan_.scenarios[oldest.scenario].name,
+        plan_.draw ? fmt::format(", sample {}", oldest.sample) : "", longest()));
   }
 
   Transport& transport_;
   Peer& peer_;
   std::uint64_t crew_;
   const RolloutPlan& plan_;
+  std::map<std::uint64_t, GivenJob> open_;  ///< sent and not answered, by the rank's own number
+  std::size_t most_ = 1;                    ///< of them at once
 };
 
 }  // namespace

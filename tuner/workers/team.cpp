@@ -11,7 +11,8 @@
 #include "core/common/error.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/workers/local_worker.hpp"
+#include "tuner/workers/lane_worker.hpp"
+#include "tuner/workers/leader_jobs.hpp"
 #include "tuner/workers/messages.hpp"
 #include "tuner/workers/patience.hpp"
 
@@ -109,7 +110,7 @@ std::unique_ptr<Crew> Team::crew() {
   ++crews_;
   std::vector<std::unique_ptr<Worker>> workers;
   workers.reserve(peers_.size() + 1);
-  workers.push_back(std::make_unique<LocalWorker>(*plan_));
+  workers.push_back(std::make_unique<LaneWorker>(*plan_));
   for (Peer& peer : peers_) workers.push_back(rank_worker(*transport_, peer, crews_, *plan_));
   return std::make_unique<Crew>(plan_, std::move(workers));
 }
@@ -156,28 +157,15 @@ void Team::serve() {
 }
 
 void Team::work(const std::string& message) {
-  const auto [number, crew, job] = read_job(message);
-  if (!worker_ || crew != crew_) worker_ = std::make_unique<LocalWorker>(*plan_);
-  crew_ = crew;
-  const std::uint64_t own = number;
-  const auto stop = [this, own, looked = std::chrono::steady_clock::now()]() mutable {
-    constexpr std::chrono::milliseconds kBetween(1);
-    const auto now = std::chrono::steady_clock::now();
-    if (now - looked < kBetween) return false;
-    looked = now;
-    auto other = transport_->receive(0);
-    if (!other) return false;
-    if (kind_of(*other) == MessageKind::kStop) return read_stop(*other) == own;
-    pending_.push_back(std::move(*other));
-    return true;
-  };
-  std::string answer;
+  LeaderJobs jobs(*transport_, message, pending_);
+  if (!worker_ || jobs.crew() != crew_) worker_ = std::make_unique<LaneWorker>(*plan_);
+  crew_ = jobs.crew();
   try {
-    answer = result_message(number, worker_->run_until(job, stop));
+    worker_->work(jobs);
+    jobs.interrupt();
   } catch (const std::exception& e) {
-    answer = failure_message(number, e.what());
+    jobs.fail(e.what());
   }
-  transport_->send(0, std::move(answer));
 }
 
 bool Team::end() {

@@ -12,7 +12,7 @@
 
 namespace armtune {
 
-class LocalWorker;
+class LaneWorker;
 
 /// Another rank, as rank 0 knows it.
 struct Peer {
@@ -70,8 +70,8 @@ class Team {
   std::uint64_t crews_ = 0;
 
   // Of a rank that works.
-  std::deque<std::string> pending_;  ///< came while a job was under way
-  std::unique_ptr<LocalWorker> worker_;
+  std::deque<std::string> pending_;  ///< came while jobs were under way
+  std::unique_ptr<LaneWorker> worker_;
   std::uint64_t crew_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 // One worker: it does rollouts, one at a time or several side by side, here or elsewhere.
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
 
@@ -25,7 +24,9 @@ class JobSource {
   virtual std::optional<GivenJob> next() = 0;
   /// Where one that was given out ends by its cost, by all that is finished now.
   virtual EndCost cost_now(std::size_t number) = 0;
-  /// One that was given out is done, or interrupted.
+  /// Whether what is under way is to be given up. Asked often: once per control period, say.
+  virtual bool stopped() = 0;
+  /// One that was given out is done, or was interrupted because of stopped().
   virtual void finished(std::size_t number, RolloutResult&& result) = 0;
 };
 
@@ -36,14 +37,9 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// The job of the plan it was made for; kInterrupted once `stop` is true. The result depends on plan and
-  /// job alone. Throws std::runtime_error past the rollout's deadline, or if the worker is lost.
-  virtual RolloutResult run(const RolloutJob& job, const std::atomic<bool>& stop) = 0;
-
-  /// Jobs until there are no more; the same results as run()'s.
-  virtual void work(JobSource& jobs, const std::atomic<bool>& stop) {
-    while (const std::optional<GivenJob> one = jobs.next()) jobs.finished(one->number, run(one->job, stop));
-  }
+  /// Jobs of the plan it was made for, until there are no more. A result depends on plan and job alone.
+  /// Throws std::runtime_error past a rollout's deadline, or if the worker is lost.
+  virtual void work(JobSource& jobs) = 0;
 };
 
 }  // namespace armtune

@@ -19,6 +19,7 @@ NumberedJob some_job() {
   NumberedJob job{
       7,
       3,
+      5,
       {2,
        std::numeric_limits<std::uint64_t>::max(),
        {},
@@ -86,6 +87,7 @@ TEST(Messages, AJobComesBackWithEveryGain) {
   const NumberedJob got = read_job(job_message(sent));
   EXPECT_EQ(got.number, sent.number);
   EXPECT_EQ(got.crew, sent.crew);
+  EXPECT_EQ(got.share, sent.share);
   EXPECT_EQ(got.job.scenario, sent.job.scenario);
   EXPECT_EQ(got.job.sample, sent.job.sample);
   for (const GainField& field : gain_fields()) {

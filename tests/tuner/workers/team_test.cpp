@@ -5,14 +5,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <mutex>
 #include <thread>
 
 #include "core/common/error.hpp"
+#include "sim/lanes/arm_lanes.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
+#include "tuner/workers/messages.hpp"
 #include "tuner/workers/workers.hpp"
 
 namespace armtune {
@@ -27,6 +30,8 @@ constexpr int kRanks = 3;
 struct Post {
   std::mutex mutex;
   std::array<std::array<std::deque<std::string>, kRanks>, kRanks> boxes;  ///< [to][from]
+  std::array<int, kRanks> under_way{};  ///< jobs that a rank has not answered
+  int most_under_way = 0;
 };
 
 class PostTransport final : public Transport {
@@ -36,6 +41,11 @@ class PostTransport final : public Transport {
   int size() const override { return kRanks; }
   void send(int to, std::string message) override {
     const std::lock_guard lock(post_->mutex);
+    if (kind_of(message) == MessageKind::kJob) {
+      post_->most_under_way =
+          std::max(post_->most_under_way, ++post_->under_way.at(static_cast<std::size_t>(to)));
+    }
+    if (kind_of(message) == MessageKind::kResult) --post_->under_way.at(static_cast<std::size_t>(rank_));
     box(to, rank_).push_back(std::move(message));
   }
   std::optional<std::string> receive(int from) override {
@@ -65,8 +75,8 @@ RolloutPlan short_plan() {
   return plan;
 }
 
-/// plan_of: what a rank begins with, or it throws.
-void among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::function<void(Team&)>& lead) {
+/// plan_of: what a rank begins with, or it throws. Returns the most jobs that a rank had at once.
+int among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::function<void(Team&)>& lead) {
   const auto post = std::make_shared<Post>();
   std::vector<std::jthread> others;
   for (int rank = 1; rank < kRanks; ++rank) {
@@ -85,9 +95,13 @@ void among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::func
   Team team(std::make_unique<PostTransport>(post, 0));
   lead(team);
   EXPECT_TRUE(team.end());
+  return post->most_under_way;
 }
 
-TEST(Team, RanksGiveWhatThreadsGive) {
+/// Ranks and threads, engine by engine.
+class TeamOf : public ::testing::TestWithParam<Engine> {};
+
+TEST_P(TeamOf, RanksGiveWhatThreadsGive) {
   const RolloutPlan plan = short_plan();
   const Gains gains = test::quick_gains(plan.scenarios[0]);
   const std::atomic<bool> never{false};
@@ -98,28 +112,32 @@ TEST(Team, RanksGiveWhatThreadsGive) {
   candidates[1].task_space_gains_p *= 1.2;
   candidates[1].gaze_feedforward = true;  // switches travel too
   Workers threads(plan.scenarios, plan.stepper, 1, set);
-  const auto expected = threads.run(candidates, never);
+  const Conditions conditions{GetParam()};
+  const auto expected = threads.run(candidates, never, {}, conditions);
   ASSERT_TRUE(expected.has_value());
-  among_ranks([&plan](int) { return RolloutPlan(plan); },
-              [&](Team& team) {
-                ASSERT_TRUE(team.begin(plan, 1));
-                for (int again = 0; again < 2; ++again) {
-                  Workers ranks(team.crew(), set);
-                  EXPECT_EQ(ranks.count(), kRanks);
-                  const auto found = ranks.run(candidates, never);
-                  ASSERT_TRUE(found.has_value());
-                  EXPECT_EQ(ranks.rollouts_done(), 12);
-                  for (std::size_t c = 0; c < candidates.size(); ++c) {
-                    for (std::size_t s = 0; s < plan.scenarios.size(); ++s) {
-                      EXPECT_EQ(test::bits((*found)[c][s].metrics), test::bits((*expected)[c][s].metrics));
-                      EXPECT_EQ((*found)[c][s].reason, (*expected)[c][s].reason);
-                    }
-                  }
-                }
-              });
+  const int at_once = among_ranks([&plan](int) { return RolloutPlan(plan); },
+                                  [&](Team& team) {
+                                    ASSERT_TRUE(team.begin(plan, 1));
+                                    for (int again = 0; again < 2; ++again) {
+                                      Workers ranks(team.crew(), set);
+                                      EXPECT_EQ(ranks.count(), kRanks);
+                                      const auto found = ranks.run(candidates, never, {}, conditions);
+                                      ASSERT_TRUE(found.has_value());
+                                      EXPECT_EQ(ranks.rollouts_done(), 12);
+                                      for (std::size_t c = 0; c < candidates.size(); ++c) {
+                                        for (std::size_t s = 0; s < plan.scenarios.size(); ++s) {
+                                          EXPECT_EQ(test::bits((*found)[c][s].metrics),
+                                                    test::bits((*expected)[c][s].metrics));
+                                          EXPECT_EQ((*found)[c][s].reason, (*expected)[c][s].reason);
+                                        }
+                                      }
+                                    }
+                                  });
+  // 12 jobs are 4 for each of three; in Simbody one at a time.
+  EXPECT_EQ(at_once, GetParam() == Engine::kNative ? std::min(4, most_lanes(best_processor())) : 1);
 }
 
-TEST(Team, AStopInterruptsTheRollouts) {
+TEST_P(TeamOf, AStopInterruptsTheRollouts) {
   RolloutPlan plan = short_plan();
   for (Scenario& scenario : plan.scenarios) scenario.duration = 10000.0;  // never done within a test
   std::atomic<bool> stop{false};
@@ -132,15 +150,12 @@ TEST(Team, AStopInterruptsTheRollouts) {
                   stop = true;
                 });
                 team.crew()->run(
-                    10,
-                    [&gains](std::size_t k) {
-                      return RolloutJob{0, k, gains};
-                    },
-                    stop, [](std::size_t, RolloutResult&&) { ADD_FAILURE() << "a rollout was done"; });
+                    10, [&gains](std::size_t k) { return RolloutJob{0, k, gains, {}, GetParam(), {}}; }, stop,
+                    [](std::size_t, RolloutResult&&) { ADD_FAILURE() << "a rollout was done"; });
               });
 }
 
-TEST(Team, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
+TEST_P(TeamOf, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
   RolloutPlan plan = short_plan();
   plan.scenarios[1].duration = 10000.0;
   plan.deadline = 0.5;
@@ -151,10 +166,7 @@ TEST(Team, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
                 const Gains gains = test::quick_gains(plan.scenarios[0]);
                 try {
                   team.crew()->run(
-                      3,
-                      [&gains](std::size_t k) {
-                        return RolloutJob{1, k, gains};
-                      },
+                      3, [&gains](std::size_t k) { return RolloutJob{1, k, gains, {}, GetParam(), {}}; },
                       never, [](std::size_t, RolloutResult&&) {});
                   FAIL() << "nothing was thrown";
                 } catch (const std::runtime_error& e) {
@@ -164,6 +176,8 @@ TEST(Team, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
                 }
               });
 }
+
+INSTANTIATE_TEST_SUITE_P(Every, TeamOf, ::testing::Values(Engine::kSimbody, Engine::kNative));
 
 /// What rank 0 says when rank 2 begins with something else.
 std::string refused(const std::function<RolloutPlan()>& of_rank_2) {

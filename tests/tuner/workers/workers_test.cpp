@@ -97,9 +97,16 @@ TEST(Workers, SideBySideAreStoppedAndKeepToTheirDeadline) {
     EXPECT_NE(std::string(e.what()).find("moving_target: the rollout came to"), std::string::npos)
         << e.what();
   }
-  // The crew that threw is of use again, and one that is stopped returns nothing.
+  // A crew whose results threw is of use again, and one that is stopped returns nothing.
   plan.deadline = 0.0;
   Workers workers(std::make_unique<Crew>(plan, 1), std::nullopt);
+  const auto expected = workers.run({candidates.data(), 2}, stop, {}, native);
+  const auto full = [](std::size_t, const std::vector<RolloutResult>&) {
+    throw std::runtime_error("the disk is full");
+  };
+  EXPECT_THROW(workers.run(candidates, stop, full, native), std::runtime_error);
+  const auto again = workers.run({candidates.data(), 2}, stop, {}, native);
+  EXPECT_EQ(test::bits((*again)[1][0].metrics), test::bits((*expected)[1][0].metrics));
   int finished = 0;
   const auto none = workers.run(
       candidates, stop,

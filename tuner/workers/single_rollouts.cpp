@@ -1,4 +1,4 @@
-#include "tuner/workers/local_worker.hpp"
+#include "tuner/workers/single_rollouts.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace armtune {
 
-Rollout& LocalWorker::rollout(const RolloutJob& job) {
+Rollout& SingleRollouts::rollout(const RolloutJob& job) {
   constexpr std::size_t kKept = 64;
   ++uses_;
   for (Ready& r : ready_) {
@@ -26,24 +26,21 @@ Rollout& LocalWorker::rollout(const RolloutJob& job) {
   return *ready_.back().rollout;
 }
 
-RolloutResult LocalWorker::run(const RolloutJob& job, const std::atomic<bool>& stop) {
-  return run_until(job, [&stop] { return stop.load(); });
-}
-
-std::runtime_error LocalWorker::late(const RolloutJob& job, double deadline, double simulated) const {
+std::runtime_error SingleRollouts::late(const RolloutJob& job, int arms, double simulated) const {
   const Scenario& scenario = plan_.scenarios[job.scenario];
   return std::runtime_error(
-      fmt::format("{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s; allow "
+      fmt::format("{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s{}; allow "
                   "more with --rollout-deadline, or find out what slows it down",
                   scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", simulated,
-                  scenario.duration, deadline));
+                  scenario.duration, deadline_of(plan_, scenario),
+                  arms > 1 ? fmt::format(", {} times that for as many arms side by side", arms) : ""));
 }
 
-RolloutResult LocalWorker::run_until(const RolloutJob& job, const std::function<bool()>& stop) {
+RolloutResult SingleRollouts::run(const RolloutJob& job, const std::function<bool()>& stop) {
   RunningTime time;
   const double deadline = deadline_of(plan_, plan_.scenarios[job.scenario]);
   const auto observer = [&](const Observation& o) {
-    if (time.look() > deadline) throw late(job, deadline, o.time);
+    if (time.look() > deadline) throw late(job, 1, o.time);
     return !stop();
   };
   return rollout(job).run(job.gains, observer, job.limits, job.cost);

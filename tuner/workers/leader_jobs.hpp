@@ -1,0 +1,49 @@
+#pragma once
+// The jobs that rank 0 sends to this rank, as its worker gets them: as they come, several under way at once.
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+
+#include "tuner/workers/messages.hpp"
+#include "tuner/workers/transport.hpp"
+#include "tuner/workers/worker.hpp"
+
+namespace armtune {
+
+class LeaderJobs final : public JobSource {
+ public:
+  /// first: a job message. others: gets what comes meanwhile and is no job of the same crew; it ends the
+  /// work.
+  LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others);
+
+  std::uint64_t crew() const { return crew_; }
+
+  std::size_t share() const override { return share_; }
+  std::optional<GivenJob> next() override;
+  EndCost cost_now(std::size_t number) override { return open_.at(number).cost; }
+  bool stopped() override;
+  void finished(std::size_t number, RolloutResult&& result) override;
+  /// What has come and is not finished is answered as interrupted.
+  void interrupt();
+  /// The worker failed: of what was given out nothing more will come.
+  void fail(const std::string& what);
+
+ private:
+  void look();
+  void take(NumberedJob&& job);
+
+  Transport& transport_;
+  std::deque<std::string>& others_;
+  std::uint64_t crew_ = 0;
+  std::size_t share_ = 1;
+  std::map<std::uint64_t, RolloutJob> open_;  ///< by number: came and not finished
+  std::deque<std::uint64_t> waiting_;         ///< of those, not given out yet
+  std::uint64_t last_ = 0;                    ///< the last that came
+  bool stopped_ = false;
+  std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace armtune
