@@ -73,11 +73,11 @@ std::string progress_text(const TuneProgress& p, const Workers& workers, double 
 /// if interrupted: the run's own files are all there by then.
 bool analyse(const Study& study, const TuneResult& result, const Objective& objective, Workers& workers,
              const Arguments& args) {
-  constexpr std::size_t kShown = 8;
   ProgressLine line;
   std::vector<ComparedMargins> sets(2);
   MarginOptions options;
   options.stepper = study.stepper;
+  options.engine = engine_of_search(study);
   options.workers = args.workers;
   for (ComparedMargins& set : sets) {
     const bool start = &set == &sets.front();
@@ -102,7 +102,7 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   line.clear();
   if (!found) return false;
   write_sensitivity(study, *found, args.folder);
-  print_sensitivity(study, *found, kShown);
+  print_sensitivity(study, *found, kMostShown);
   print_advice(study, *found);
   return true;
 }

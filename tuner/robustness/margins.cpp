@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 
 #include "tuner/workers/parallel.hpp"
@@ -51,13 +52,14 @@ class Watch {
   std::string failure_;
 };
 
-/// Why the loop does not stand; empty if it does. None if `stop` cut the rollout short.
-std::optional<std::string> failure(const Scenario& scenario, const Gains& gains, const MarginOptions& options,
-                                   const std::atomic<bool>& stop) {
+/// Why the loop does not stand in an engine; empty if it does. None if `stop` cut the rollout short.
+std::optional<std::string> failure(Engine engine, const Scenario& scenario, const Gains& gains,
+                                   const MarginOptions& options, const std::atomic<bool>& stop) {
   Watch watch(scenario, options.limits);
-  const RolloutResult result = Rollout(scenario, options.stepper).run(gains, [&](const Observation& o) {
-    return !stop && watch.goes_on(o);
-  });
+  const RolloutResult result =
+      Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
+        return !stop && watch.goes_on(o);
+      });
   if (!watch.failure().empty()) return watch.failure();
   if (result.status == RolloutStatus::kInterrupted) return std::nullopt;
   if (result.status != RolloutStatus::kCompleted) {
@@ -67,28 +69,63 @@ std::optional<std::string> failure(const Scenario& scenario, const Gains& gains,
   return broken.empty() ? broken : "breaks " + broken;
 }
 
+/// A loop pushed along one margin, in one engine: every value is simulated once.
+class Pushed {
+ public:
+  Pushed(Engine engine, const MarginField& margin, const Scenario& scenario, const Gains& gains,
+         const MarginOptions& options, const std::atomic<bool>& stop)
+      : engine_(engine),
+        margin_(margin),
+        scenario_(scenario),
+        gains_(gains),
+        options_(options),
+        stop_(stop) {}
+
+  /// False as well once `stop` became true.
+  bool stands(double value) {
+    if (stop_) return false;
+    const auto known = reasons_.find(value);
+    if (known != reasons_.end()) return known->second.empty();
+    Scenario scenario = scenario_;
+    Gains gains = gains_;
+    margin_.apply(value, scenario, gains);
+    const auto why = failure(engine_, scenario, gains, options_, stop_);
+    if (why) reasons_.emplace(value, *why);
+    return why && why->empty();
+  }
+  /// Why a value that was tried does not stand.
+  const std::string& reason(double value) const { return reasons_.at(value); }
+
+ private:
+  Engine engine_;
+  const MarginField& margin_;
+  const Scenario& scenario_;
+  const Gains& gains_;
+  const MarginOptions& options_;
+  const std::atomic<bool>& stop_;
+  std::map<double, std::string> reasons_;  ///< empty where it stands
+};
+
 /// The margin of a loop that stands at its nominal value. None if `stop` cut it short.
 std::optional<Margin> find_margin(Margin margin, const Scenario& scenario, const Gains& gains,
                                   const MarginOptions& options, const std::atomic<bool>& stop) {
   const MarginField& declared = field(margin.kind);
-  bool whole = true;
-  const auto stands = [&](double value) {
-    if (!whole) return false;
-    Scenario changed = scenario;
-    Gains pushed = gains;
-    declared.apply(value, changed, pushed);
-    const auto why = failure(changed, pushed, options, stop);
-    whole = why.has_value();
-    if (!whole) return false;
-    if (!why->empty()) margin.reason = *why;
-    return why->empty();
-  };
   EdgeSearch search = declared.search;
   search.nominal = margin.nominal;
-  const Edge edge = find_edge(search, stands);
-  if (!whole) return std::nullopt;
-  margin.stands = edge.holds;
-  margin.fails = edge.fails;  // found last of all that failed, so that the reason is its own
+  Pushed judge(Engine::kSimbody, declared, scenario, gains, options, stop);
+  const auto stands = [&judge](double value) { return judge.stands(value); };
+  std::optional<Edge> edge;
+  if (options.engine != Engine::kSimbody) {
+    Pushed guess(options.engine, declared, scenario, gains, options, stop);
+    edge = find_edge(search, [&guess](double value) { return guess.stands(value); });
+    const bool holds = edge->holds == search.nominal || stands(edge->holds);
+    if (!holds || (edge->fails && stands(*edge->fails))) edge.reset();
+  }
+  if (!edge) edge = find_edge(search, stands);
+  if (stop) return std::nullopt;
+  margin.stands = edge->holds;
+  margin.fails = edge->fails;
+  if (edge->fails) margin.reason = judge.reason(*edge->fails);
   return margin;
 }
 
@@ -104,8 +141,9 @@ std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains&
                             const MarginOptions& options, const std::atomic<bool>& stop) {
   // The nominal rollout is the same for every margin.
   std::vector<std::optional<std::string>> nominal(scenarios.size());
-  parallel_for(scenarios.size(), options.workers, stop,
-               [&](std::size_t, std::size_t s) { nominal[s] = failure(scenarios[s], gains, options, stop); });
+  parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t s) {
+    nominal[s] = failure(Engine::kSimbody, scenarios[s], gains, options, stop);
+  });
   const std::size_t jobs = kMarginCount * scenarios.size();
   std::vector<std::optional<Margin>> found(jobs);
   const auto whole = [&found] {

@@ -35,13 +35,16 @@ struct Margin {
 struct MarginOptions {
   std::vector<MetricLimit> limits = arm_limits();
   Stepper stepper = Stepper::kMidpoint;
+  /// Where the edges are looked for. Simbody has the last word: what another engine found is a margin once
+  /// Simbody too stands on the one side and fails on the other; otherwise it looks for the edge itself.
+  Engine engine = Engine::kSimbody;
   int workers = 1;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< margins; one call at a time
   std::function<void(const std::vector<Margin>& so_far)> finished;  ///< after each margin; one call at a time
 };
 
 /// Every margin in every scenario, margin by margin; those that were not done when `stop` became true are
-/// missing. Each is a function of scenario, gains, limits and stepper alone. gains: valid for every
+/// missing. Each is a function of scenario, gains, limits, stepper and engine alone. gains: valid for every
 /// scenario's robot.
 std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
                             const MarginOptions& options, const std::atomic<bool>& stop);

@@ -7,7 +7,8 @@
 #include <numeric>
 
 #include "sim/csv/cell.hpp"
-#include "tuner/workers/simulate_points.hpp"
+#include "tuner/search/last_steps.hpp"
+#include "tuner/sensitivity/merits.hpp"
 
 namespace armtune {
 namespace {
@@ -63,20 +64,18 @@ std::optional<Sensitivity> sensitivity(
   // The best, then below, above and reset of each parameter.
   std::vector<std::vector<double>> points(1 + 3 * n, x);
   for (std::size_t i = 0; i < n; ++i) {
-    points[1 + 3 * i][i] = clamp_to_box(x[i] - kSensitivityStep);
-    points[2 + 3 * i][i] = clamp_to_box(x[i] + kSensitivityStep);
-    points[3 + 3 * i][i] = start[i];
+    points[points_of(i).below][i] = clamp_to_box(x[i] - kSensitivityStep);
+    points[points_of(i).above][i] = clamp_to_box(x[i] + kSensitivityStep);
+    points[points_of(i).reset][i] = start[i];
   }
-  std::size_t finished = 0;
-  auto evaluations = simulate_points(study, points, workers, stop, {Engine::kSimbody, objective.end_limits()},
-                                     [&](std::size_t, const Evaluation&) {
-                                       ++finished;
-                                       if (progress) progress(finished, points.size());
-                                     });
-  if (!evaluations) return std::nullopt;
-  for (Evaluation& e : *evaluations) objective.judge(e);
-  const auto merit = [&](std::size_t p) {
-    return (*evaluations)[p].objective + penalty * (*evaluations)[p].violation;
+  const Engine engine = engine_of_search(study);
+  Merits simulated(study, objective, workers, stop, progress);
+  auto found = simulated.of(points, engine);
+  if (found && engine != Engine::kSimbody) found = simulated.confirmed(points, std::move(*found), kMostShown);
+  if (!found) return std::nullopt;
+  const auto merit = [&](std::size_t p) { return (*found)[p]; };
+  const auto gain_at = [&](std::size_t p, const GainEntry& entry) {
+    return value(study.space.gains_at(points[p]), entry);
   };
 
   std::vector<double> merits;
@@ -87,19 +86,17 @@ std::optional<Sensitivity> sensitivity(
   for (std::size_t i = 0; i < n; ++i) {
     ParameterSensitivity& s = result.parameters.emplace_back();
     const GainEntry& entry = study.space.free[i].entry;
-    const std::size_t below = 1 + 3 * i;
-    const std::size_t above = below + 1;
+    const auto [below, above, reset] = points_of(i);
     s.parameter = i;
-    s.best = value((*evaluations)[0].gains, entry);
+    s.best = gain_at(0, entry);
     s.local = std::max(std::abs(merit(below) - merit(0)), std::abs(merit(above) - merit(0))) / merit(0);
-    const double spread =
-        value((*evaluations)[above].gains, entry) - value((*evaluations)[below].gains, entry);
+    const double spread = gain_at(above, entry) - gain_at(below, entry);
     s.elasticity = s.best > 0.0 ? (merit(above) - merit(below)) / merit(0) / (spread / s.best) : NAN;
     std::vector<double> coordinates;
     coordinates.reserve(journal.size());
     for (const EvaluationRow& row : journal) coordinates.push_back(row.x[i]);
     s.rank_correlation = rank_correlation(coordinates, merits);
-    s.importance = merit(below + 2) - merit(0);
+    s.importance = merit(reset) - merit(0);
   }
   std::stable_sort(result.parameters.begin(), result.parameters.end(),
                    [](const auto& a, const auto& b) { return a.importance > b.importance; });

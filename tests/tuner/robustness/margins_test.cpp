@@ -146,6 +146,37 @@ TEST_F(Margins, AreTheSameBytesWithAnyNumberOfWorkers) {
   EXPECT_EQ(margins_csv(one_, margins(one_, gains_, options_, kNever)), alone);
 }
 
+TEST_F(Margins, AnotherEngineOnlySaysWhereToLook) {
+  options_.engine = Engine::kNative;
+  options_.workers = 3;
+  EXPECT_EQ(margins_csv(found().scenarios, margins(found().scenarios, gains_, options_, kNever)),
+            margins_csv(found().scenarios, found().all));
+}
+
+TEST_F(Margins, WhereAnotherEngineIsWrongSimbodySearchesItself) {
+  // A limit between the engines' figures at the first stride, where the one then stands and the other fails.
+  constexpr Metric kMetric = Metric::kEffortRateRms;
+  const double stride = field(MarginKind::kGainFactor).search.stride;
+  const Case pushed = changed(MarginKind::kGainFactor, stride, {one_.front(), gains_});
+  const auto figure = [&](Engine engine) {
+    return Rollout(pushed.scenario, Stepper::kMidpoint, engine).run(pushed.gains).metrics[kMetric];
+  };
+  const double between = 0.5 * (figure(Engine::kSimbody) + figure(Engine::kNative));
+  const bool stands_in_simbody = figure(Engine::kSimbody) <= between;
+  ASSERT_NE(stands_in_simbody, figure(Engine::kNative) <= between);
+
+  options_.limits.push_back({kMetric, true, between});
+  const Margin alone =
+      margin_of(margins(one_, gains_, options_, kNever), MarginKind::kGainFactor, one_.front().name);
+  options_.engine = Engine::kNative;
+  const Margin helped =
+      margin_of(margins(one_, gains_, options_, kNever), MarginKind::kGainFactor, one_.front().name);
+  EXPECT_EQ(stands_in_simbody ? *alone.stands : *alone.fails, stride);
+  EXPECT_EQ(helped.stands, alone.stands);
+  EXPECT_EQ(helped.fails, alone.fails);
+  EXPECT_EQ(helped.reason, alone.reason);
+}
+
 TEST_F(Margins, TheLeastIsThatOfTheScenarioThatFailsFirst) {
   for (std::size_t k = 0; k < kMarginCount; ++k) {
     const auto kind = static_cast<MarginKind>(k);

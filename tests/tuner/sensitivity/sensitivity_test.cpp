@@ -111,6 +111,44 @@ TEST_F(Sensitive, IsWhatRolloutsOfChangedGainsSay) {
   }
 }
 
+void expect_same(const Sensitivity& a, const Sensitivity& b, double tolerance) {
+  const auto near = [tolerance](double x, double y) { EXPECT_NEAR(x, y, tolerance * (1.0 + std::abs(y))); };
+  near(a.merit, b.merit);
+  ASSERT_EQ(a.parameters.size(), b.parameters.size());
+  for (std::size_t i = 0; i < a.parameters.size(); ++i) {
+    EXPECT_EQ(a.parameters[i].parameter, b.parameters[i].parameter);
+    near(a.parameters[i].local, b.parameters[i].local);
+    near(a.parameters[i].importance, b.parameters[i].importance);
+    near(a.parameters[i].elasticity, b.parameters[i].elasticity);
+  }
+}
+
+TEST_F(Sensitive, AnotherEngineFindsTheSameAndSimbodyConfirmsIt) {
+  const Sensitivity judged = of();
+  const long done = workers_->rollouts_done();
+  study_->engine = Engine::kNative;
+  const Sensitivity found = of();
+  // 10 points, and of these the best and three ways back once more, in both scenarios.
+  EXPECT_EQ(workers_->rollouts_done() - done, 2 * (10 + 4));
+  expect_same(found, judged, 1e-6);
+  EXPECT_EQ(found.merit, judged.merit) << "Simbody's own";
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(found.parameters[i].importance, judged.parameters[i].importance) << "Simbody's own";
+  }
+}
+
+TEST_F(Sensitive, WhereSimbodyDoesNotConfirmThemAllAreItsOwn) {
+  // Chattering between the torque limits, what differs in the last bit soon differs in the first.
+  best_.task_space_gains_p[0] = 120.0;
+  best_.task_space_gains_d *= 40.0;
+  study_->space.start.task_space_gains_d = best_.task_space_gains_d;
+  const Sensitivity judged = of();
+  study_->engine = Engine::kNative;
+  const long done = workers_->rollouts_done();
+  expect_same(of(), judged, 0.0);
+  EXPECT_EQ(workers_->rollouts_done() - done, 2 * (10 + 4 + 10)) << "the engines agree here: no test of this";
+}
+
 TEST_F(Sensitive, NamesGainsWithoutEffectAndBoundsThatWereHit) {
   const auto lines = advice(*study_, of());
   EXPECT_THAT(lines, Contains(testing::AllOf(HasSubstr("obstacleInfluenceRadius has no effect"),
