@@ -4,14 +4,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/common/message_text.hpp"
+
 namespace armtune {
 
 /// Thrown for every kind of misuse: a file that cannot be read, a value outside its limit, an unknown name.
-/// The message is one line: where (file, line or key), the value, the limit, what to do. Programs end with
-/// exit code 2. Outcomes of a simulation or a search (diverged, infeasible) are statuses, never exceptions.
+/// The message is one line whatever it quotes (see one_line): where (file, line or key), the value, the
+/// limit, what to do. Programs end with exit code 2. Outcomes of a simulation or a search (diverged,
+/// infeasible) are statuses, never exceptions.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(const std::string& message) : std::runtime_error(one_line(message)) {}
 };
 
 }  // namespace armtune

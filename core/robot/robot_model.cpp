@@ -38,19 +38,32 @@ class Checker {
     throw InputError(where + ": " + fmt::format(text, std::forward<Args>(args)...));
   }
   void name(const char* kind, const std::string& name) const;
+  void characters(const char* kind, const std::string& name) const;
   void rotation(const char* what, const std::string& owner, const Mat3& R, const Vec3& p) const;
 
   const RobotModel& model_;
 };
 
 void Checker::name(const char* kind, const std::string& name) const {
-  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
-    return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20;
-  });
   require(!name.empty(), "a {} has an empty name; give it one", kind);
+  characters(kind, name);
+}
+
+void Checker::characters(const char* kind, const std::string& name) const {
+  constexpr std::size_t kLongest = 255;
+  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+    return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  require(name.size() <= kLongest, "{} {}: its name has {} bytes; it may have {}: rename it", kind,
+          shown(name), name.size(), kLongest);
   require(printable,
           "{} '{}': its name holds a comma, a quote or a control character; rename it (CSV files use it)",
           kind, name);
+  require(!is_formula(name),
+          "{} {}: its name begins like a spreadsheet's formula; rename it (CSV files use it)", kind,
+          shown(name));
+  require(is_utf8(name), "{} {}: its name is not UTF-8; save the file as UTF-8, or rename it", kind,
+          shown(name));
 }
 
 void Checker::rotation(const char* what, const std::string& owner, const Mat3& R, const Vec3& p) const {
@@ -64,6 +77,8 @@ void Checker::rotation(const char* what, const std::string& owner, const Mat3& R
 void Checker::arm() const {
   const Chain& chain = model_.chain;
   name("robot", model_.name);
+  characters("link", model_.base_link);
+  characters("link", model_.tip_link);
   require(chain.n > 0,
           "robot '{}' has no revolute, continuous or prismatic joint; there is nothing to control",
           model_.name);

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <utility>
 
 #include "core/common/error.hpp"
+#include "core/common/input_file.hpp"
 
 namespace armtune {
 namespace {
@@ -16,7 +15,8 @@ namespace {
 constexpr std::size_t kMaxBytes = 32u << 20;
 constexpr int kMaxDepth = 1'000;
 constexpr int kMaxLinks = 10'000;
-constexpr int kMaxAttributes = 1'000;  // of one tag: tinyxml searches all of them for every new one
+constexpr int kMaxElements = 200'000;
+constexpr int kMaxAttributes = 100;  // of one tag: tinyxml searches all of them for every new one
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr auto kEnd = std::string_view::npos;
 
@@ -83,6 +83,8 @@ class Scanner {
   void element(std::size_t at, std::string_view body) {
     const std::string_view name = body.substr(0, body.find_first_of(" \t\r\n/"));
     if (name.starts_with("xacro:")) refuse_xacro(at, fmt::format("<{}>", name));
+    if (++elements_ > kMaxElements)
+      refuse(at, "more than {} elements; armtune needs a serial arm", kMaxElements);
     if (name == "link" && ++links_ > kMaxLinks)
       refuse(at, "more than {} links; armtune needs a serial arm", kMaxLinks);
     if (!body.ends_with('/') && ++depth_ > kMaxDepth)
@@ -114,32 +116,15 @@ class Scanner {
   const std::string& path_;
   std::string_view text_;
   int depth_ = 0;
+  int elements_ = 0;
   int links_ = 0;
 };
-
-std::string read_text(const std::string& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw InputError(path + ": no such file; check the path");
-  if (std::filesystem::is_directory(status))
-    throw InputError(path + ": is a directory; name the URDF file in it");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be opened; check its permissions");
-  std::string text;
-  std::string block(1u << 16, '\0');
-  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
-    text.append(block, 0, static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kMaxBytes)
-      throw InputError(fmt::format("{}: is larger than {} MB; is it a URDF?", path, kMaxBytes >> 20));
-  }
-  if (text.empty()) throw InputError(path + ": is empty");
-  return text;
-}
 
 }  // namespace
 
 std::string read_guarded_urdf(const std::string& path) {
-  std::string text = read_text(path);
+  std::string text = read_input_file(path, kMaxBytes, "a URDF file");
+  if (text.empty()) throw InputError(path + ": is empty");
   if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
     throw InputError(path + ": is UTF-16 or binary; save it as UTF-8");
   Scanner(path, text).run();

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/common/message_text.hpp"
+
 namespace armtune {
 
 std::string cell(double value) {
@@ -11,6 +13,7 @@ std::string cell(double value) {
 }
 
 std::string cell(const std::string& text) {
+  if (is_formula(text)) return cell("'" + text);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {

@@ -8,7 +8,8 @@ namespace armtune {
 /// Reads back to the same bits; empty for NaN, which stands for a value that there is not.
 std::string cell(double value);
 
-/// The text, in quotes where a reader would else take part of it for the end of the cell.
+/// The text, in quotes where a reader would else take part of it for the end of the cell, and behind an
+/// apostrophe where a spreadsheet would else take it for a formula.
 std::string cell(const std::string& text);
 
 }  // namespace armtune

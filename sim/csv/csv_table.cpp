@@ -3,95 +3,93 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <unordered_set>
 
 #include "core/common/error.hpp"
+#include "core/common/input_file.hpp"
+#include "core/common/nearest.hpp"
+#include "sim/csv/csv_cells.hpp"
 
 namespace armtune {
 namespace {
 
-struct Cell {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  bool last_of_row = false;
-};
+constexpr std::size_t kMaxColumns = 10'000;
 
-/// Cell by cell; a quoted one is written back without its quotes, doubled ones once.
-class CellReader {
- public:
-  explicit CellReader(std::string& text) : text_(text) {}
+std::size_t max_bytes(CsvOrigin origin) {
+  return (origin == CsvOrigin::kUser ? std::size_t{48} : std::size_t{512}) << 20;
+}
 
-  /// False at the end of the text, and in a row that has no line end.
-  bool next(Cell& cell) {
-    if (at_ >= text_.size()) return false;
-    cell.begin = at_;
-    std::size_t write = at_;
-    bool quoted = false;
-    for (; at_ < text_.size(); ++at_) {
-      const char c = text_[at_];
-      if (c == '"') {
-        const bool doubled = quoted && at_ + 1 < text_.size() && text_[at_ + 1] == '"';
-        if (doubled)
-          text_[write++] = text_[++at_];
-        else
-          quoted = !quoted;
-      } else if (!quoted && (c == ',' || c == '\n')) {
-        cell.end = write;
-        cell.last_of_row = c == '\n';
-        ++at_;
-        if (cell.last_of_row && cell.end > cell.begin && text_[cell.end - 1] == '\r') --cell.end;
-        return true;
-      } else {
-        text_[write++] = c;
-      }
-    }
-    return false;
+void refuse_two_of_one_name(const std::vector<std::string>& header, const std::string& file) {
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& name : header) {
+    if (seen.insert(name).second) continue;
+    throw InputError(fmt::format("{}:1: two columns are called {}; remove or rename one", file, shown(name)));
   }
+}
 
- private:
-  std::string& text_;
-  std::size_t at_ = 0;
-};
+[[noreturn]] void refuse_open_quote(const CsvCells& cells, const std::string& file) {
+  throw InputError(
+      fmt::format("{}:{}: the quote opened here is never closed", file, cells.open_quote_line()));
+}
+
+/// At most as many as there are cells behind the header: what to reserve.
+std::size_t count_separators(std::string_view text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), ',') +
+                                  std::count(text.begin(), text.end(), '\n'));
+}
 
 }  // namespace
 
-CsvTable CsvTable::read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  return parse({std::istreambuf_iterator<char>(file), {}}, path);
+CsvTable CsvTable::read(const std::string& path, CsvOrigin origin) {
+  return parse(read_input_file(path, max_bytes(origin), "a CSV file"), path, origin);
 }
 
-CsvTable CsvTable::parse(std::string text, std::string name) {
+CsvTable CsvTable::parse(std::string text, std::string name, CsvOrigin origin) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   CsvTable table;
   table.name_ = std::move(name);
   table.text_ = std::move(text);
-  CellReader reader(table.text_);
-  Cell cell;
-  while (reader.next(cell)) {
+  CsvCells cells(table.text_);
+  CsvCell cell;
+  while (cells.next(cell)) {
     table.header_.emplace_back(table.text_, cell.begin, cell.end - cell.begin);
+    if (table.header_.size() > kMaxColumns) {
+      throw InputError(
+          fmt::format("{}:1: more than {} columns; is it a CSV file?", table.name_, kMaxColumns));
+    }
     if (cell.last_of_row) break;
   }
-  if (table.header_.empty() || !cell.last_of_row) throw InputError(table.name_ + ": has no header row");
-  const std::size_t width = table.header_.size();
+  if (cells.open_quote_line() > 0) refuse_open_quote(cells, table.name_);
+  if (table.header_.empty() || !cell.has_line_end) throw InputError(table.name_ + ": has no header row");
+  refuse_two_of_one_name(table.header_, table.name_);
+  table.read_rows(cells, origin);
+  return table;
+}
+
+void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
+  const std::size_t width = header_.size();
+  const std::size_t most = count_separators(text_) + 1;
+  begin_.reserve(most);
+  end_.reserve(most);
   std::size_t in_row = 0;
-  while (reader.next(cell)) {
-    table.begin_.push_back(cell.begin);
-    table.end_.push_back(cell.end);
-    ++in_row;
-    if (!cell.last_of_row) continue;
-    if (in_row != width) {
-      throw InputError(fmt::format("{}:{}: {} cells where the header has {}", table.name_, table.rows_ + 2,
-                                   in_row, width));
+  for (CsvCell cell; cells.next(cell);) {
+    if (++in_row <= width) {
+      begin_.push_back(static_cast<std::uint32_t>(cell.begin));
+      end_.push_back(static_cast<std::uint32_t>(cell.end));
     }
-    ++table.rows_;
+    if (!cell.last_of_row) continue;
+    if (origin == CsvOrigin::kArmtune && !cell.has_line_end) break;
+    if (cells.open_quote_line() > 0) refuse_open_quote(cells, name_);
+    if (in_row != width) {
+      throw InputError(
+          fmt::format("{}:{}: {} cells where the header has {}", name_, rows_ + 2, in_row, width));
+    }
+    ++rows_;
     in_row = 0;
   }
-  return table;
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column) const {
@@ -102,7 +100,7 @@ std::optional<std::size_t> CsvTable::find(std::string_view column) const {
 
 std::size_t CsvTable::column(std::string_view name) const {
   const auto found = find(name);
-  if (!found) throw InputError(fmt::format("{}:1: no column '{}', which armtune writes", name_, name));
+  if (!found) throw InputError(fmt::format("{}:1: no column '{}'{}", name_, name, suggestion(name, header_)));
   return *found;
 }
 
@@ -123,7 +121,7 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   const auto [read, error] = std::from_chars(text.data(), end, value);
   if (read != end || error != std::errc()) {
     throw InputError(
-        fmt::format("{}:{}: '{}' in column {} is no number", name_, row + 2, text, header_[column]));
+        fmt::format("{}:{}: {} in column {} is no number", name_, row + 2, shown(text), header_[column]));
   }
   return value;
 }

@@ -29,11 +29,11 @@ std::string errors_csv(const std::vector<ScenarioResult>& results,
   text += '\n';
   for (std::size_t r = 0; r < results.size(); ++r) {
     const ScenarioResult& row = results[r];
-    text += fmt::format("{},{}", row.scenario, name(row.result.status));
+    text += fmt::format("{},{}", cell(row.scenario), name(row.result.status));
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const double value = row.result.metrics.value[i];
       text += ',' + cell(value);
-      if (i == ratio) text += fmt::format(",{}", row.result.metrics.max_ratio_joint);
+      if (i == ratio) text += ',' + cell(row.result.metrics.max_ratio_joint);
     }
     for (const FurtherColumn& f : further) text += ',' + cell(f.values[r]);
     text += ',' + (row.result.reason.empty() ? std::string() : quoted(row.result.reason)) + '\n';

@@ -26,8 +26,8 @@ std::size_t line_of(std::size_t row) {
 double finite(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path) {
   const double value = table.number(row, column);
   if (std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}:{}: '{}' in column {} is no finite number; a plan has one in every row",
-                               path, line_of(row), table.text(row, column), table.header()[column]));
+  throw InputError(fmt::format("{}:{}: {} in column {} is no finite number; a plan has one in every row",
+                               path, line_of(row), shown(table.text(row, column)), table.header()[column]));
 }
 
 std::vector<double> read_times(const CsvTable& table, const std::string& path) {
@@ -92,7 +92,7 @@ void check_step(const RobotModel& robot, const MotionPoint<JointVector>& before,
 }  // namespace
 
 JointSpline load_planned_motion(const std::string& path, const RobotModel& robot) {
-  const CsvTable table = CsvTable::read(path);
+  const CsvTable table = CsvTable::read(path, CsvOrigin::kUser);
   std::vector<double> time = read_times(table, path);
   const int n = robot.n();
   std::vector<JointColumns> columns;

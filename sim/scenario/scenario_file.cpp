@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/random_targets.hpp"
@@ -227,6 +228,10 @@ Scenario load_scenario(const std::string& name_or_path) {
   yaml::MapReader map(root);
   map.ignore("base");
   scenario.name = stem(path);
+  if (is_formula(scenario.name)) {
+    throw InputError(fmt::format(
+        "{}: the name begins like a spreadsheet's formula; rename the file (CSV files use it)", path));
+  }
   scenario.source = path;
   scenario.description = map.string("description", "");
   const yaml::Node& robot_node = map.required("robot");

@@ -12,6 +12,8 @@
 #include <unordered_map>
 
 #include "core/common/error.hpp"
+#include "core/common/input_file.hpp"
+#include "core/common/message_text.hpp"
 #include "sim/yaml/source_text.hpp"
 
 namespace armtune::yaml {
@@ -20,8 +22,7 @@ namespace {
 constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 
 [[noreturn]] void fail_too_large(const std::string& file, std::size_t max_bytes) {
-  throw InputError(
-      one_line(fmt::format("{}: larger than {} MB; expected a smaller file", file, max_bytes >> 20)));
+  throw InputError(fmt::format("{}: larger than {} MB; expected a smaller file", file, max_bytes >> 20));
 }
 
 }  // namespace
@@ -139,16 +140,27 @@ class TreeBuilder final : public YAML::EventHandler {
     node.file_ = file_;
     node.key_path_ = next_path();
     node.line_ = !open_.empty() && open_.back().key ? open_.back().key_line : line_of(mark);
-    // Every value holds its path: without a limit, one long key above a long list would fill the memory.
-    if (node.key_path_.size() > kMaxPathBytes) {
-      fail_at(*file_, node.line_, {},
-              fmt::format("the keys down to here are longer than {} bytes", kMaxPathBytes));
-    }
+    check_path(node);
     if (++item_count_ > kMaxItems) {
       fail_at(*file_, node.line_, {},
               fmt::format("more than {} values; expected fewer in one file", kMaxItems));
     }
     return node;
+  }
+
+  /// Every value holds its path: without a limit, one long key above a long list would fill the memory.
+  void check_path(const Node& node) {
+    if (node.key_path_.size() > kMaxPathBytes) {
+      fail_at(*file_, node.line_, {},
+              fmt::format("the keys down to here are longer than {} bytes", kMaxPathBytes));
+    }
+    path_bytes_ += node.key_path_.size();
+    if (path_bytes_ > kMaxAllPathBytes) {
+      fail_at(
+          *file_, node.line_, {},
+          fmt::format("the keys down to every value are, together, longer than {} MB; expected shorter keys",
+                      kMaxAllPathBytes >> 20));
+    }
   }
 
   void attach(Node node) {
@@ -248,6 +260,7 @@ class TreeBuilder final : public YAML::EventHandler {
   /// bracket that is never closed looks like one until then, and deserves its own message.
   std::optional<std::pair<int, std::string>> container_key_;
   std::size_t item_count_ = 0;
+  std::size_t path_bytes_ = 0;
   int documents_ = 0;
 };
 
@@ -269,13 +282,13 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   }
   std::optional<Node> root = builder.take_root();
   if (!root || root->kind() == Node::Kind::kNull) {
-    throw InputError(one_line(file_name + ": empty, or nothing but comments; expected a YAML document"));
+    throw InputError(file_name + ": empty, or nothing but comments; expected a YAML document");
   }
   return std::move(*root);
 }
 
 Node parse_file(const std::string& path, std::size_t max_bytes) {
-  return parse_text(read_text(path, max_bytes), path, max_bytes);
+  return parse_text(read_input_file(path, max_bytes, "a YAML file"), path, max_bytes);
 }
 
 }  // namespace armtune::yaml

@@ -17,6 +17,8 @@ inline constexpr std::size_t kMaxDepth = 64;       ///< most containers inside o
 inline constexpr std::size_t kMaxKeyBytes =
     1024;  ///< longest key [byte], as YAML has it; run.yaml has paths as keys
 inline constexpr std::size_t kMaxPathBytes = 4096;  ///< longest key path [byte]
+inline constexpr std::size_t kMaxAllPathBytes =
+    32 * 1024 * 1024;  ///< of all values, each of which holds its path
 
 /// One value of a document: empty, a scalar, a list or a map, with the place it came from. Immutable.
 ///

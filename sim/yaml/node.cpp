@@ -7,6 +7,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "core/common/message_text.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/source_text.hpp"
 

@@ -1,4 +1,5 @@
-#include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 #include "sim/yaml/document.hpp"
 
@@ -7,14 +8,14 @@ namespace armtune::yaml {
 Node overlay(const std::vector<Node>& layers) {
   Node merged = layers.back();
   merged.entries_.clear();
+  std::unordered_map<std::string_view, std::size_t> places;  // of keys; the layers outlive it
   for (const Node& layer : layers) {
     for (const auto& [key, value] : layer.entries()) {
-      const auto same = [&key = key](const auto& entry) { return entry.first == key; };
-      const auto found = std::find_if(merged.entries_.begin(), merged.entries_.end(), same);
-      if (found != merged.entries_.end()) {
-        found->second = value;
-      } else {
+      const auto [place, is_new] = places.emplace(key, merged.entries_.size());
+      if (is_new) {
         merged.entries_.emplace_back(key, value);
+      } else {
+        merged.entries_[place->second].second = value;
       }
     }
   }

@@ -1,16 +1,10 @@
 #pragma once
-// Private to sim/yaml: what a text must be before it is parsed, and how messages show parts of it.
+// Private to sim/yaml: what a text must be before it is parsed, and where a message says something is.
 
 #include <string>
 #include <string_view>
 
 namespace armtune::yaml {
-
-/// Escapes line breaks and other control characters, so that a message stays one line.
-std::string one_line(std::string_view text);
-
-/// A value as a message shows it: in quotes, cut when long, never in the middle of a UTF-8 character.
-std::string shown(std::string_view text);
 
 /// Throws InputError "FILE:LINE: key 'a/b': what", on one line; without the key where the path is empty.
 [[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
@@ -22,8 +16,5 @@ void check_characters(std::string_view text, const std::string& file);
 
 /// Whether the quote that `text` begins with is closed in it. True for a text that begins with none.
 bool closes_quote(std::string_view text);
-
-/// The whole file, up to one byte more than max_bytes. Throws InputError for what cannot be read.
-std::string read_text(const std::string& path, std::size_t max_bytes);
 
 }  // namespace armtune::yaml

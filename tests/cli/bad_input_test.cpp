@@ -124,6 +124,25 @@ TEST_F(BadInput, LeavesNoFolderBehind) {
   EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
   refused({"simulate", "moving_traget", "--out", files_ / "run"});
   EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
+  refused({"identify", files_.write("log.csv", "time,q\n0,1\n"), "--out", files_ / "run"});
+  EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
+}
+
+TEST_F(BadInput, Usage) {
+  EXPECT_THAT(refused({"simulate", "--frob"}), testing::AllOf(HasSubstr("--frob"), HasSubstr("--help")));
+  EXPECT_THAT(refused({"tune", "--workers", "abc"}), HasSubstr("abc"));
+  EXPECT_THAT(refused({"identify", files_ / "no\nlog.csv"}), HasSubstr("no\\nlog.csv"));
+  EXPECT_THAT(refused({"robot", files_ / "no\narm.urdf"}), HasSubstr("no\\narm.urdf"));
+}
+
+TEST_F(BadInput, StepperOrEngineOfAStudy) {
+  for (const std::string key : {"stepper", "engine"}) {
+    const std::string study = ShortStudyText(test::kShortParameters, test::kShortObjective,
+                                             test::kShortConstraints, "search:\n  " + key + ": rk9\n");
+    EXPECT_THAT(
+        refused({"tune", study}),
+        testing::AllOf(HasSubstr(study + ":"), HasSubstr("key 'search/" + key + "'"), HasSubstr("rk9")));
+  }
 }
 
 TEST_F(BadInput, StartGainsThatDoNotCompleteAreNoReference) {

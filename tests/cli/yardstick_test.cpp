@@ -102,7 +102,7 @@ TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
   fs::remove(files_ / "run/run.yaml");
   EXPECT_THAT(refused({files_ / "run"}), AllOf(HasSubstr("is not bundled"), HasSubstr("--scenarios FILE")));
   EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}),
-              AllOf(HasSubstr("rollout_moving_target.csv: cannot be read"), Not(HasSubstr("report"))));
+              AllOf(HasSubstr("rollout_moving_target.csv: no such file"), Not(HasSubstr("report"))));
   EXPECT_THAT(refused({files_ / ""}), AllOf(HasSubstr("has no rollout_*.csv"), HasSubstr("/run")));
   EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is no folder"));
 }

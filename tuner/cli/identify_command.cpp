@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
+#include "core/common/error.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -110,7 +112,16 @@ int run(const Arguments& args) {
     line.show(fmt::format("pass {}, log {} of {}, {} samples", pass + 1, log + 1, args.logs.size(), samples));
   };
   const auto began = std::chrono::steady_clock::now();
-  const Identification found = identify(*model, args.logs, columns, options, stop_requested());
+  const Identification found = [&] {
+    try {
+      return identify(*model, args.logs, columns, options, stop_requested());
+    } catch (const InputError&) {
+      // Made before the logs, which can take minutes, are read; removed while it is empty.
+      std::error_code ignored;
+      if (!args.folder.empty()) std::filesystem::remove(args.folder, ignored);
+      throw;
+    }
+  }();
   line.clear();
   if (found.interrupted) return kInterrupted;
   show(*model, found);

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
@@ -48,6 +49,9 @@ int run(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done; 1 failed; 2 usage or bad input; 3 done, but no feasible point; 130 interrupted, "
       "everything so far saved.");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("armtune: {}; see armtune --help, or that of a command\n", one_line(error.what()));
+  });
   int exit_code = cli::kDone;
   cli::add_robot_command(app, exit_code);
   cli::add_simulate_command(app, exit_code);

@@ -37,8 +37,9 @@ study.yaml of a run does.
 Also in search: global and global_share (another algorithm first, for that part of evaluations and minutes), starts
 (several local searches at once), differences (forward, central) and difference_step; engine: native searches
 in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and leaves
-verify_share of the evaluations and of max_minutes to Simbody, whose figures are reported; margins and
-sensitivities are looked for in the same engine then, and confirmed by Simbody.
+verify_share of the evaluations and of max_minutes to Simbody, whose figures are reported; margins are
+looked for in the same engine then, and confirmed by Simbody on either side of the edge; of the sensitivities
+Simbody confirms the importance of the eight gains that matter most.
 max_minutes is wall time from start to last evaluation, of all sessions of a resumed run together: evaluations
 under way when it is over are finished; Simbody's last steps are within it (time for the best few is kept from
 what the start took, and they are simulated even if that was too little); fresh rollouts, report and analysis

@@ -20,6 +20,7 @@ constexpr long kStretch = 500;
 constexpr double kJitter = 0.5;
 /// Largest deviation of a stretch's mean step, relative, beside what the jitter of its two ends makes.
 constexpr double kDrift = 0.01;
+constexpr std::size_t kMaxLineBytes = 1U << 20;
 
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -87,17 +88,21 @@ LogColumns load_log_columns(const std::string& path, const RobotModel& model) {
 }
 
 LogFile::LogFile(const std::string& path, const LogColumns& columns)
-    : path_(path), columns_(columns), file_(path, std::ios::binary) {
+    : path_(path), columns_(columns), file_(path, std::ios::binary), buffer_(kMaxLineBytes) {
   if (!file_) throw InputError(fmt::format("{}: cannot be opened", path));
-  if (!std::getline(file_, line_))
-    throw InputError(fmt::format("{}: empty; a log begins with column names", path));
-  ++line_number_;
+  if (!read_line()) throw InputError(fmt::format("{}: empty; a log begins with column names", path));
   std::vector<std::string> header;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (line_.starts_with(kByteOrderMark)) line_.remove_prefix(kByteOrderMark.size());
   for (const std::string_view cell : split(line_)) header.emplace_back(trimmed(cell));
   width_ = header.size();
   const auto place = [&](const LogColumn& column) {
-    for (std::size_t i = 0; i < header.size(); ++i) {
-      if (header[i] == column.name) return i;
+    const auto found = std::find(header.begin(), header.end(), column.name);
+    if (found != header.end()) {
+      if (std::find(found + 1, header.end(), column.name) == header.end())
+        return static_cast<std::size_t>(found - header.begin());
+      throw InputError(
+          fmt::format("{}:1: two columns are called '{}'; remove or rename one", path, column.name));
     }
     throw InputError(fmt::format("{}:1: no column '{}'{}; --columns FILE says which columns hold what", path,
                                  column.name, suggestion(column.name, header)));
@@ -159,9 +164,22 @@ void LogFile::check_step(double step, long line) const {
                   path_, line, step, period_, 100.0 * kJitter));
 }
 
-bool LogFile::read_row() {
-  if (!std::getline(file_, line_)) return false;
+bool LogFile::read_line() {
+  file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  if (file_.eof() && file_.gcount() == 0) return false;
   ++line_number_;
+  if (file_.fail()) {
+    throw InputError(fmt::format(
+        "{}:{}: {}", path_, line_number_,
+        file_.bad() ? "cannot be read" : "a line of more than 1 MB; a log has a row of numbers a line"));
+  }
+  // What was read includes the line end, but for a last line without one.
+  line_ = std::string_view(buffer_.data(), static_cast<std::size_t>(file_.gcount()) - (file_.eof() ? 0 : 1));
+  return true;
+}
+
+bool LogFile::read_row() {
+  if (!read_line()) return false;
   if (trimmed(line_).empty()) {
     // Only a line break at the very end may follow.
     if (file_.peek() == std::ifstream::traits_type::eof()) return false;

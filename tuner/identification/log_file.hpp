@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/robot/robot_model.hpp"
@@ -43,7 +44,8 @@ struct LogSample {
 };
 
 /// Reads a log from its start. Throws InputError with file, line and column for whatever is not a whole log:
-/// missing columns, rows of another length, text that is no finite number, times that do not grow evenly.
+/// missing or doubled columns, lines of more than 1 MB, rows of another length, text that is no finite
+/// number, times that do not grow evenly.
 class LogFile {
  public:
   LogFile(const std::string& path, const LogColumns& columns);
@@ -56,6 +58,7 @@ class LogFile {
   bool has_velocities() const { return !columns_.velocity.empty(); }
 
  private:
+  bool read_line();
   bool read_row();
   double number(std::size_t column, const LogColumn& what) const;
   JointVector numbers(const std::vector<std::size_t>& places, const std::vector<LogColumn>& columns) const;
@@ -68,7 +71,8 @@ class LogFile {
   std::string path_;
   LogColumns columns_;
   std::ifstream file_;
-  std::string line_;
+  std::vector<char> buffer_;
+  std::string_view line_;  ///< in the buffer
   long line_number_ = 0;
   std::vector<std::string_view> cells_;
   std::size_t width_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tuner/report/base64.hpp"
+#include "tuner/report/mesh_path.hpp"
 #include "tuner/report/stl_file.hpp"
 
 namespace armtune::report {

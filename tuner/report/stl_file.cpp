@@ -22,11 +22,6 @@ std::uint32_t u32(const std::vector<char>& bytes, std::size_t at) {
   return value;
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 }  // namespace
 
 std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::size_t most) {
@@ -48,21 +43,6 @@ std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::
     }
   }
   return corners;
-}
-
-std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf) {
-  constexpr std::string_view kPackage = "package://";
-  constexpr std::string_view kFile = "file://";
-  const fs::path folder = fs::absolute(urdf).parent_path();
-  if (named.starts_with(kPackage)) {
-    const fs::path within = named.substr(kPackage.size());
-    for (fs::path up = folder;; up = up.parent_path()) {
-      if (is_file(up / within)) return (up / within).string();
-      if (up == up.parent_path()) return std::nullopt;
-    }
-  }
-  const fs::path path = named.starts_with(kFile) ? fs::path(named.substr(kFile.size())) : folder / named;
-  return is_file(path) ? std::optional(path.string()) : std::nullopt;
 }
 
 }  // namespace armtune::report

@@ -12,9 +12,4 @@ namespace armtune::report {
 /// `most` triangles.
 std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::size_t most);
 
-/// Where a mesh lies that a URDF names: `package://NAME/x` below the folder NAME that holds, or lies beside
-/// one that holds, the URDF; `file://x` as it is; any other beside the URDF. Nothing if there is no such
-/// file.
-std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf);
-
 }  // namespace armtune::report

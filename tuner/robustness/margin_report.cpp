@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "sim/csv/cell.hpp"
 
 namespace armtune {
 namespace {
@@ -20,10 +23,6 @@ std::vector<MarginKind> all_kinds() {
 
 std::string title(MarginKind kind) {
   return fmt::format("{} [{}]", name(kind), field(kind).unit);
-}
-
-std::string cell(const std::optional<double>& value) {
-  return value ? fmt::format("{}", *value) : std::string();
 }
 
 /// "2 (4 ms)", ">= 100" where nothing failed, "none" where not even the nominal value stands.
@@ -56,8 +55,9 @@ std::string what_ends(const std::vector<Scenario>& scenarios, const ComparedMarg
 }
 
 std::string row(const Margin& margin, const std::string& scenario, const std::string& reason) {
-  return fmt::format("{},{},{},{},{},{},{}\n", name(margin.kind), field(margin.kind).unit, scenario,
-                     margin.nominal, cell(margin.stands), cell(margin.fails), reason);
+  return fmt::format("{},{},{},{},{},{},{}\n", name(margin.kind), field(margin.kind).unit, cell(scenario),
+                     margin.nominal, cell(margin.stands.value_or(NAN)), cell(margin.fails.value_or(NAN)),
+                     cell(reason));
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ struct MarginOptions {
   std::vector<MetricLimit> limits = arm_limits();
   Stepper stepper = Stepper::kMidpoint;
   /// Where the edges are looked for. Simbody has the last word: what another engine found is a margin once
-  /// Simbody too stands on the one side and fails on the other; otherwise it looks for the edge itself.
+  /// Simbody too stands on the one side and fails on the other; otherwise it looks for the edge itself. What
+  /// stood on the way to that edge is not simulated again.
   Engine engine = Engine::kSimbody;
   int workers = 1;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< margins; one call at a time

@@ -90,8 +90,8 @@ std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarlo
   std::string text;
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     const RolloutResult& result = sample.results[s];
-    text += fmt::format("{},{},{},{},{}", sample.number, scenarios[s].name, name(result.status),
-                        sample.broken[s], result.metrics.max_ratio_joint);
+    text += fmt::format("{},{},{},{},{}", sample.number, cell(scenarios[s].name), name(result.status),
+                        cell(sample.broken[s]), cell(result.metrics.max_ratio_joint));
     for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
     text += '\n';
   }

@@ -82,13 +82,13 @@ std::string comparison_table(const std::vector<ComparedSet>& sets, const std::ve
 
 std::string comparison_csv(const std::vector<ComparedSet>& sets) {
   std::string text = "scenario,metric,unit";
-  for (const ComparedSet& set : sets) text += fmt::format(",{}", set.name);
-  for (std::size_t i = 1; i < sets.size(); ++i) text += fmt::format(",{}/ratio", sets[i].name);
+  for (const ComparedSet& set : sets) text += "," + cell(set.name);
+  for (std::size_t i = 1; i < sets.size(); ++i) text += "," + cell(sets[i].name + "/ratio");
   text += '\n';
   for (std::size_t s = 0; s < sets.front().results.size(); ++s) {
     for (std::size_t m = 0; m < kMetricCount; ++m) {
       const MetricField& f = metric_fields()[m];
-      text += fmt::format("{},{},{}", sets.front().results[s].scenario, f.name, f.unit);
+      text += fmt::format("{},{},{}", cell(sets.front().results[s].scenario), f.name, f.unit);
       const double reference = sets.front().results[s].result.metrics.value[m];
       for (const ComparedSet& set : sets) text += "," + cell(set.results[s].result.metrics.value[m]);
       for (std::size_t i = 1; i < sets.size(); ++i) {

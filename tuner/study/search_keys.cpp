@@ -15,6 +15,17 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Each search has a thread of its own.
 constexpr long kMostStarts = 256;
 
+/// One of several names; the others are refused with the line.
+template <typename FromName>
+auto read_name(yaml::MapReader& map, const char* key, const std::string& otherwise, FromName from_name) {
+  try {
+    return from_name(map.string(key, otherwise));
+  } catch (const InputError& e) {
+    if (!map.has(key)) throw;
+    map.required(key).fail(e.what());
+  }
+}
+
 std::string read_algorithm(yaml::MapReader& map, const char* key, const std::string& otherwise,
                            std::size_t parameters) {
   std::string algorithm = map.string(key, otherwise);
@@ -36,8 +47,8 @@ ConstraintHandling read_constraint_handling(const yaml::Node& node) {
 }
 
 void read_engine(yaml::MapReader& map, Study& study) {
-  study.stepper = stepper_from_name(map.string("stepper", name(study.stepper)));
-  study.engine = engine_from_name(map.string("engine", name(study.engine)));
+  study.stepper = read_name(map, "stepper", name(study.stepper), stepper_from_name);
+  study.engine = read_name(map, "engine", name(study.engine), engine_from_name);
   study.verify_share = map.number_in("verify_share", study.verify_share, 0.0, 1.0);
   if (study.engine == Engine::kSimbody && map.has("verify_share")) {
     map.required("verify_share")

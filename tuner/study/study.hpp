@@ -42,7 +42,7 @@ struct Study {
   bool end_outdone = true;         ///< rollouts end once their candidate can make no difference to the search
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
-  double verify_share = 0.1;         ///< with another engine: part of evaluations and minutes left to Simbody
+  double verify_share = 0.03;        ///< with another engine: part of evaluations and minutes left to Simbody
 };
 
 /// The study's solver, with the initial step that its warm start begins with.

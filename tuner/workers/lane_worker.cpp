@@ -17,8 +17,12 @@ constexpr int kPeriodsAtOnce = 16;
 /// Lanes for jobs of one kind.
 class Block {
  public:
-  explicit Block(const LaneKind& kind)
-      : kind_(kind), lanes_(kind, most_lanes(best_processor())), under_way_(lane_count()) {}
+  /// share: how many there will be at once; wider lanes than that only cost time.
+  Block(const LaneKind& kind, std::size_t share)
+      : kind_(kind),
+        lanes_(kind, static_cast<int>(std::min(share, most()))),
+        arms_(static_cast<int>(std::min(share, lane_count()))),
+        under_way_(lane_count()) {}
 
   const LaneKind& kind() const { return kind_; }
   std::size_t busy() const { return static_cast<std::size_t>(lanes_.busy()); }
@@ -60,9 +64,8 @@ class Block {
       std::optional<InLane>& one = under_way_[lane];
       if (!one) continue;
       // Side by side a rollout takes longer than alone, all of them together less.
-      const auto arms = static_cast<int>(under_way_.size());
-      if (one->time.look() > arms * deadline_of(plan, plan.scenarios[one->job.job.scenario])) {
-        throw alone.late(one->job.job, arms, lanes_.time(static_cast<int>(lane)));
+      if (one->time.look() > arms_ * deadline_of(plan, plan.scenarios[one->job.job.scenario])) {
+        throw alone.late(one->job.job, arms_, lanes_.time(static_cast<int>(lane)));
       }
     }
   }
@@ -80,10 +83,12 @@ class Block {
     GivenJob job;
     RunningTime time;
   };
+  static std::size_t most() { return static_cast<std::size_t>(most_lanes(best_processor())); }
   std::size_t lane_count() const { return static_cast<std::size_t>(lanes_.lanes()); }
 
   LaneKind kind_;
   RolloutLanes lanes_;
+  int arms_;  ///< that share the thread: a rollout may take as many times its deadline
   std::vector<std::optional<InLane>> under_way_;  ///< per lane
 };
 
@@ -128,7 +133,7 @@ class SideBySide {
     for (const auto& block : blocks_) {
       if (block->kind() == kind) return *block;
     }
-    return *blocks_.emplace_back(std::make_unique<Block>(kind));
+    return *blocks_.emplace_back(std::make_unique<Block>(kind, jobs_.share()));
   }
   void fill() {
     while (has_room()) {

@@ -44,7 +44,9 @@ class RankWorker final : public Worker {
   }
 
  private:
-  /// As many as the rank can do side by side, but no more than is its share.
+  /// As many as this process could do side by side, but no more than is the rank's share. A rank with wider
+  /// registers does as many, one with narrower ones the others after these; its deadline counts no more of
+  /// them than this one's.
   void send(JobSource& jobs) {
     while (open_.empty() || open_.size() < most_) {
       std::optional<GivenJob> one = jobs.next();

@@ -71,6 +71,9 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"crossed",
        robot(one_joint(kInertial, axis + "<limit lower='2' upper='1' velocity='1' effort='1'/>")),
        {"joint 'j'", "2 rad", "upper limit 1"}},
+      {"no torque",
+       robot(one_joint(kInertial, axis + "<limit lower='0' upper='1' velocity='1' effort='0'/>")),
+       {"joint 'j'", "effort limit is 0 N m"}},
       {"no speed",
        robot(one_joint(kInertial, axis + "<limit lower='0' upper='1' velocity='0' effort='1'/>")),
        {"joint 'j'", "velocity limit is 0 rad/s"}},
@@ -86,6 +89,34 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"mimic",
        robot(two + joint("j", "revolute", "a", "b", axis + kLimit + "<mimic joint='k'/>")),
        {"joint 'j'", "'k'"}},
+      {"mimic of itself",
+       robot(two + joint("j", "revolute", "a", "b", axis + kLimit + "<mimic joint='j'/>")),
+       {"joint 'j'", "mimic"}},
+      {"no velocity",
+       robot(one_joint(kInertial, axis + "<limit lower='0' upper='1' effort='1'/>")),
+       {"velocity", "[j]"}},
+      {"NaN limit",
+       robot(one_joint(kInertial, axis + "<limit lower='nan' upper='1' velocity='1' effort='1'/>")),
+       {"(nan)", "lower"}},
+      {"NaN rpy",
+       robot(one_joint(kInertial, "<origin rpy='0 nan 0'/>" + axis + kLimit)),
+       {"joint [j]", "nan"}},
+      {"NaN damping",
+       robot(one_joint(kInertial, axis + kLimit + "<dynamics damping='nan'/>")),
+       {"(nan)", "damping"}},
+      {"duplicate joint",
+       robot(three + joint("j", "revolute", "a", "b") + joint("j", "revolute", "b", "c")),
+       {"'j'", "not unique"}},
+      {"name of a megabyte",
+       robot(link("a") + link(std::string(1'000'000, 'x')) +
+             joint("j", "revolute", "a", std::string(1'000'000, 'x'), axis + kLimit)),
+       {"link 'xxx", "1000000 bytes", "may have 255"}},
+      {"name of a formula",
+       robot(link("a") + link("b") + joint("=j", "revolute", "a", "b", axis + kLimit)),
+       {"joint '=j'", "formula"}},
+      {"name that is not UTF-8",
+       robot(link("a") + link("b\xE9") + joint("j", "revolute", "a", "b\xE9", axis + kLimit)),
+       {"link 'b", "not UTF-8"}},
       {"two branches",
        robot(three + joint("j", "revolute", "a", "b") + joint("k", "revolute", "a", "c")),
        {"needs a serial arm", "'j'", "'k'"}},
@@ -130,6 +161,8 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
   for (const Refused& row : table) {
     const std::string message = refusal(row.text);
     for (const std::string& part : row.says) ASSERT_THAT(message, HasSubstr(part)) << row.what;
+    ASSERT_LT(message.size(), 3000U) << row.what;
+    ASSERT_THAT(message, testing::Not(HasSubstr("\n"))) << row.what;
   }
 }
 
@@ -161,10 +194,16 @@ TEST_F(UrdfBadInput, DeepNestingAndTooManyLinksAreRefusedBeforeParsing) {
   EXPECT_THAT(refusal(robot(links)), HasSubstr("more than 10000 links"));
 }
 
-TEST_F(UrdfBadInput, TagsWithThousandsOfAttributesAreRefusedBeforeParsing) {
+TEST_F(UrdfBadInput, TagsWithHundredsOfAttributesAreRefusedBeforeParsing) {
   std::string text = "<robot name='r'";
   for (int i = 0; i < 60'000; ++i) text += fmt::format(" a{}='1'", i);
-  EXPECT_THAT(refusal(text + "/>"), HasSubstr("more than 1000 attributes"));
+  EXPECT_THAT(refusal(text + "/>"), HasSubstr("more than 100 attributes"));
+}
+
+TEST_F(UrdfBadInput, HundredsOfThousandsOfElementsAreRefusedBeforeParsing) {
+  std::string text = "<robot name='r'>";
+  for (int i = 0; i < 200'000; ++i) text += "<a/>";
+  EXPECT_THAT(refusal(text + "</robot>"), HasSubstr("more than 200000 elements"));
 }
 
 TEST_F(UrdfBadInput, AsManyFixedLinksAsAllowedAreMergedWithoutRecursion) {

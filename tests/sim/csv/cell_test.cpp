@@ -31,5 +31,14 @@ TEST(Cell, ATextReadsBackWhateverIsInIt) {
   }
 }
 
+TEST(Cell, IsNoFormulaToASpreadsheet) {
+  for (const std::string text : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "=HYPERLINK(\"a\",\"b\")"}) {
+    EXPECT_EQ(cell(text).find_first_of("=+-@\t"), cell(text).find('\'') + 1) << text;
+    EXPECT_TRUE(cell(text).starts_with("'") || cell(text).starts_with("\"'")) << text;
+  }
+  EXPECT_EQ(cell("a=1"), "a=1");
+  EXPECT_EQ(cell(-1.0), "-1") << "numbers stay numbers";
+}
+
 }  // namespace
 }  // namespace armtune

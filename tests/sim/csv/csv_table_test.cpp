@@ -1,5 +1,6 @@
 #include "sim/csv/csv_table.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,14 +54,52 @@ TEST(CsvTable, LeavesOutTheLastRowOfARunThatWasKilled) {
   EXPECT_EQ(CsvTable::parse("a,b\n", "t").rows(), 0U);
 }
 
+TEST(CsvTable, TakesTheLastRowOfAUsersFileWithoutItsLineEnd) {
+  const CsvTable table = CsvTable::parse("a,b\n1,2\n3,4", "t", CsvOrigin::kUser);
+  ASSERT_EQ(table.rows(), 2U);
+  EXPECT_EQ(table.number(1, 1), 4.0);
+  EXPECT_EQ(CsvTable::parse("a,b\n1,2\n3,", "t", CsvOrigin::kUser).rows(), 2U);
+  EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n3", "t.csv", CsvOrigin::kUser); }),
+              HasSubstr("t.csv:3: 1 cells where the header has 2"));
+}
+
+TEST(CsvTable, SkipsAByteOrderMark) {
+  EXPECT_EQ(CsvTable::parse("\xEF\xBB\xBFtime\n1\n", "t").column("time"), 0U);
+}
+
+TEST(CsvTable, RefusesAQuoteThatIsNeverClosed) {
+  for (const CsvOrigin origin : {CsvOrigin::kUser, CsvOrigin::kArmtune}) {
+    EXPECT_THAT(refusal([&] { CsvTable::parse("a,\"b\n1,2\n", "t.csv", origin); }),
+                HasSubstr("t.csv:1: the quote"));
+  }
+  EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n\"3,4\n5,6\n", "t.csv", CsvOrigin::kUser); }),
+              HasSubstr("t.csv:3: the quote"));
+}
+
+TEST(CsvTable, RefusesTwoColumnsOfOneNameAndTooMany) {
+  EXPECT_THAT(refusal([] { CsvTable::parse("a,b,a\n1,2,3\n", "t.csv"); }),
+              HasSubstr("t.csv:1: two columns are called 'a'"));
+  std::string header = "c0";
+  for (int i = 1; i <= 10'000; ++i) header += fmt::format(",c{}", i);
+  EXPECT_THAT(refusal([&] { CsvTable::parse(header + "\n", "t.csv"); }),
+              HasSubstr("more than 10000 columns"));
+}
+
+TEST(CsvTable, RefusesFilesThatAreNone) {
+  EXPECT_THAT(refusal([] { CsvTable::read("/tmp"); }),
+              HasSubstr("/tmp: is a directory; expected a CSV file"));
+  EXPECT_THAT(refusal([] { CsvTable::read("/dev/zero", CsvOrigin::kUser); }), HasSubstr("larger than 48 MB"));
+}
+
 TEST(CsvTable, NamesFileLineAndColumnOfWhatIsWrong) {
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,2,3\n", "t.csv"); }), HasSubstr("t.csv:3: 3 cells"));
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,x7\n", "t.csv").numbers(1); }),
               testing::AllOf(HasSubstr("t.csv:3"), HasSubstr("x7"), HasSubstr("column b")));
-  EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n", "t.csv").column("c"); }),
-              testing::AllOf(HasSubstr("t.csv:1"), HasSubstr("'c'")));
+  EXPECT_THAT(refusal([] { CsvTable::parse("times,b\n", "t.csv").column("time"); }),
+              HasSubstr("t.csv:1: no column 'time'; did you mean 'times'?"));
   EXPECT_THAT(refusal([] { CsvTable::parse("", "t.csv"); }), HasSubstr("t.csv"));
-  EXPECT_THAT(refusal([] { CsvTable::read("/nonexistent/t.csv"); }), HasSubstr("/nonexistent/t.csv"));
+  EXPECT_THAT(refusal([] { CsvTable::read("/nonexistent/t.csv"); }),
+              HasSubstr("/nonexistent/t.csv: no such file"));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
 
 TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
   EXPECT_THAT(refusal([&] { load_planned_motion(folder_ / "none.csv", *robot_); }),
-              HasSubstr("cannot be read"));
+              HasSubstr("no such file"));
   const std::string text = csv();
   const std::string one_row = text.substr(0, text.find('\n', text.find('\n') + 1) + 1);
   EXPECT_THAT(refusal([&] { load_planned_motion(write(one_row), *robot_); }), HasSubstr("at least two"));

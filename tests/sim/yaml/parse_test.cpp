@@ -154,6 +154,22 @@ TEST(ParseLimits, RefusesKeysAndPathsThatAreTooLong) {
                        "longer than 4096 bytes"));
 }
 
+TEST(ParseLimits, RefusesLongPathsToManyValues) {
+  // 20,000 values, each of which would hold a path of 3,600 bytes: 72 MB.
+  const std::string open = repeat(fmt::format("{{{:k<900}: ", 'k'), 4);
+  EXPECT_TRUE(contains(parse_error(open + "[" + repeat("1, ", 20'000) + "1]" + repeat("}", 4)),
+                       "together, longer than 32 MB"));
+}
+
+TEST(ParseLimits, OverlaysLargeMapsInReasonableTime) {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += "key" + std::to_string(i) + ": 1\n";
+  const Node node = parse_text(text, "in.yaml");
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(overlay({node, node}).entries().size(), 100'000u);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
+
 TEST(ParseLimits, ReadsALargeMapInReasonableTime) {
   std::string text;
   for (int i = 0; i < 100'000; ++i) text += "key" + std::to_string(i) + ": 1\n";

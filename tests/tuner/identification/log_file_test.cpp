@@ -57,6 +57,24 @@ TEST_F(Logs, AColumnMapGivesNamesAndUnits) {
               AllOf(HasSubstr("m.yaml:1:"), HasSubstr("1 columns"), HasSubstr("2 joints")));
 }
 
+TEST_F(Logs, AByteOrderMarkIsSkippedAndALastRowNeedsNoLineEnd) {
+  const auto samples = read("\xEF\xBB\xBFt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8");
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(7, 8)));
+}
+
+TEST_F(Logs, TwoColumnsOfOneNameAreRefusedWhereTheyAreNeeded) {
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,q1\n"), HasSubstr("log.csv:1: two columns are called 'q1'"));
+  EXPECT_EQ(read("t,q1,q2,tau1,tau2,note,note\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n").size(), 2U);
+}
+
+TEST_F(Logs, ALineWithoutAnEndIsReadNoFurtherThanAMegabyte) {
+  EXPECT_THAT(test::refusal([&] { LogFile("/dev/zero", columns_); }),
+              HasSubstr("/dev/zero:1: a line of more than 1 MB"));
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2\n0,1,2,3,4\n1," + std::string(2'000'000, '7')),
+              HasSubstr("log.csv:3: a line of more than 1 MB"));
+}
+
 TEST_F(Logs, WhatIsNoWholeLogIsRefusedWithItsPlace) {
   const std::string head = "t,q1,q2,tau1,tau2\n";
   EXPECT_THAT(refused(""), HasSubstr("empty"));

@@ -170,23 +170,5 @@ TEST(StlFile, IsReadWholeOrNotAtAll) {
   EXPECT_FALSE(read_binary_stl(folder.path(), 10)) << "a folder";
 }
 
-TEST(StlFile, IsFoundByTheNamesThatUrdfsGiveIt) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directories(folder / "my_arm/urdf");
-  std::filesystem::create_directories(folder / "my_arm/meshes");
-  const std::string mesh = folder.write("my_arm/meshes/link.stl", "x");
-  const std::string urdf = folder / "my_arm/urdf/arm.urdf";
-  const auto same = [&](const std::string& named) {
-    const auto found = mesh_path(named, urdf);
-    return found && std::filesystem::equivalent(*found, mesh);
-  };
-  EXPECT_TRUE(same("package://my_arm/meshes/link.stl"));
-  EXPECT_TRUE(same("../meshes/link.stl"));
-  EXPECT_TRUE(same("file://" + mesh));
-  EXPECT_FALSE(mesh_path("package://other/meshes/link.stl", urdf));
-  EXPECT_FALSE(mesh_path("link.stl", urdf));
-  EXPECT_FALSE(mesh_path("..", urdf)) << "a folder is no mesh";
-}
-
 }  // namespace
 }  // namespace armtune::report

@@ -1,0 +1,52 @@
+#pragma once
+// The bytes of one fuzzed input as a file without a place on any disk, since that is what readers are given.
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "core/common/error.hpp"
+
+namespace armtune::fuzz {
+
+class InputFile {
+ public:
+  explicit InputFile(std::string_view bytes) : file_(::memfd_create("input", MFD_CLOEXEC)) {
+    if (file_ < 0 || ::write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+      std::abort();
+  }
+  ~InputFile() { ::close(file_); }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
+
+ private:
+  int file_;
+};
+
+inline std::string_view text(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};  // bytes as libFuzzer has them
+}
+
+/// Ends the program, so that the fuzzer keeps the input, where something does not hold.
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+/// Reads; what is refused is refused in one line that is no longer than a screen, anything else is a finding.
+template <typename Read>
+void read_or_refuse(Read read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    const std::string_view message = error.what();
+    require(!message.empty() && message.size() < 20'000 && message.find('\n') == std::string_view::npos);
+  }
+}
+
+}  // namespace armtune::fuzz
