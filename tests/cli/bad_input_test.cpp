@@ -129,7 +129,8 @@ TEST_F(BadInput, LeavesNoFolderBehind) {
 }
 
 TEST_F(BadInput, Usage) {
-  EXPECT_THAT(refused({"simulate", "--frob"}), testing::AllOf(HasSubstr("--frob"), HasSubstr("--help")));
+  EXPECT_THAT(refused({"simulate", "moving_target", "--frob"}),
+              testing::AllOf(HasSubstr("--frob"), HasSubstr("--help")));
   EXPECT_THAT(refused({"tune", "--workers", "abc"}), HasSubstr("abc"));
   EXPECT_THAT(refused({"identify", files_ / "no\nlog.csv"}), HasSubstr("no\\nlog.csv"));
   EXPECT_THAT(refused({"robot", files_ / "no\narm.urdf"}), HasSubstr("no\\narm.urdf"));

@@ -37,7 +37,10 @@ void add_report_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--out", args->path, "file to write (default: DIR/report.html)");
   command->footer(
-      "The page needs neither a server nor a network. Whatever the folder does not hold, it leaves out.\n\n"
+      "The page needs neither a server nor a network. Whatever the folder does not hold, it leaves out.\n"
+      "Meshes of the arm are drawn where they are binary STL within the robot's folder (of its URDF, or with "
+      "a\n"
+      "package.xml above it), or within one of the folders in ARMTUNE_MESHES (one:two).\n\n"
       "Example:\n  armtune report runs/ur10_gaze_20261121-103000\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

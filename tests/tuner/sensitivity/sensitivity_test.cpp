@@ -10,6 +10,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
+#include "tuner/sensitivity/merits.hpp"
 
 namespace armtune {
 namespace {
@@ -134,6 +135,25 @@ TEST_F(Sensitive, AnotherEngineFindsTheSameAndSimbodyConfirmsIt) {
   EXPECT_EQ(found.merit, judged.merit) << "Simbody's own";
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(found.parameters[i].importance, judged.parameters[i].importance) << "Simbody's own";
+  }
+}
+
+TEST_F(Sensitive, SimbodyLooksAtTheMostImportantFirst) {
+  const Merits::Progress nobody;
+  Merits merits(*study_, *objective_, *workers_, kNever, nobody);
+  const std::vector<double> best = study_->space.point_of(best_);
+  std::vector<std::vector<double>> points(10, best);
+  for (std::size_t i = 0; i < 3; ++i) points[points_of(i).reset][0] -= i == 1 ? 0.8 : 0.3;
+  const std::vector<double> judged = *merits.of(points, Engine::kSimbody);
+  const std::size_t most = points_of(1).reset;
+  ASSERT_GT(judged[most], judged[points_of(0).reset]);
+  ASSERT_GT(judged[most], judged[points_of(2).reset]);
+  std::vector<double> found = judged;
+  for (double& merit : found) merit *= 1.0 + 1e-9;  // as another engine might, but to be told apart
+  const auto confirmed = merits.confirmed(points, found, 1);
+  ASSERT_TRUE(confirmed);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    EXPECT_EQ((*confirmed)[p], p == 0 || p == most ? judged[p] : found[p]) << p;
   }
 }
 
