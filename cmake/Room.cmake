@@ -11,7 +11,8 @@ target_compile_options(armtune_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(ARMTUNE_SANITIZE)
   target_compile_options(armtune_options INTERFACE
-    -fsanitize=${ARMTUNE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-error=maybe-uninitialized)
+    -fsanitize=${ARMTUNE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized>)
   target_link_options(armtune_options INTERFACE -fsanitize=${ARMTUNE_SANITIZE})
 endif()
 if(ARMTUNE_FUZZ)

@@ -133,4 +133,12 @@ struct NumTraits<armtune::Pack<W>> : GenericNumTraits<double> {
   };
 };
 
+namespace internal {
+/// Arrays of packs are aligned as a pack is: the 16 bytes that Eigen asks for without AVX are less, which
+/// Clang refuses.
+template <int W, int Size>
+struct compute_default_alignment<armtune::Pack<W>, Size> {
+  enum { value = 0 };
+};
+}  // namespace internal
 }  // namespace Eigen
