@@ -5,7 +5,14 @@
 #include <cerrno>
 #include <cstddef>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__has_feature)  // Clang's way to tell
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ARMTUNE_MALLOC_IS_TAKEN 1
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ARMTUNE_MALLOC_IS_TAKEN 1
+#endif
+#if defined(__GLIBC__) && !defined(ARMTUNE_MALLOC_IS_TAKEN)
 #define ARMTUNE_COUNT_ALLOCATIONS 1
 #endif
 

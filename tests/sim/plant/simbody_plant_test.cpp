@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -192,16 +193,20 @@ TEST(SimbodyPlant, APayloadAddsAPointMassAtTheTool) {
   }
 }
 
-TEST(SimbodyPlant, ATorqueThatIsNotANumberShowsInTheState) {
+TEST(SimbodyPlant, ATorqueThatIsNotFiniteShowsInTheState) {
   const RobotModel model = test::ur10();
-  const auto plant = make_simbody_plant(model, Stepper::kMidpoint);
-  JointVector torque = JointVector::Zero(model.n());
-  torque[2] = std::nan("");
-  JointVector qdd;
-  plant->accelerations(plant->q(), plant->qd(), torque, qdd);
-  EXPECT_FALSE(qdd.allFinite());
-  plant->step(torque, 2e-3);
-  EXPECT_FALSE(plant->q().allFinite() && plant->qd().allFinite());
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity(), -1e308}) {
+    const auto plant = make_simbody_plant(model, Stepper::kMidpoint);
+    JointVector torque = JointVector::Zero(model.n());
+    torque[2] = value;
+    if (!std::isfinite(value)) {
+      JointVector qdd;
+      plant->accelerations(plant->q(), plant->qd(), torque, qdd);
+      EXPECT_FALSE(qdd.allFinite()) << value;
+    }
+    plant->step(torque, 2e-3);
+    EXPECT_FALSE(plant->q().allFinite() && plant->qd().allFinite()) << value;
+  }
 }
 
 /// 500 periods of a swing from a start that depends on `i`.

@@ -132,6 +132,16 @@ TEST_F(GainsFile, AMissingKeyIsRefused) {
       AllOf(HasSubstr("missing key 'slerpDurationErrorGain'"), HasSubstr("'slerpDurationErrorGian'")));
 }
 
+TEST_F(GainsFile, AFileCutOffAnywhereIsRefused) {
+  // YAML itself takes what is left of a block mapping for a whole one.
+  const std::size_t whole = kRosParameters.find_last_of(']') + 1;
+  for (std::size_t length = 0; length < whole; ++length) {
+    SCOPED_TRACE(length);
+    EXPECT_THROW(load(kRosParameters.substr(0, length)), InputError);
+  }
+  EXPECT_NO_THROW(load(kRosParameters.substr(0, whole)));
+}
+
 TEST_F(GainsFile, GainsThatNoControllerCanUseAreRefused) {
   EXPECT_THAT(refused("[80.0, 50.0", "[80.0, -50.0"), AllOf(HasSubstr("task_space_gains_p/y is -50")));
   EXPECT_THAT(refused("[280.0, 200.0", "[280.0, -1e-9"), HasSubstr("task_space_gains_d/shoulder_lift_joint"));
