@@ -123,8 +123,8 @@ TEST(Governor, IsTwiceContinuouslyDifferentiableAtTheKnee) {
 
 TEST(Governor, AccelerationIsThatOfTheSlowedMotionWhoseTimeRunsAtItsPace) {
   std::mt19937 generator(724);
-  // A difference with h = 2e-5: rounding, 1e-16 / h of velocities of 1, and h^4 / 30 of the fifth derivative of a
-  // 16-norm, (16 q''/q')^5 or 1e11 on the slowest of the samples.
+  // A difference with h = 2e-5: rounding, 1e-16 / h of velocities of 1, and h^4 / 30 of the fifth derivative
+  // of a 16-norm, (16 q''/q')^5 or 1e11 on the slowest of the samples.
   WorstError worst("derivative of the slowed velocity", 1e-9);
   int slowed = 0;
   for (int n = 1; n <= kMaxJoints; ++n) {

@@ -64,7 +64,8 @@ class JournalFile : public testing::Test {
   std::string written() {
     const std::string path = folder_ / "journal.txt";
     const auto journal = Journal::begin(path, header_of_run());
-    for (const auto number : std::initializer_list<std::uint64_t>{0, 2, 1, 3, 5, 4}) journal->append(record_of(number));
+    for (const auto number : std::initializer_list<std::uint64_t>{0, 2, 1, 3, 5, 4})
+      journal->append(record_of(number));
     return path;
   }
 
