@@ -9,7 +9,7 @@
 namespace armtune {
 
 std::string cell(double value) {
-  return std::isnan(value) ? std::string() : fmt::format("{}", value);
+  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
 }
 
 std::string cell(const std::string& text) {

@@ -5,7 +5,7 @@
 
 namespace armtune {
 
-/// Reads back to the same bits; empty for NaN, which stands for a value that there is not.
+/// Reads back to the same bits; empty for NaN and infinity, which stand for a value that there is not.
 std::string cell(double value);
 
 /// The text, in quotes where a reader would else take part of it for the end of the cell, and behind an

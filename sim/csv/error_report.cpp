@@ -25,7 +25,7 @@ std::string errors_csv(const std::vector<ScenarioResult>& results,
   const auto& fields = metric_fields();
   const auto ratio = static_cast<std::size_t>(Metric::kJointVelocityMaxRatio);
   std::string text;
-  for (const Column& column : error_columns(further)) text += (text.empty() ? "" : ",") + column.name;
+  for (const Column& column : error_columns(further)) text += (text.empty() ? "" : ",") + cell(column.name);
   text += '\n';
   for (std::size_t r = 0; r < results.size(); ++r) {
     const ScenarioResult& row = results[r];
@@ -36,7 +36,7 @@ std::string errors_csv(const std::vector<ScenarioResult>& results,
       if (i == ratio) text += ',' + cell(row.result.metrics.max_ratio_joint);
     }
     for (const FurtherColumn& f : further) text += ',' + cell(f.values[r]);
-    text += ',' + (row.result.reason.empty() ? std::string() : quoted(row.result.reason)) + '\n';
+    text += ',' + cell(row.result.reason) + '\n';
   }
   return text;
 }
@@ -57,7 +57,7 @@ std::string columns_csv(const std::vector<FileColumns>& files) {
   std::string text = "file,name,unit,meaning\n";
   for (const FileColumns& f : files) {
     for (const Column& c : f.columns) {
-      text += fmt::format("{},{},{},{}\n", f.file, c.name, c.unit, quoted(c.meaning));
+      text += fmt::format("{},{},{},{}\n", cell(f.file), cell(c.name), cell(c.unit), quoted(c.meaning));
     }
   }
   return text;

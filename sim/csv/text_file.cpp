@@ -27,9 +27,19 @@ namespace {
 
 }  // namespace
 
+std::string partial_path(const std::string& path) {
+  return path + ".partial";
+}
+
+int make_partial_file(const std::string& path, int flags) {
+  const std::string partial = partial_path(path);
+  ::unlink(partial.c_str());  // of a run that was killed; where it cannot be taken away, open() says so
+  return ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC | flags, 0644);
+}
+
 void write_text_file(const std::string& path, std::string_view text) {
-  const std::string partial = path + ".partial";
-  const int file = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const std::string partial = partial_path(path);
+  const int file = make_partial_file(path);
   if (file < 0) fail(partial, "write it");
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());

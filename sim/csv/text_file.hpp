@@ -9,6 +9,13 @@ namespace armtune {
 /// Writes beside the path and renames. Throws InputError with path and reason.
 void write_text_file(const std::string& path, std::string_view text);
 
+/// Where a file grows until it takes the place of the one at `path`.
+std::string partial_path(const std::string& path);
+/// Makes that file anew, to be written to, and gives its descriptor, or -1 with the reason in errno. Whatever
+/// stands there is taken away, not opened: what another user put there, a link or a file of his own, is not
+/// written to. flags: further ones of open().
+int make_partial_file(const std::string& path, int flags = 0);
+
 /// Makes the folder and its parents. Throws InputError with path and reason.
 void make_folder(const std::string& path);
 

@@ -156,11 +156,11 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kGazeTimeOutside:
       return gaze_.count() > 0 ? static_cast<double>(periods_outside_) * period_ : NAN;
     case Metric::kJointVelocityMaxRatio:
-      return max_ratio_;
+      return first_ ? NAN : max_ratio_;
     case Metric::kJointPositionMinMargin:
       return min_margin_ < kInfinity ? min_margin_ : NAN;
     case Metric::kJointEffortMaxRatio:
-      return max_effort_ratio_;
+      return first_ ? NAN : max_effort_ratio_;
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:
@@ -184,11 +184,11 @@ Metrics MetricAccumulator::result(double end) {
   m[Metric::kGazeRms] = gaze_.rms();
   m[Metric::kGazeRateErrorRms] = gaze_rate_.rms();
   m[Metric::kReacquisitionTime] = reacquisition_.longest(end);
-  m[Metric::kJointVelocityMaxRatioTime] = max_ratio_time_;
+  m[Metric::kJointVelocityMaxRatioTime] = first_ ? NAN : max_ratio_time_;
   m[Metric::kJointErrorRms] = joint_error_.rms();
   m[Metric::kEffortRateRms] = effort_rate_.rms();
   m[Metric::kCompensationErrorRms] = compensation_.rms();
-  m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;
+  if (!first_) m.max_ratio_joint = model_.joints[static_cast<std::size_t>(max_ratio_joint_)].name;
   return m;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/csv/cell.hpp"
 #include "sim/csv/text_file.hpp"
 
 namespace armtune {
@@ -52,7 +53,8 @@ void Recorder::write_csv(const std::string& path, bool completed) const {
   text.push_back('\n');
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i % width != 0) text.push_back(',');
-    fmt::format_to(out, "{:.9g}", values[i]);
+    const std::string written = cell(values[i]);
+    text.append(written.data(), written.data() + written.size());
     if ((i + 1) % width == 0) text.push_back('\n');
   }
   write_text_file(path, {text.data(), text.size()});

@@ -75,26 +75,6 @@ Excitation designed(const Arguments& args, const RobotModel& model) {
   return design.excitation;
 }
 
-std::string trajectory_csv(const Excitation& e, const RobotModel& model, double period) {
-  std::string text = "time";
-  for (const std::string& joint : joint_names(model)) {
-    text += fmt::format(",joint/{0}/position,joint/{0}/velocity,joint/{0}/acceleration", joint);
-  }
-  text += '\n';
-  const long samples = std::lround(e.duration / period);
-  for (long k = 0; k <= samples; ++k) {
-    const double t = static_cast<double>(k) * period;
-    const MotionPoint<JointVector> point = e.at(t);
-    text += fmt::format("{:.9g}", t);
-    for (Eigen::Index i = 0; i < e.center.size(); ++i) {
-      text +=
-          fmt::format(",{:.9g},{:.9g},{:.9g}", point.position[i], point.velocity[i], point.acceleration[i]);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 int run(const Arguments& args) {
   const auto model = load_robot(args.robot);
   const auto joints = joint_names(*model);
@@ -118,7 +98,7 @@ int run(const Arguments& args) {
   make_run_folder(args.folder);
   write_text_file(args.folder + "/excitation.yaml", excitation_yaml(excitation, joints));
   constexpr double kTrajectoryPeriod = 0.002;
-  write_text_file(args.folder + "/trajectory.csv", trajectory_csv(excitation, *model, kTrajectoryPeriod));
+  write_text_file(args.folder + "/trajectory.csv", excitation_csv(excitation, joints, kTrajectoryPeriod));
   std::string files = "excitation.yaml, trajectory.csv";
   for (const Scenario& scenario : scenarios) {
     if (stop_requested()) break;

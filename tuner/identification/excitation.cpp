@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/trajectory/quintic.hpp"
+#include "sim/csv/cell.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
@@ -93,6 +94,25 @@ Excitation load_excitation(const std::string& path, const std::vector<std::strin
   }
   map.finish();
   return e;
+}
+
+std::string excitation_csv(const Excitation& e, const std::vector<std::string>& joints, double period) {
+  std::string text = "time";
+  for (const std::string& joint : joints) {
+    text += fmt::format(",joint/{0}/position,joint/{0}/velocity,joint/{0}/acceleration", joint);
+  }
+  text += '\n';
+  const long samples = std::lround(e.duration / period);
+  for (long k = 0; k <= samples; ++k) {
+    const double t = static_cast<double>(k) * period;
+    const MotionPoint<JointVector> point = e.at(t);
+    text += cell(t);
+    for (Eigen::Index i = 0; i < e.center.size(); ++i) {
+      text += "," + cell(point.position[i]) + "," + cell(point.velocity[i]) + "," + cell(point.acceleration[i]);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace armtune

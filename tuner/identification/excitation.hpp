@@ -30,4 +30,9 @@ inline constexpr double kFastestHarmonic = 20.0;
 std::string excitation_yaml(const Excitation& excitation, const std::vector<std::string>& joints);
 Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints);
 
+/// Text of trajectory.csv: time and every joint's position, velocity and acceleration, each period [s] from 0
+/// to the end. Numbers read back to the same bits.
+std::string excitation_csv(const Excitation& excitation, const std::vector<std::string>& joints,
+                           double period);
+
 }  // namespace armtune

@@ -9,6 +9,7 @@
 #include "core/control/joint_space_law.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
+#include "sim/csv/cell.hpp"
 #include "sim/plant/flush_denormals.hpp"
 #include "sim/plant/plant.hpp"
 #include "sim/plant/sensors.hpp"
@@ -130,9 +131,9 @@ std::string log_csv(const RobotModel& model, const ExcitationLog& log) {
   }
   fmt::format_to(out, "\n");
   for (const LogSample& sample : log.samples) {
-    fmt::format_to(out, "{:.9g}", sample.time);
+    fmt::format_to(out, "{}", cell(sample.time));
     for (Eigen::Index j = 0; j < sample.q.size(); ++j) {
-      fmt::format_to(out, ",{:.10g},{:.10g},{:.10g}", sample.q[j], sample.qd[j], sample.torque[j]);
+      fmt::format_to(out, ",{},{},{}", cell(sample.q[j]), cell(sample.qd[j]), cell(sample.torque[j]));
     }
     fmt::format_to(out, "\n");
   }

@@ -33,7 +33,7 @@ struct ExcitationLog {
 ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& excitation,
                                   const ExcitationLogOptions& options, const std::atomic<bool>& stop);
 
-/// Text of the log as CSV, with the columns of `default_log_columns`.
+/// Text of the log as CSV, with the columns of `default_log_columns`. Numbers read back to the same bits.
 std::string log_csv(const RobotModel& model, const ExcitationLog& log);
 
 }  // namespace armtune

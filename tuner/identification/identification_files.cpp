@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/robot/urdf_writer.hpp"
+#include "sim/csv/cell.hpp"
 
 namespace armtune {
 
@@ -22,11 +24,14 @@ std::string base_parameters_csv(const RobotModel& model, const Identification& f
   const Eigen::VectorXd file = found.base.map * theta_of(model.chain);
   const Eigen::VectorXd physical = found.base.map * found.theta;
   const Eigen::VectorXd deviation = found.estimate.deviation();
-  std::string text = "group,estimate,standard_deviation,robot_file,physical\n";
+  const std::vector<int>& dead = found.estimate.not_excited;
+  std::string text = "group,estimate,standard_deviation,robot_file,physical,status\n";
   for (Eigen::Index b = 0; b < file.size(); ++b) {
-    const std::string sd = std::isfinite(deviation[b]) ? fmt::format("{:.6g}", deviation[b]) : "";
-    text += fmt::format("\"{}\",{:.9g},{},{:.9g},{:.9g}\n", found.base.names[static_cast<std::size_t>(b)],
-                        found.estimate.theta[b], sd, file[b], physical[b]);
+    const char* status = std::isfinite(deviation[b]) ? "estimated" : "no standard deviation";
+    if (std::find(dead.begin(), dead.end(), b) != dead.end()) status = "not excited";
+    text += fmt::format("{},{},{},{},{},{}\n", cell(found.base.names[static_cast<std::size_t>(b)]),
+                        cell(found.estimate.theta[b]), cell(deviation[b]), cell(file[b]), cell(physical[b]),
+                        status);
   }
   return text;
 }

@@ -12,8 +12,9 @@ namespace armtune {
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
                        const std::vector<std::string>& header);
 
-/// Text of base_parameters.csv: group, unit-free name of its leading parameter, estimate, standard deviation,
-/// the robot file's value, the physically valid theta's value.
+/// Text of base_parameters.csv: group, estimate, standard deviation, the robot file's value, the physically
+/// valid theta's value, status. Numbers read back to the same bits; what the logs do not excite has no
+/// standard deviation, an empty cell, and its status says so.
 std::string base_parameters_csv(const RobotModel& model, const Identification& found);
 
 /// The model with theta's links, rotor inertia and friction.

@@ -2,20 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim/csv/cell.hpp"
 
 namespace armtune {
-namespace {
-
-std::string quoted(std::string text) {
-  std::replace(text.begin(), text.end(), '"', '\'');
-  return '"' + text + '"';
-}
-
-}  // namespace
 
 std::vector<Column> evaluation_columns(const Study& study, const std::vector<ExtraColumn>& extra) {
   std::vector<Column> columns;
@@ -48,7 +39,7 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
     }
   }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);
-  add("time/wall", "s", "wall time since the run began");
+  add("time/wall", "s", "wall time since the run began, to the millisecond");
   return columns;
 }
 
@@ -57,7 +48,7 @@ EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, st
     : file_(path, open), study_(study), extra_(std::move(extra)) {
   std::string header;
   for (const Column& column : evaluation_columns(study, extra_)) {
-    header += (header.empty() ? "" : ",") + column.name;
+    header += (header.empty() ? "" : ",") + cell(column.name);
   }
   file_.append(header + "\n", false);
 }
@@ -66,8 +57,8 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
   const bool whole = std::isinf(e.beyond);  // what was given up has no figures
   std::string row =
       fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(whole ? e.objective : NAN),
-                  e.feasible ? 1 : 0, cell(whole ? e.violation : NAN), quoted(e.status));
-  for (const Parameter& p : study_.space.free) row += fmt::format(",{}", value(e.gains, p.entry));
+                  e.feasible ? 1 : 0, cell(whole ? e.violation : NAN), cell(e.status));
+  for (const Parameter& p : study_.space.free) row += "," + cell(value(e.gains, p.entry));
   for (const ObjectiveTerm& term : study_.terms) {
     for (const std::size_t s : term.scenarios) row += "," + cell(e.results[s].metrics[term.metric]);
   }

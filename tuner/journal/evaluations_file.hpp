@@ -27,7 +27,8 @@ class EvaluationsFile {
   EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra = {},
                   AppendFile::Open open = AppendFile::Open::kNew);
 
-  /// Appends one row and hands it to the system; the wall time stands in the last column, the only one that
+  /// Appends one row and hands it to the system. Numbers read back to the same bits, but the wall time in
+  /// milliseconds; what there is not is an empty cell. The wall time stands in the last column, the only one that
   /// differs between two runs of one study. A file that replaces an older one does so with the first row that
   /// is not recalled. Throws std::runtime_error if the disk refuses it.
   void append(const std::string& phase, const Evaluation& e);

@@ -114,7 +114,7 @@ std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, 
     for (const MonteCarloSample& sample : samples) {
       const double value = sample.results[s].metrics[metric];
       const bool completed = sample.results[s].status == RolloutStatus::kCompleted;
-      if (completed && !std::isnan(value)) values.emplace_back(sign * value, sample.number);
+      if (completed && std::isfinite(value)) values.emplace_back(sign * value, sample.number);
     }
     if (values.empty()) continue;
     std::sort(values.begin(), values.end());
@@ -133,9 +133,9 @@ std::string summary_csv(const std::vector<Scenario>& scenarios,
   std::string text = "scenario,metric,unit,samples,not_given,median,p95,p99,worst,worst_sample\n";
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     for (const MetricSpread& spread : spreads(samples, s)) {
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", scenarios[s].name, name(spread.metric),
-                          field(spread.metric).unit, spread.count, spread.not_given, spread.median,
-                          spread.p95, spread.p99, spread.worst, spread.worst_sample);
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", cell(scenarios[s].name), name(spread.metric),
+                          field(spread.metric).unit, spread.count, spread.not_given, cell(spread.median),
+                          cell(spread.p95), cell(spread.p99), cell(spread.worst), spread.worst_sample);
     }
   }
   return text;

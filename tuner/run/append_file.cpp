@@ -22,8 +22,7 @@ int flags(AppendFile::Open open) {
   switch (open) {
     case AppendFile::Open::kNew:
       return O_CREAT | O_EXCL;
-    case AppendFile::Open::kReplace:
-      return O_CREAT | O_TRUNC;
+    case AppendFile::Open::kReplace:  // made by make_partial_file
     case AppendFile::Open::kContinue:
       return 0;
   }
@@ -43,16 +42,13 @@ bool locked(int file, double patience) {
   return true;
 }
 
-std::string partial(const std::string& path) {
-  return path + ".partial";
-}
-
 }  // namespace
 
 AppendFile::AppendFile(const std::string& path, Open open, double patience)
     : path_(path), published_(open != Open::kReplace) {
-  const std::string name = published_ ? path : partial(path);
-  file_ = ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644);
+  const std::string name = published_ ? path : partial_path(path);
+  file_ = published_ ? ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644)
+                     : make_partial_file(path, O_APPEND);
   if (file_ < 0) {
     throw InputError(fmt::format("{}: cannot {} it: {}", name, open == Open::kContinue ? "open" : "make",
                                  std::strerror(errno)));
@@ -104,7 +100,7 @@ void AppendFile::truncate(long size) {
 
 void AppendFile::publish() {
   if (published_) return;
-  if (std::rename(partial(path_).c_str(), path_.c_str()) != 0) fail("replace");
+  if (std::rename(partial_path(path_).c_str(), path_.c_str()) != 0) fail("replace");
   sync_folder_of(path_);
   published_ = true;
 }

@@ -34,6 +34,20 @@ double clamp_to_box(double x) {
   return std::clamp(x, 0.0, 1.0);
 }
 
+/// "complete", or which figures there are not, and why.
+std::string missing(const ParameterSensitivity& s) {
+  std::string text;
+  const auto add = [&text](const char* figure, const char* why) {
+    text += fmt::format("{}no {}: {}", text.empty() ? "" : "; ", figure, why);
+  };
+  if (!std::isfinite(s.importance)) add("importance", "a merit is not finite");
+  if (!std::isfinite(s.local)) add("local", "the best's merit is zero or one is not finite");
+  if (!std::isfinite(s.elasticity)) add("elasticity", "the gain or the best's merit is zero");
+  if (!std::isfinite(s.rank_correlation))
+    add("rank_correlation", "fewer than three evaluations or the gain never moved");
+  return text.empty() ? "complete" : text;
+}
+
 }  // namespace
 
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
@@ -104,12 +118,13 @@ std::optional<Sensitivity> sensitivity(
 }
 
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity) {
-  std::string text = "gain,unit,start,best,lower,upper,importance,local,elasticity,rank_correlation\n";
+  std::string text = "gain,unit,start,best,lower,upper,importance,local,elasticity,rank_correlation,"
+      "status\n";
   for (const ParameterSensitivity& s : sensitivity.parameters) {
     const Parameter& p = study.space.free[s.parameter];
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{}\n", p.entry.name, p.entry.field->unit, p.start, s.best,
-                    p.lower, p.upper, s.importance, s.local, cell(s.elasticity), cell(s.rank_correlation));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", cell(p.entry.name), p.entry.field->unit,
+                        cell(p.start), cell(s.best), cell(p.lower), cell(p.upper), cell(s.importance),
+                        cell(s.local), cell(s.elasticity), cell(s.rank_correlation), cell(missing(s)));
   }
   return text;
 }

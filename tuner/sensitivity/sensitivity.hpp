@@ -54,7 +54,8 @@ std::optional<Sensitivity> sensitivity(
 /// defined.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-/// sensitivity.csv: a row per parameter, the most important first.
+/// sensitivity.csv: a row per parameter, the most important first. Numbers read back to the same bits; a
+/// figure that there is not is an empty cell, and `status` says why.
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity);
 
 /// In plain words, one per line: gains that ended at a bound, gains without effect, and what to change.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "sim/csv/cell.hpp"
 #include "sim/scenario/data_files.hpp"
 
 namespace armtune {
@@ -49,10 +50,10 @@ std::string pareto_csv(const Study& study, const ParetoOptions& options, const P
   const auto row = [&](const std::string& point, const char* kind, const ParetoPoint& p) {
     text +=
         fmt::format("{},{},{},{}", point, kind, p.evaluation, dominates(p.costs, result.start.costs) ? 1 : 0);
-    for (const Criterion& c : options.criteria) text += fmt::format(",{}", value(c, p.e, study.scenarios));
-    if (!has_objective(options)) text += fmt::format(",{}", p.e.objective);
+    for (const Criterion& c : options.criteria) text += "," + cell(value(c, p.e, study.scenarios));
+    if (!has_objective(options)) text += "," + cell(p.e.objective);
     for (const Parameter& parameter : study.space.free) {
-      text += fmt::format(",{}", value(p.e.gains, parameter.entry));
+      text += "," + cell(value(p.e.gains, parameter.entry));
     }
     text += '\n';
   };

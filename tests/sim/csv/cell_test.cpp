@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/read_back.hpp"
 
 namespace armtune {
 namespace {
@@ -19,6 +20,14 @@ TEST(Cell, ANumberReadsBackToTheSameBitsAndNoValueIsEmpty) {
     EXPECT_EQ(std::stod(cell(value)), value);
   }
   EXPECT_EQ(cell(NAN), "");
+}
+
+TEST(Cell, ReadsBackToTheBitAndIsEmptyForWhatIsNotFinite) {
+  for (const double value : test::awkward_numbers()) {
+    test::ReadBack read("a,b\n" + cell(value) + ",x\n");
+    read.number(0, "a", value);
+  }
+  for (const double value : test::no_figures()) EXPECT_EQ(cell(value), "") << value;
 }
 
 TEST(Cell, ATextReadsBackWhateverIsInIt) {

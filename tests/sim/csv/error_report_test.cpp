@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/read_back.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune {
@@ -81,6 +82,49 @@ TEST(ErrorsCsv, FurtherColumnsStandBehindTheMetricsAndChangeNothingElse) {
   }
   ASSERT_EQ(error_columns(further).size(), header.size());
   for (std::size_t i = 0; i < header.size(); ++i) EXPECT_EQ(error_columns(further)[i].name, header[i]);
+}
+
+TEST(ErrorsCsv, ReadsBackToTheBitAndIsEmptyForWhatIsNotFinite) {
+  std::vector<ScenarioResult> results(4);
+  FurtherColumn further{{"reacquisition/limit", "s", "the least", {}}, {}};
+  for (std::size_t r = 0; r < results.size(); ++r) {
+    RolloutResult& result = results[r].result;
+    results[r].scenario = r == 0 ? test::kAwkwardText : test::kFormula;
+    result.status = r == 0 ? RolloutStatus::kCompleted : RolloutStatus::kDiverged;
+    result.reason = r == 0 ? "" : r == 1 ? test::kAwkwardText : test::kFormula;
+    result.metrics.max_ratio_joint = r == 0 ? test::kAwkwardText : "";
+    for (std::size_t m = 0; m < kMetricCount; ++m)
+      result.metrics.value[m] = (m + r) % 3 == 0 ? test::no_figures()[(m / 3) % 4] : test::awkward(m + r);
+    further.values.push_back(r == 1 ? INFINITY : test::awkward(r));
+  }
+  test::ReadBack read(errors_csv(results, {further}));
+  for (std::size_t r = 0; r < results.size(); ++r) {
+    const RolloutResult& result = results[r].result;
+    read.text(r, "scenario", results[r].scenario);
+    read.text(r, "status", name(result.status));
+    read.text(r, "joint_velocity/max_ratio_joint", result.metrics.max_ratio_joint);
+    for (const Metric m : all_metrics()) read.number(r, name(m), result.metrics[m]);
+    read.number(r, "reacquisition/limit", further.values[r]);
+    read.text(r, "reason", result.reason);
+  }
+  read.expect_all_seen(results.size());
+}
+
+TEST(ColumnsCsv, ReadsBackWhateverIsInATextAndIsEmptyWithoutUnit) {
+  const std::vector<FileColumns> files = {
+      {"errors.csv", error_columns()},
+      {test::kAwkwardText, {{"a, b/\"c\"", "N m, N", "says \"what, when\"", {}}, {test::kFormula, "", "", {}}}}};
+  test::ReadBack read(columns_csv(files));
+  std::size_t row = 0;
+  for (const FileColumns& file : files) {
+    for (const Column& column : file.columns) {
+      read.text(row, "file", file.file);
+      read.text(row, "name", column.name);
+      read.text(row, "unit", column.unit);
+      read.text(row++, "meaning", column.meaning);
+    }
+  }
+  read.expect_all_seen(row);
 }
 
 TEST(ColumnsCsv, ExplainsEveryColumnOfBothFiles) {

@@ -1,7 +1,12 @@
 #include "sim/csv/text_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <utility>
 
 #include "tests/sim/support/files.hpp"
 
@@ -47,6 +52,74 @@ TEST(TextFile, AFolderThatMayNotBeWrittenToIsNamed) {
   EXPECT_THAT(test::refusal([&] { write_text_file(path, "new\n"); }), HasSubstr(path));
   fs::permissions(folder.path(), fs::perms::owner_all);
   EXPECT_EQ(test::read_text(path), "old\n");
+}
+
+/// Permissions of a file [octal].
+unsigned mode(const std::string& path) {
+  return static_cast<unsigned>(fs::symlink_status(path).permissions());
+}
+
+TEST(PrivateTextFile, IsNotWrittenThroughALinkThatSomebodyPutThere) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", "old\n");
+  const std::string victim = folder.write("victim", "precious\n");
+  for (const bool symbolic : {true, false}) {
+    if (symbolic) {
+      fs::create_symlink(victim, partial_path(path));
+    } else {
+      fs::create_hard_link(victim, partial_path(path));
+    }
+    write_text_file(path, "new\n");
+    EXPECT_EQ(test::read_text(victim), "precious\n") << (symbolic ? "symbolic" : "hard") << " link";
+    EXPECT_EQ(test::read_text(path), "new\n");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path)));
+    EXPECT_EQ(fs::hard_link_count(path), 1U);
+    EXPECT_FALSE(fs::exists(fs::symlink_status(partial_path(path))));
+  }
+}
+
+TEST(PrivateTextFile, DoesNotWaitForAPipeNorMakeWhatADanglingLinkNames) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "a.csv";
+  ASSERT_EQ(::mkfifo(partial_path(path).c_str(), 0666), 0);
+  write_text_file(path, "new\n");  // opening the pipe would never end
+  EXPECT_EQ(test::read_text(path), "new\n");
+  fs::create_symlink(folder / "made", partial_path(path));
+  write_text_file(path, "newer\n");
+  EXPECT_FALSE(fs::exists(folder / "made"));
+  EXPECT_EQ(test::read_text(path), "newer\n");
+}
+
+TEST(PrivateTextFile, HasTheUsersOwnPermissionsWhileItGrowsAndAfter) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "a.csv";
+  for (const auto& [mask, expected] : {std::pair{0077U, 0600U}, std::pair{0000U, 0644U}}) {
+    const std::string planted = folder.write("a.csv.partial", "");  // open to everybody
+    fs::permissions(planted, fs::perms::all);
+    const mode_t before = ::umask(mask);
+    const int growing = make_partial_file(path);
+    const unsigned meanwhile = mode(planted);
+    ::close(growing);
+    write_text_file(path, "new\n");
+    ::umask(before);
+    EXPECT_GE(growing, 0);
+    EXPECT_EQ(meanwhile, expected) << "nobody else may write to it";
+    EXPECT_EQ(mode(path), expected);
+  }
+}
+
+TEST(PrivateTextFile, ThatGrowsRowByRowIsNotWrittenThroughALinkEither) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "a.csv";
+  const std::string victim = folder.write("victim", "precious\n");
+  fs::create_symlink(victim, partial_path(path));
+  const int growing = make_partial_file(path, O_APPEND);
+  ASSERT_GE(growing, 0);
+  EXPECT_NE(::fcntl(growing, F_GETFL) & O_APPEND, 0);
+  EXPECT_NE(::fcntl(growing, F_GETFD) & FD_CLOEXEC, 0) << "no program that is started inherits it";
+  EXPECT_EQ(::write(growing, "x", 1), 1);
+  ::close(growing);
+  EXPECT_EQ(test::read_text(victim), "precious\n");
 }
 
 TEST(MakeFolder, MakesParentsAndTakesOneThatIsThere) {

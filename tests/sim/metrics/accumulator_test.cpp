@@ -115,6 +115,18 @@ class Accumulated : public testing::Test {
   int k_ = 0;
 };
 
+TEST_F(Accumulated, AFigureOfNoPeriodIsEmptyAndNotZero) {
+  const Metrics none = MetricAccumulator(metrics_).result(0.0);
+  for (const Metric m : all_metrics()) {
+    if (m != Metric::kSamples) {
+      EXPECT_TRUE(std::isnan(none[m])) << name(m);
+    }
+  }
+  EXPECT_EQ(none.max_ratio_joint, "");
+  add();
+  EXPECT_EQ(result()[Metric::kJointVelocityMaxRatio], 0.0) << "an arm at rest";
+}
+
 TEST_F(Accumulated, TrackingCountsFromOneSecondAfterFollowTrajectoryWasEntered) {
   p_.o.error.setConstant(9.0);
   p_.control.state = kLeaveSingularity;

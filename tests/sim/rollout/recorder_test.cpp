@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/read_back.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune {
@@ -75,7 +76,7 @@ TEST(RolloutCsv, HasARowForEveryStrideWithRisingTimeAndTheTrueState) {
       EXPECT_NEAR(time, 0.002 * stride * static_cast<double>(r), 1e-9);
       before = time;
       const JointVector& q = recorded.q[r * static_cast<std::size_t>(stride)];
-      EXPECT_NEAR(std::stod(csv.at(r, "joint/elbow_joint/position")), q[2], 1e-8 * std::abs(q[2]) + 1e-300);
+      EXPECT_EQ(std::stod(csv.at(r, "joint/elbow_joint/position")), q[2]);
       EXPECT_EQ(csv.at(r, "state"), "0");
     }
   }
@@ -94,16 +95,14 @@ TEST(RolloutCsv, MissesNoPeakBetweenItsRows) {
   Scenario scenario = scenario_of("obstacle_pass", 9.0);
   const Recorded every = record(scenario, 1);
   const Recorded recorded = record(scenario, 40);
-  // Nine digits are written.
-  const auto near = [](double expected) { return testing::DoubleNear(expected, 1e-8 * expected); };
   const Metrics& m = recorded.metrics;
-  EXPECT_THAT(largest(recorded.csv, "/velocity_ratio"), near(m[Metric::kJointVelocityMaxRatio]));
-  EXPECT_THAT(largest(recorded.csv, "/torque_ratio"), near(m[Metric::kJointEffortMaxRatio]));
+  EXPECT_DOUBLE_EQ(largest(recorded.csv, "/velocity_ratio"), m[Metric::kJointVelocityMaxRatio]);
+  EXPECT_DOUBLE_EQ(largest(recorded.csv, "/torque_ratio"), m[Metric::kJointEffortMaxRatio]);
   double closest = INFINITY;
   for (std::size_t r = 0; r < recorded.csv.rows.size(); ++r) {
     closest = std::min(closest, std::stod(recorded.csv.at(r, "obstacle/distance")));
   }
-  EXPECT_THAT(closest, near(m[Metric::kObstacleMinClearance]));
+  EXPECT_EQ(closest, m[Metric::kObstacleMinClearance]);
   for (const char* column : {"joint/elbow_joint/velocity_ratio", "joint/wrist_1_joint/torque_ratio"}) {
     for (std::size_t r = 1; r + 1 < recorded.csv.rows.size(); ++r) {
       double peak = 0.0;
@@ -112,6 +111,43 @@ TEST(RolloutCsv, MissesNoPeakBetweenItsRows) {
       }
       ASSERT_EQ(std::stod(recorded.csv.at(r, column)), peak) << column << ", row " << r;
     }
+  }
+}
+
+TEST(RolloutCsv, ReadsBackToTheBit) {
+  const test::TemporaryFolder folder;
+  const Scenario scenario = scenario_of("obstacle_pass", 0.5);
+  Recorder recorder(scenario, 1);
+  std::vector<double> seen;
+  Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), [&](const Observation& o) {
+    for (const Column& column : recorder.columns()) seen.push_back(column.value(o));
+    return recorder(o);
+  });
+  recorder.write_csv(folder / "rollout.csv");
+  test::ReadBack read(test::read_text(folder / "rollout.csv"));
+  const std::size_t width = recorder.columns().size();
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    read.number(i / width, recorder.columns()[i % width].name, seen[i]);
+  read.expect_all_seen(250);
+}
+
+TEST(RolloutCsv, IsEmptyWhereAFigureIsNotFinite) {
+  const test::TemporaryFolder folder;
+  Scenario scenario = scenario_of("obstacle_pass", 0.1);
+  Recorder recorder(scenario, 1);
+  Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), [&](const Observation& o) {
+    Observation without = o;
+    without.gaze_angle = NAN;
+    without.obstacle_distance = INFINITY;
+    return recorder(without);
+  });
+  recorder.write_csv(folder / "rollout.csv");
+  test::ReadBack read(test::read_text(folder / "rollout.csv"));
+  ASSERT_EQ(read.table().rows(), 50U);
+  for (std::size_t row = 0; row < 50; ++row) {
+    read.text(row, "gaze/angle", "");
+    read.text(row, "obstacle/distance", "");
+    EXPECT_NE(read.table().text(row, read.table().column("time")), "");
   }
 }
 

@@ -1,12 +1,15 @@
 #include "tuner/journal/evaluations_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "sim/csv/error_report.hpp"
 #include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/read_back.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune {
@@ -68,6 +71,49 @@ TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
   EXPECT_EQ(csv.at(0, "short/error/orientation/rms"), "");
   EXPECT_THAT(csv.at(0, "status"), testing::HasSubstr("leaveSingularity"));
   EXPECT_EQ(csv.at(0, "feasible"), "0");
+}
+
+TEST_F(Journalled, ReadsBackToTheBitAndIsEmptyWithAStatusWhereItWasGivenUp) {
+  const std::string path = files_ / "evaluations.csv";
+  const std::vector<ExtraColumn> extra = {
+      {{"a, \"criterion\"", "1", "", {}}, [](const Evaluation& e) { return e.seconds > 1.0 ? NAN : 1.0 / 3.0; }}};
+  EvaluationsFile journal(path, study_, extra);
+  std::vector<Evaluation> all(4, e_);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Evaluation& e = all[k];
+    e.engine = k == 1 ? Engine::kNative : Engine::kSimbody;
+    e.objective = test::awkward(k);
+    e.violation = test::awkward(k + 1);
+    e.feasible = k == 0;
+    e.status = k == 0 ? "completed" : k == 1 ? test::kAwkwardText : test::kFormula;
+    e.seconds = 0.75 * static_cast<double>(k) + 1e-5;
+    for (const Parameter& p : study_.space.free) value(e.gains, p.entry) = test::awkward(k + 2);
+    for (std::size_t m = 0; m < kMetricCount; ++m)
+      e.results[0].metrics.value[m] = (m + k) % 2 == 0 ? test::no_figures()[k] : test::awkward(m + k);
+  }
+  all[3].beyond = 2.0;  // given up
+  for (const Evaluation& e : all) journal.append("search", e);
+  test::ReadBack read(test::read_text(path));
+  for (std::size_t row = 0; row < all.size(); ++row) {
+    const Evaluation& e = all[row];
+    read.text(row, "evaluation", std::to_string(row));
+    read.text(row, "phase", "search");
+    read.text(row, "engine", name(e.engine));
+    read.number(row, "objective", row == 3 ? NAN : e.objective);
+    read.text(row, "feasible", e.feasible ? "1" : "0");
+    read.number(row, "violation", row == 3 ? NAN : e.violation);
+    read.text(row, "status", e.status);
+    for (const Parameter& p : study_.space.free) read.number(row, p.entry.name, value(e.gains, p.entry));
+    const auto metrics = [&](const std::string& before, Metric m, const std::vector<std::size_t>& of) {
+      for (const std::size_t s : of)
+        read.number(row, before + study_.scenarios[s].name + "/" + name(m), e.results[s].metrics[m]);
+    };
+    for (const ObjectiveTerm& term : study_.terms) metrics("", term.metric, term.scenarios);
+    for (const Constraint& c : study_.constraints) metrics("constraint/", c.metric, c.scenarios);
+    read.number(row, "a, \"criterion\"", row > 1 ? NAN : 1.0 / 3.0);
+    read.text(row, "time/wall", fmt::format("{:.3f}", e.seconds));
+  }
+  read.expect_all_seen(all.size());
 }
 
 TEST_F(Journalled, NeverWritesOverAnotherJournal) {

@@ -7,6 +7,7 @@
 
 #include "sim/scenario/gains_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/sim/support/read_back.hpp"
 
 namespace armtune {
 namespace {
@@ -95,6 +96,71 @@ TEST(Spreads, OfABandwidthTheSmallestIsTheWorst) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].worst, 2.0);
   EXPECT_EQ(found[0].worst_sample, 1U);
+}
+
+/// Two scenarios and samples whose metrics are awkward, or not there at all.
+struct Awkward {
+  std::vector<Scenario> scenarios = std::vector<Scenario>(2);
+  std::vector<MonteCarloSample> samples = std::vector<MonteCarloSample>(4);
+
+  Awkward() {
+    scenarios[0].name = "plain";
+    scenarios[1].name = test::kAwkwardText;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      samples[k].number = k + (std::uint64_t{1} << 60U);
+      samples[k].results.resize(2);
+      samples[k].broken = {k == 0 ? test::kFormula : "", k == 1 ? test::kAwkwardText : ""};
+      for (std::size_t s = 0; s < 2; ++s) {
+        RolloutResult& result = samples[k].results[s];
+        if (k == 3) result.status = RolloutStatus::kDiverged;
+        result.metrics.max_ratio_joint = k == 3 ? "" : "elbow_joint";
+        for (std::size_t m = 0; m < kMetricCount; ++m)
+          result.metrics.value[m] = (m + k + s) % 4 == 0 ? test::no_figures()[k] : test::awkward(m + k);
+      }
+    }
+  }
+};
+
+TEST(SamplesCsv, ReadsBackToTheBitAndIsEmptyWithItsStatus) {
+  const Awkward a;
+  test::ReadBack read(samples_csv(a.scenarios, a.samples));
+  std::size_t row = 0;
+  for (const MonteCarloSample& sample : a.samples) {
+    for (std::size_t s = 0; s < 2; ++s, ++row) {
+      const RolloutResult& result = sample.results[s];
+      read.text(row, "sample", std::to_string(sample.number));
+      read.text(row, "scenario", a.scenarios[s].name);
+      read.text(row, "status", name(result.status));
+      read.text(row, "broken_limit", sample.broken[s]);
+      read.text(row, "joint_velocity/max_ratio_joint", result.metrics.max_ratio_joint);
+      for (const Metric m : all_metrics()) read.number(row, name(m), result.metrics[m]);
+    }
+  }
+  read.expect_all_seen(row);
+}
+
+TEST(SummaryCsv, ReadsBackToTheBitAndIsEmptyForWhatIsNotFinite) {
+  const Awkward a;
+  test::ReadBack read(summary_csv(a.scenarios, a.samples));
+  std::size_t row = 0;
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const MetricSpread& spread : spreads(a.samples, s)) {
+      read.text(row, "scenario", a.scenarios[s].name);
+      read.text(row, "metric", name(spread.metric));
+      read.text(row, "unit", field(spread.metric).unit);
+      read.text(row, "samples", std::to_string(spread.count));
+      read.text(row, "not_given", std::to_string(spread.not_given));
+      read.number(row, "median", spread.median);
+      read.number(row, "p95", spread.p95);
+      read.number(row, "p99", spread.p99);
+      read.number(row, "worst", spread.worst);
+      read.text(row++, "worst_sample", std::to_string(spread.worst_sample));
+      EXPECT_EQ(spread.count + spread.not_given, a.samples.size());
+      EXPECT_TRUE(std::isfinite(spread.worst)) << "an infinite figure is none";
+    }
+  }
+  read.expect_all_seen(row);
+  EXPECT_GT(row, kMetricCount);
 }
 
 TEST(Limits, AreReadAndToldApart) {

@@ -200,6 +200,41 @@ TEST_F(Sensitive, TheGlobalPartIsTheJournalsRankCorrelation) {
   EXPECT_EQ(std::stod(csv.at(0, "importance")), s.parameters[0].importance);
 }
 
+TEST(SensitivityCsv, ReadsBackToTheBitAndIsEmptyWithAStatusThatSaysWhy) {
+  const test::ShortStudy files;
+  Study study = load_study(files.path());
+  ASSERT_EQ(study.space.free.size(), 2U);
+  study.space.free[0].start = 1.0 / 3.0;
+  study.space.free[1].lower = 5e-324;
+  study.space.free[1].upper = 1e300;
+  Sensitivity s;
+  s.parameters.push_back({1, 0.1 + 0.2, 1.0 / 3.0, -0.0, -1e-300, 5e-324});
+  s.parameters.push_back({0, 0.0, INFINITY, NAN, -INFINITY, NAN});
+  s.parameters.push_back({0, 1.0, 1e300, NAN, 0.5, 2.0});
+  test::ReadBack read(sensitivity_csv(study, s));
+  for (std::size_t row = 0; row < s.parameters.size(); ++row) {
+    const ParameterSensitivity& found = s.parameters[row];
+    const Parameter& p = study.space.free[found.parameter];
+    read.text(row, "gain", p.entry.name);
+    read.text(row, "unit", p.entry.field->unit);
+    read.number(row, "start", p.start);
+    read.number(row, "best", found.best);
+    read.number(row, "lower", p.lower);
+    read.number(row, "upper", p.upper);
+    read.number(row, "importance", found.importance);
+    read.number(row, "local", found.local);
+    read.number(row, "elasticity", found.elasticity);
+    read.number(row, "rank_correlation", found.rank_correlation);
+  }
+  read.text(0, "status", "complete");
+  read.text(1, "status",
+            "no importance: a merit is not finite; no local: the best's merit is zero or one is not finite; "
+            "no elasticity: the gain or the best's merit is zero; no rank_correlation: fewer than three "
+            "evaluations or the gain never moved");
+  read.text(2, "status", "no elasticity: the gain or the best's merit is zero");
+  read.expect_all_seen(s.parameters.size());
+}
+
 TEST(ReducedStudy, KeepsLinksAndSweepsOfWhatIsStillTuned) {
   const test::ShortStudy files(
       "parameters:\n"

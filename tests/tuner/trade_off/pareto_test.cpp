@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/read_back.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
@@ -138,6 +139,41 @@ TEST_F(Pareto, FoundInTheNativeEngineItsFiguresAreStillSimbodys) {
   }
   result.front.back().costs[1] *= 1.01;
   EXPECT_THROW(verify(study_, *objective_, options_, result, fresh, kNever), std::runtime_error);
+}
+
+TEST_F(Pareto, ItsCsvReadsBackToTheBitAndIsEmptyWhereACriterionHasNoFigure) {
+  options_.criteria = {criterion_from_name("gaze/rms"), criterion_from_name("response/bandwidth")};
+  ParetoResult result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ParetoPoint p;
+    p.evaluation = static_cast<long>(10 * i);
+    p.e.gains = study_.space.start;
+    p.e.objective = i == 3 ? NAN : test::awkward(i);
+    p.e.results.resize(study_.scenarios.size());
+    for (RolloutResult& r : p.e.results)
+      for (double& v : r.metrics.value) v = i == 2 ? INFINITY : i == 3 ? NAN : test::awkward(i + 1);
+    for (const Parameter& q : study_.space.free) value(p.e.gains, q.entry) = test::awkward(i + 3);
+    p.costs = {1.0 + static_cast<double>(i), 1.0};
+    if (i == 1) {
+      result.start = p;
+    } else {
+      result.front.push_back(p);
+    }
+  }
+  test::ReadBack read(pareto_csv(study_, options_, result));
+  for (std::size_t row = 0; row < 4; ++row) {
+    const ParetoPoint& p = row < 3 ? result.front[row] : result.start;
+    read.text(row, "point", row < 3 ? std::to_string(row + 1) : "");
+    read.text(row, "kind", row < 3 ? "front" : "start");
+    read.text(row, "evaluation", std::to_string(p.evaluation));
+    read.text(row, "dominates_start", row == 0 ? "1" : "0");
+    for (const Criterion& c : options_.criteria) read.number(row, c.name(), value(c, p.e, study_.scenarios));
+    read.number(row, "objective", p.e.objective);
+    for (const Parameter& q : study_.space.free) read.number(row, q.entry.name, value(p.e.gains, q.entry));
+  }
+  read.expect_all_seen(4);
+  read.text(2, "gaze/rms", "");
+  read.text(2, "objective", "");
 }
 
 TEST_F(Pareto, ItsCsvGivesTheGainsOfEveryPointAndMarksTheStart) {

@@ -1,7 +1,5 @@
 #include "tuner/planning/output/plan_files.hpp"
 
-#include <cmath>
-
 #include "sim/csv/cell.hpp"
 
 namespace armtune {
@@ -23,10 +21,6 @@ std::string text_cell(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
-}
-
-std::string bound(double value) {
-  return std::isfinite(value) ? cell(value) : std::string();
 }
 
 /// "8.01:8.05 8.2:8.21", of one bound.
@@ -67,7 +61,7 @@ std::string limits_csv(const std::vector<LimitUse>& uses) {
   text += '\n';
   for (const LimitUse& use : uses) {
     text += text_cell(use.limit) + "," + text_cell(use.part) + "," + text_cell(use.unit) + "," +
-            bound(use.lower) + "," + bound(use.upper) + "," + cell(use.from) + "," + cell(use.to) + "," +
+            cell(use.lower) + "," + cell(use.upper) + "," + cell(use.from) + "," + cell(use.to) + "," +
             cell(use.at_knots) + "," +
             // A limit at one knot alone has nothing between knots.
             (use.from < use.to ? cell(use.between) : "") + "," + cell(use.share) + "," + cell(use.strength) +
@@ -85,7 +79,7 @@ std::vector<Column> limits_columns() {
           {"from", "s", "begin of the time in which it holds", {}},
           {"to", "s", "end of that time", {}},
           {"at_knots", "1", "largest share of the limit that is used at a knot: 1 at the limit", {}},
-          {"between_knots", "1", "the same between the knots, where the program does not look", {}},
+          {"between_knots", "1", "the same between the knots, where the program does not look; empty: it holds at one knot alone", {}},
           {"active", "1", "share of the knots at which the limit holds the motion back", {}},
           {"strength", "", "sum of its multipliers: seconds, or cost, per unit of relief", {}},
           {"active_lower", "s", "stretches FROM:TO at the lower limit", {}},
