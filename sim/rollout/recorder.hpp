@@ -17,8 +17,8 @@ class Recorder {
 
   /// rollout_<scenario>.csv: a header row, then one row per kept period. What columns say of the periods
   /// behind the last of them goes into its row. completed: otherwise the last period has a row of its own,
-  /// since it is where a rollout that failed shows why. Numbers read back to the same bits; what is not finite
-  /// is an empty cell. Throws InputError if it cannot be written.
+  /// since it is where a rollout that failed shows why. Numbers read back to the same bits; what is not
+  /// finite is an empty cell. Throws InputError if it cannot be written.
   void write_csv(const std::string& path, bool completed = true) const;
 
   const std::vector<Column>& columns() const { return columns_; }

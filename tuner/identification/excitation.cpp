@@ -108,7 +108,8 @@ std::string excitation_csv(const Excitation& e, const std::vector<std::string>& 
     const MotionPoint<JointVector> point = e.at(t);
     text += cell(t);
     for (Eigen::Index i = 0; i < e.center.size(); ++i) {
-      text += "," + cell(point.position[i]) + "," + cell(point.velocity[i]) + "," + cell(point.acceleration[i]);
+      text +=
+          "," + cell(point.position[i]) + "," + cell(point.velocity[i]) + "," + cell(point.acceleration[i]);
     }
     text += '\n';
   }

@@ -28,6 +28,7 @@ std::string base_parameters_csv(const RobotModel& model, const Identification& f
   std::string text = "group,estimate,standard_deviation,robot_file,physical,status\n";
   for (Eigen::Index b = 0; b < file.size(); ++b) {
     const char* status = std::isfinite(deviation[b]) ? "estimated" : "no standard deviation";
+    if (!std::isfinite(found.estimate.theta[b])) status = "no estimate";
     if (std::find(dead.begin(), dead.end(), b) != dead.end()) status = "not excited";
     text += fmt::format("{},{},{},{},{},{}\n", cell(found.base.names[static_cast<std::size_t>(b)]),
                         cell(found.estimate.theta[b]), cell(deviation[b]), cell(file[b]), cell(physical[b]),

@@ -56,8 +56,8 @@ std::string what_ends(const std::vector<Scenario>& scenarios, const ComparedMarg
 
 std::string row(const Margin& margin, const std::string& scenario, const std::string& reason) {
   return fmt::format("{},{},{},{},{},{},{}\n", name(margin.kind), field(margin.kind).unit, cell(scenario),
-                     cell(margin.nominal), cell(margin.stands.value_or(NAN)), cell(margin.fails.value_or(NAN)),
-                     cell(reason));
+                     cell(margin.nominal), cell(margin.stands.value_or(NAN)),
+                     cell(margin.fails.value_or(NAN)), cell(reason));
 }
 
 }  // namespace

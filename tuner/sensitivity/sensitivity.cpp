@@ -118,7 +118,8 @@ std::optional<Sensitivity> sensitivity(
 }
 
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity) {
-  std::string text = "gain,unit,start,best,lower,upper,importance,local,elasticity,rank_correlation,"
+  std::string text =
+      "gain,unit,start,best,lower,upper,importance,local,elasticity,rank_correlation,"
       "status\n";
   for (const ParameterSensitivity& s : sensitivity.parameters) {
     const Parameter& p = study.space.free[s.parameter];

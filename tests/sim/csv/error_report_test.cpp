@@ -113,7 +113,8 @@ TEST(ErrorsCsv, ReadsBackToTheBitAndIsEmptyForWhatIsNotFinite) {
 TEST(ColumnsCsv, ReadsBackWhateverIsInATextAndIsEmptyWithoutUnit) {
   const std::vector<FileColumns> files = {
       {"errors.csv", error_columns()},
-      {test::kAwkwardText, {{"a, b/\"c\"", "N m, N", "says \"what, when\"", {}}, {test::kFormula, "", "", {}}}}};
+      {test::kAwkwardText,
+       {{"a, b/\"c\"", "N m, N", "says \"what, when\"", {}}, {test::kFormula, "", "", {}}}}};
   test::ReadBack read(columns_csv(files));
   std::size_t row = 0;
   for (const FileColumns& file : files) {

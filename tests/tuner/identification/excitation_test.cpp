@@ -7,6 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/sim/support/read_back.hpp"
 #include "tuner/identification/excitation_design.hpp"
 
 namespace armtune {
@@ -43,6 +44,28 @@ TEST(Excitation, BeginsAndEndsAtRestInItsCenter) {
     EXPECT_LT(e.at(t).velocity.norm(), 1e-12);
     EXPECT_LT(e.at(t).acceleration.norm(), 1e-10);
   }
+}
+
+TEST(ExcitationCsv, ReadsBackToTheBit) {
+  const std::vector<std::string> joints = {"a", "b", "c"};
+  Excitation e = some_excitation(3);
+  e.duration = 5.0;
+  e.center[0] = 1e300;
+  const double period = 1.0 / 300.0;
+  test::ReadBack read(excitation_csv(e, joints, period));
+  for (std::size_t row = 0; row <= 1500; ++row) {
+    const double t = static_cast<double>(row) * period;
+    const MotionPoint<JointVector> point = e.at(t);
+    read.number(row, "time", t);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const std::string joint = "joint/" + joints[j] + "/";
+      const auto i = static_cast<Eigen::Index>(j);
+      read.number(row, joint + "position", point.position[i]);
+      read.number(row, joint + "velocity", point.velocity[i]);
+      read.number(row, joint + "acceleration", point.acceleration[i]);
+    }
+  }
+  read.expect_all_seen(1501);
 }
 
 TEST(Excitation, ItsFileReadsBackToTheBit) {

@@ -75,8 +75,9 @@ TEST_F(Journalled, AValueThatThereIsNotIsAnEmptyCell) {
 
 TEST_F(Journalled, ReadsBackToTheBitAndIsEmptyWithAStatusWhereItWasGivenUp) {
   const std::string path = files_ / "evaluations.csv";
-  const std::vector<ExtraColumn> extra = {
-      {{"a, \"criterion\"", "1", "", {}}, [](const Evaluation& e) { return e.seconds > 1.0 ? NAN : 1.0 / 3.0; }}};
+  const std::vector<ExtraColumn> extra = {{{"a, \"criterion\"", "1", "", {}}, [](const Evaluation& e) {
+                                             return e.seconds > 1.0 ? NAN : 1.0 / 3.0;
+                                           }}};
   EvaluationsFile journal(path, study_, extra);
   std::vector<Evaluation> all(4, e_);
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -247,35 +247,6 @@ TEST_F(Margins, AreShownSideBySide) {
   EXPECT_THAT(margins_by_scenario(found().scenarios, found().all), HasSubstr("\nrealistic_fixed_target "));
 }
 
-TEST(MarginsCsv, ReadsBackToTheBitAndIsEmptyWithAReasonWhereNothingStands) {
-  Scenario scenario;
-  scenario.name = test::kAwkwardText;
-  std::vector<Margin> all;
-  for (std::size_t k = 0; k < kMarginCount; ++k) {
-    const auto kind = static_cast<MarginKind>(k);
-    all.push_back({kind, scenario.name, 0.002, test::awkward(k), test::awkward(k + 1), test::awkward(k + 2),
-                   k == 0 ? test::kFormula : test::kAwkwardText});
-  }
-  all[1].stands = std::nullopt;  // not even the nominal value
-  all[2].fails = std::nullopt;   // nothing failed
-  all[2].reason.clear();
-  all[3].stands = INFINITY;
-  all[3].nominal = NAN;
-  test::ReadBack read(margins_csv({scenario}, all));
-  for (std::size_t row = 0; row < 2 * kMarginCount; ++row) {
-    const Margin& m = all[row / 2];
-    const bool least = row % 2 == 1;
-    read.text(row, "margin", name(m.kind));
-    read.text(row, "unit", field(m.kind).unit);
-    read.text(row, "scenario", least ? "all" : m.scenario);
-    read.number(row, "nominal", m.nominal);
-    read.number(row, "stands", m.stands.value_or(NAN));
-    read.number(row, "fails", m.fails.value_or(NAN));
-    read.text(row, "reason", least && m.fails ? m.scenario + ": " + m.reason : m.reason);
-  }
-  read.expect_all_seen(2 * kMarginCount);
-}
-
 TEST(MarginFields, TheNominalValueChangesNothing) {
   for (const char* bundled : {"moving_target", "realistic_moving_target"}) {
     const Scenario scenario = test::scenario_of(bundled);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/sim/support/csv.hpp"
+#include "tests/sim/support/read_back.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
 #include "tuner/sensitivity/merits.hpp"
