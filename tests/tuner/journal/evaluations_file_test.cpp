@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "sim/csv/error_report.hpp"
+#include "sim/csv/text_file.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/sim/support/read_back.hpp"
 #include "tests/tuner/support/short_study.hpp"
@@ -123,6 +125,19 @@ TEST_F(Journalled, NeverWritesOverAnotherJournal) {
   EXPECT_THAT(test::refusal([&] { EvaluationsFile(files_ / "evaluations.csv", study_); }),
               testing::HasSubstr(files_ / "evaluations.csv"));
   EXPECT_EQ(test::read_text(files_ / "evaluations.csv"), "of another run\n");
+}
+
+TEST_F(Journalled, WhatReplacesAnotherIsPrivateAndNotWrittenThroughALink) {
+  const std::string path = files_.write("evaluations.csv", "older\n");
+  const std::string victim = files_.write("victim", "precious\n");
+  std::filesystem::create_symlink(victim, partial_path(path));
+  EvaluationsFile journal(path, study_, {}, AppendFile::Open::kReplace);
+  EXPECT_EQ(test::read_text(path), "older\n");
+  objective().judge(e_);
+  journal.append("search", e_);
+  EXPECT_EQ(test::read_text(victim), "precious\n");
+  EXPECT_FALSE(std::filesystem::is_symlink(path));
+  EXPECT_EQ(test::read_csv(path).rows.size(), 1U);
 }
 
 TEST(Columns, OfTheBundledStudyAreAllExplained) {
