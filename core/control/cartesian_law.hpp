@@ -1,10 +1,8 @@
 #pragma once
-// Cartesian references (equations 1 and 2):
-//   xr'  = xd' - Kp dx - Ki int(dx) dt,   xr'' = xd'' - Kp dx' - Ki dx,
-//   qr'  = J+ xr',                        qr'' = J+ (xr'' - J' qr').
+// Cartesian references (equation 1):
+//   xr'  = xd' - Kp dx - Ki int(dx) dt,   xr'' = xd'' - Kp dx' - Ki dx.
 
-#include "core/control/joint_space_law.hpp"
-#include "core/control/task_inverse.hpp"
+#include "core/common/types.hpp"
 
 namespace armtune {
 
@@ -28,14 +26,6 @@ using TaskReference = TaskReferenceT<double>;
 inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, const Vec6& Ki) {
   return {x.desired_rate - Kp.cwiseProduct(x.pose) - Ki.cwiseProduct(x.integral),
           x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose)};
-}
-
-/// qr' and qr''.
-template <typename T>
-void resolve(const TaskReferenceT<T>& x, const TaskInverseT<T>& inverse, const JacobianT<T>& J_dot,
-             JointReferenceT<T>& reference) {
-  inverse.apply(x.rate, reference.velocity);
-  inverse.apply(Vec6T<T>(x.acceleration - times(J_dot, reference.velocity)), reference.acceleration);
 }
 
 }  // namespace armtune

@@ -21,13 +21,26 @@ JointVector goal_in_si(const RobotModel& model, const Gains& gains) {
   return goal;
 }
 
+/// Of joints beyond those the task takes; of the others there is nothing to draw to anywhere.
+JointCentering joint_centering(const RobotModel& model, double rate) {
+  JointCentering centering{JointVector::Zero(model.n()), JointVector::Zero(model.n())};
+  for (int i = 0; i < model.n(); ++i) {
+    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
+    if (!limits.has_position) continue;
+    centering.middle[i] = 0.5 * (limits.lower + limits.upper);
+    centering.rate[i] = rate;
+  }
+  return centering;
+}
+
 MotionPoint<Vec3> path_now(const Scene& scene, double time) {
   return scene.on_path != nullptr ? *scene.on_path : scene.path->at(time);
 }
 
 }  // namespace
 
-ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period)
+ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period,
+                           TaskMask mask)
     : model_(std::move(model)),
       gains_(gains),
       goal_(goal_in_si(*model_, gains)),
@@ -35,13 +48,15 @@ ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains&
       velocity_limits_(model_->velocity_limits()),
       velocity_bound_(gains.velocity_margin * velocity_limits_),
       damping_(inverse_damping(gains)),
+      mask_(mask),
+      centering_(joint_centering(*model_, gains.joint_centering_gain)),
       period_(period) {
   if (gains_.release_radius == 0.0) gains_.release_radius = gains_.obstacleInfluenceRadius;
 }
 
 const MeasuredArm& ControlLogic::whole(const JointState& measured, const ArmView& arm) {
   if (arm.whole != nullptr) return *arm.whole;
-  if (!spare_is_now_) spare_.measure(model_->chain, measured.q, measured.qd, damping_);
+  if (!spare_is_now_) spare_.measure(model_->chain, measured.q, measured.qd, damping_, mask_);
   spare_is_now_ = true;
   return spare_;
 }
@@ -106,7 +121,8 @@ void ControlLogic::follow_joint_trajectory(const JointState& measured, const Arm
   if (gains_.joint_goal_follows_task) {
     const MotionPoint<Vec3> path = path_now(scene, time);
     // By way of joint_space_goal, which the arm's user has chosen, so that the first half of the way stays.
-    goal = towards(goal_, task_goal_.step(model_->chain, path, scene.target, damping_, period_), s);
+    goal = towards(
+        goal_, task_goal_.step(model_->chain, path, scene.target, damping_, mask_, centering_, period_), s);
     out_.desired.acceleration = path.acceleration;
   }
   joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,
@@ -159,7 +175,11 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   if (gains_.velocity_margin > 0.0)
     speed.emplace(GazeControl::SpeedBound{std::ref(inverse), velocity_bound_});
   const GazeControl::Output gaze =
-      gaze_.update(gains_, arm.R_0T, Q_0T, tool, scene.target, time - lag_, speed);
+      tracks_orientation(mask_)
+          ? gaze_.update(gains_, arm.R_0T, Q_0T, tool, scene.target, time - lag_, speed)
+          : GazeControl::Output{{Q_0T, Vec3::Zero(), Vec3::Zero()},
+                                false,
+                                armtune::gaze_turn(arm.R_0T, arm.p_0T, scene.target.position)};
   out_.slerping = gaze.slerping;
   out_.desired_gaze = gaze.desired;
   out_.gaze_turn = gaze.turn;

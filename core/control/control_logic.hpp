@@ -9,7 +9,6 @@
 #include "core/control/control_output.hpp"
 #include "core/control/gains.hpp"
 #include "core/control/gaze_control.hpp"
-#include "core/control/measured_arm.hpp"
 #include "core/control/task_goal.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/return_trajectory.hpp"
@@ -30,8 +29,10 @@ struct ArmView {
 
 class ControlLogic {
  public:
-  /// gains must be valid for the model (see validate). period: control period [s].
-  ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period);
+  /// gains must be valid for the model (see validate). period: control period [s]. mask: the part of the
+  /// tool's motion that is the task.
+  ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period,
+               TaskMask mask = TaskMask::kPose);
 
   /// First in a period: its state and what that tracks. True: the joint reference is what `task_reference()`
   /// resolves to; otherwise it is in the output already.
@@ -55,6 +56,8 @@ class ControlLogic {
   ControlOutput& output() { return out_; }
   const Gains& gains() const { return gains_; }
   const InverseDamping& damping() const { return damping_; }
+  TaskMask mask() const { return mask_; }
+  const JointCentering& centering() const { return centering_; }
   const RobotModel& model() const { return *model_; }
   double period() const { return period_; }
 
@@ -74,6 +77,8 @@ class ControlLogic {
   JointVector velocity_limits_;
   JointVector velocity_bound_;  ///< of the governor
   InverseDamping damping_;
+  TaskMask mask_;
+  JointCentering centering_;
   double period_;
 
   bool started_ = false;

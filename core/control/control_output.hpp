@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/control/cartesian_law.hpp"
+#include "core/control/joint_space_law.hpp"
 #include "core/control/state_machine.hpp"
 #include "core/trajectory/harmonic_path.hpp"
 #include "core/trajectory/joint_spline.hpp"

@@ -1,17 +1,18 @@
 #include "core/control/controller.hpp"
 
 #include "core/control/obstacle_impedance.hpp"
+#include "core/control/task_resolution.hpp"
 
 namespace armtune {
 
 Controller::Controller(std::shared_ptr<const RobotModel> model, const Gains& gains,
-                       const ParameterVector& theta, double period)
-    : logic_(std::move(model), gains, period), adaptation_(theta) {}
+                       const ParameterVector& theta, double period, TaskMask mask)
+    : logic_(std::move(model), gains, period, mask), adaptation_(theta) {}
 
 const ControlOutput& Controller::update(const JointState& measured, const Scene& scene, double time) {
   const Chain& chain = logic_.model().chain;
   ControlOutput& out = logic_.output();
-  arm_.measure(chain, measured.q, measured.qd, logic_.damping());
+  arm_.measure(chain, measured.q, measured.qd, logic_.damping(), logic_.mask());
   const ArmView view{arm_.poses.R_0T,
                      arm_.poses.p_0T,
                      arm_.twist,
@@ -21,7 +22,7 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
                      &arm_};
   if (logic_.decide(measured, view, scene, time)) {
     arm_.differentiate(chain, measured.qd);
-    resolve(logic_.task_reference(), arm_.inverse, arm_.J_dot, out.reference);
+    resolve(logic_.task_reference(), arm_, logic_.centering(), measured.q, measured.qd, out.reference);
   }
   logic_.keep_pace(scene, time);
 

@@ -14,7 +14,7 @@ class Controller {
   /// gains must be valid for the model (see validate). theta (13 n): start of the adaptation. period: control
   /// period [s].
   Controller(std::shared_ptr<const RobotModel> model, const Gains& gains, const ParameterVector& theta,
-             double period);
+             double period, TaskMask mask = TaskMask::kPose);
   Controller(const Controller&) = delete;  // the inverse refers to this object's Jacobian
   Controller& operator=(const Controller&) = delete;
 

@@ -28,6 +28,7 @@ struct Gains {
   double adaptation_gain = 0.05;
   double manipulability_threshold = 0.1;
   double manipulability_damping = 0.05;
+  double joint_centering_gain = 0.0;
   double slerp_start = 0.0;
   double release_radius = 0.0;
   SlerpReference slerp_reference = SlerpReference::kStart;

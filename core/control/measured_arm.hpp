@@ -20,11 +20,11 @@ struct MeasuredArmT {
 
   /// Everything but J_dot at q, q' (n).
   void measure(const ChainT<T>& chain, const JointVectorT<T>& q, const JointVectorT<T>& qd,
-               const InverseDampingT<T>& damping) {
+               const InverseDampingT<T>& damping, TaskMask mask) {
     forward_kinematics(chain, q, poses);
     tool_jacobian(chain, poses, J);
     twist = times(J, qd);
-    inverse.compute(J, damping);
+    inverse.compute(J, damping, mask, poses.R_0T);
   }
   void differentiate(const ChainT<T>& chain, const JointVectorT<T>& qd) {
     tool_jacobian_derivative(chain, poses, twist, qd, J_dot);

@@ -10,25 +10,25 @@ constexpr double kTaskGoalGain = 3.0;
 
 const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionPoint<Vec3>& path,
                                                const MotionPoint<Vec3>& target, const InverseDamping& damping,
-                                               double dt) {
+                                               TaskMask mask, const JointCentering& centering, double dt) {
   motion_.position += step_;
-  forward_kinematics(chain, motion_.position, poses_);
-  tool_jacobian(chain, poses_, J_);
-  inverse_.compute(J_, damping);
+  arm_.measure(chain, motion_.position, motion_.velocity, damping, mask);
+  const Poses& poses = arm_.poses;
   const TurnRate gaze =
-      direction_rate(gaze_direction({poses_.p_0T, path.velocity, path.acceleration}, target));
-  Vec6 rate;
-  rate << path.velocity - kTaskGoalGain * (poses_.p_0T - path.position),
-      gaze.velocity + kTaskGoalGain * gaze_turn(poses_.R_0T, poses_.p_0T, target.position);
-  inverse_.apply(rate, motion_.velocity);
-  const Vec6 twist = times(J_, motion_.velocity);
-  tool_jacobian_derivative(chain, poses_, twist, motion_.velocity, J_dot_);
-  Vec6 accel;
-  accel << path.acceleration, gaze.acceleration;
+      direction_rate(gaze_direction({poses.p_0T, path.velocity, path.acceleration}, target));
+  TaskReference wanted;
+  wanted.rate << path.velocity - kTaskGoalGain * (poses.p_0T - path.position),
+      gaze.velocity + kTaskGoalGain * gaze_turn(poses.R_0T, poses.p_0T, target.position);
+  const Vec6 L = resolve_velocity(wanted.rate, arm_, centering, motion_.position, reference_.velocity);
+  arm_.twist = times(arm_.J, reference_.velocity);
+  arm_.differentiate(chain, reference_.velocity);
+  wanted.acceleration << path.acceleration, gaze.acceleration;
   Vec6 desired;
   desired << path.velocity, gaze.velocity;
-  accel -= kTaskGoalGain * (twist - desired) + J_dot_ * motion_.velocity;
-  inverse_.apply(accel, motion_.acceleration);
+  wanted.acceleration -= kTaskGoalGain * (arm_.twist - desired);
+  resolve_acceleration(wanted, arm_, centering, reference_.velocity, L, reference_);
+  motion_.velocity = reference_.velocity;
+  motion_.acceleration = reference_.acceleration;
   step_ = dt * motion_.velocity + (0.5 * dt * dt) * motion_.acceleration;
   return motion_;
 }

@@ -7,8 +7,7 @@
 // on a configuration of its own:  q' = J+ (xd' - K e),  q'' = J+ (xd'' - K e' - J' q'),  integrated from the
 // start. It knows nothing of the joints' position limits, like the Cartesian law that takes over from it.
 
-#include "core/control/task_inverse.hpp"
-#include "core/robot/kinematics.hpp"
+#include "core/control/task_resolution.hpp"
 #include "core/trajectory/gaze_motion.hpp"
 
 namespace armtune {
@@ -18,21 +17,21 @@ class TaskGoal {
   /// Starts anew at q (n).
   void start(const JointVector& q) {
     motion_.position = q;
+    motion_.velocity.setZero(q.size());
     step_.setZero(q.size());
   }
 
   /// The goal's q, q', q'' now, then one step of length dt [s]. path: desired tool motion, target: gaze
-  /// target. damping: of the inverse.
+  /// target. damping: of the inverse. mask: the part of both that is the task. centering: of joints that it
+  /// does not need.
   const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path,
                                        const MotionPoint<Vec3>& target, const InverseDamping& damping,
-                                       double dt);
+                                       TaskMask mask, const JointCentering& centering, double dt);
 
  private:
   MotionPoint<JointVector> motion_;
-  Poses poses_;
-  Jacobian J_;
-  Jacobian J_dot_;
-  TaskInverse inverse_;
+  MeasuredArm arm_;
+  JointReference reference_;
   JointVector step_;  ///< from the last configuration to the next
 };
 

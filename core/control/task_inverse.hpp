@@ -2,11 +2,14 @@
 // The manipulability-switched inverse of the Jacobian (equations 3 and 4):
 //   m = sqrt(det(J J^T));  m >= threshold: J^-1, or J^T (J J^T)^-1 with more than six joints;
 //   otherwise the damped J^T (J J^T + psi I)^-1.
+// Of a task with fewer components (core/control/task_mask.hpp) J is E J, with E taking the components: the
+// leading three rows, or these and the angular ones along the tool's x and y axes.
 
 #include "core/common/cholesky6.hpp"
 #include "core/common/lu6.hpp"
 #include "core/common/products.hpp"
 #include "core/control/inverse_damping.hpp"
+#include "core/control/task_mask.hpp"
 
 namespace armtune {
 
@@ -14,37 +17,41 @@ template <typename T>
 class TaskInverseT {
  public:
   /// Factorises once for all right-hand sides of a control period. J is 6 x n and is referred to, not copied.
-  /// With fewer than six joints J J^T is singular by shape: always damped with all of psi,
-  /// m = sqrt(det(J^T J)).
-  void compute(const JacobianT<T>& J, const InverseDampingT<T>& damping) {
+  /// With fewer joints than the task has components J J^T is singular by shape: always damped with all of
+  /// psi, m = sqrt(det(J^T J)). R_0T: of the tool.
+  void compute(const JacobianT<T>& J, const InverseDampingT<T>& damping, TaskMask mask = TaskMask::kPose,
+               const Mat3T<T>& R_0T = Mat3T<T>::Identity()) {
     J_ = &J;
+    mask_ = mask;
+    const int rows = components(mask);
     const auto n = static_cast<int>(J.cols());
-    if (n == 6) {
+    if (mask_ == TaskMask::kPositionAndAxis) {
+      R_0T_ = R_0T;
+      taken_.resize(6, n);
+      for (int i = 0; i < n; ++i) taken_.col(i) = take(Vec6T<T>(J.col(i)));
+    }
+    const bool deficient = n < rows;
+    if (is_square()) {
       lu_.compute(J);
       manipulability_ = lu_.absolute_determinant();
-    } else if (n > 6) {
-      cholesky_.compute(J_Jt(T(0)), 6);
+    } else if (deficient) {
+      cholesky_.compute(Jt_J(), n);
       manipulability_ = cholesky_.root_of_determinant();
     } else {
-      cholesky_.compute(Jt_J(), n);
+      cholesky_.compute(J_Jt(T(0)), rows);
       manipulability_ = cholesky_.root_of_determinant();
     }
     const T& m = manipulability_;
     // Not "below": a manipulability that is no number is damped as well.
-    undamped_ = n < 6 ? MaskT<T>{} : m >= damping.threshold;
+    undamped_ = deficient ? MaskT<T>{} : m >= damping.threshold;
     some_damped_ = !all(undamped_);
-    if (some_damped_) damped_.compute(J_Jt(n < 6 ? damping.psi : damping.at(m)), 6);
+    if (some_damped_) damped_.compute(J_Jt(deficient ? damping.psi : damping.at(m)), rows);
   }
 
-  /// x (n) = J+ b.
+  /// x (n) = J+ b: of all x that give the task's components of b, where they can, the smallest.
   void apply(const Vec6T<T>& b, JointVectorT<T>& x) const {
-    if (any(undamped_)) {
-      if (J_->cols() == 6) {
-        lu_.solve(b, x);
-      } else {
-        transposed_times(*J_, cholesky_.solve(b), x);
-      }
-    }
+    if (!is_square()) return transposed_times(*J_, multipliers(b), x);
+    if (any(undamped_)) lu_.solve(b, x);
     if (!some_damped_) return;
     JointVectorT<T> damped;
     transposed_times(*J_, damped_.solve(b), damped);
@@ -52,17 +59,56 @@ class TaskInverseT {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = select(undamped_, x[i], damped[i]);
   }
 
+  /// L = E^T (E J J^T E^T)^-1 E b, damped where the inverse is, so that J+ b = J^T L. Not if is_square().
+  Vec6T<T> multipliers(const Vec6T<T>& b) const {
+    const Vec6T<T> taken = take(b);
+    if (!some_damped_) return give(cholesky_.solve(taken));
+    Vec6T<T> L = damped_.solve(taken);
+    if (any(undamped_)) {
+      const Vec6T<T> exact = cholesky_.solve(taken);
+      for (int row = 0; row < 6; ++row) L[row] = select(undamped_, exact[row], L[row]);
+    }
+    return give(L);
+  }
+
+  /// Six joints for six components.
+  bool is_square() const { return mask_ == TaskMask::kPose && J_->cols() == 6; }
+  TaskMask mask() const { return mask_; }
   const T& manipulability() const { return manipulability_; }
   MaskT<T> damped() const { return undamped_ == MaskT<T>{}; }
 
  private:
   using Mat6 = typename Cholesky6T<T>::Matrix;
 
-  /// J J^T + psi I, of which the lower triangle is set.
+  /// E b, in the leading rows; zeros below.
+  Vec6T<T> take(const Vec6T<T>& b) const {
+    if (mask_ == TaskMask::kPose) return b;
+    Vec6T<T> taken = Vec6T<T>::Zero();
+    taken.template head<3>() = b.template head<3>();
+    if (mask_ == TaskMask::kPositionAndAxis) {
+      taken[3] = dot3(R_0T_.col(0), b.template tail<3>());
+      taken[4] = dot3(R_0T_.col(1), b.template tail<3>());
+    }
+    return taken;
+  }
+  /// E^T of the leading rows.
+  Vec6T<T> give(const Vec6T<T>& taken) const {
+    if (mask_ == TaskMask::kPose) return taken;
+    Vec6T<T> b = Vec6T<T>::Zero();
+    b.template head<3>() = taken.template head<3>();
+    if (mask_ == TaskMask::kPositionAndAxis) {
+      b.template tail<3>() = R_0T_.col(0) * taken[3] + R_0T_.col(1) * taken[4];
+    }
+    return b;
+  }
+
+  /// Rows of it beyond the task's components are not looked at.
+  const JacobianT<T>& task_jacobian() const { return mask_ == TaskMask::kPositionAndAxis ? taken_ : *J_; }
+  /// E J J^T E^T + psi I, of which the leading rows' lower triangle is set.
   Mat6 J_Jt(const T& psi) const {
-    const JacobianT<T>& J = *J_;
+    const JacobianT<T>& J = task_jacobian();
     Mat6 A;
-    for (int row = 0; row < 6; ++row) {
+    for (int row = 0; row < components(mask_); ++row) {
       for (int column = 0; column <= row; ++column) {
         T sum = J(row, 0) * J(column, 0);
         for (Eigen::Index i = 1; i < J.cols(); ++i) sum += J(row, i) * J(column, i);
@@ -72,14 +118,14 @@ class TaskInverseT {
     }
     return A;
   }
-  /// The leading n rows of J^T J, likewise.
+  /// The leading n rows of J^T E^T E J, likewise.
   Mat6 Jt_J() const {
-    const JacobianT<T>& J = *J_;
+    const JacobianT<T>& J = task_jacobian();
     Mat6 A;
     for (int row = 0; row < J.cols(); ++row) {
       for (int column = 0; column <= row; ++column) {
         T sum = J(0, row) * J(0, column);
-        for (int i = 1; i < 6; ++i) sum += J(i, row) * J(i, column);
+        for (int i = 1; i < components(mask_); ++i) sum += J(i, row) * J(i, column);
         A(row, column) = sum;
       }
     }
@@ -87,6 +133,9 @@ class TaskInverseT {
   }
 
   const JacobianT<T>* J_ = nullptr;
+  TaskMask mask_ = TaskMask::kPose;
+  Mat3T<T> R_0T_ = Mat3T<T>::Identity();
+  JacobianT<T> taken_;  ///< E J of kPositionAndAxis
   Lu6T<T> lu_;
   Cholesky6T<T> cholesky_;
   Cholesky6T<T> damped_;

@@ -51,37 +51,29 @@ std::optional<Shape> shape_of(const urdf::Geometry& geometry) {
   return whole ? std::optional(shape) : std::nullopt;
 }
 
-void append(const urdf::Geometry* geometry, const urdf::Pose& origin, const Shape& site,
+void append(const urdf::Geometry* geometry, const urdf::Pose& origin, bool collision,
             std::vector<Shape>& shapes) {
   if (geometry == nullptr) return;
   auto shape = shape_of(*geometry);
   if (!shape) return;
   const urdf::Rotation& q = origin.rotation;
-  const Eigen::Quaterniond R_LS(q.w, q.x, q.y, q.z);
-  shape->body = site.body;
-  shape->link = site.link;
-  shape->collision = site.collision;
-  shape->R_BS = site.R_BS * R_LS.toRotationMatrix();
-  shape->p_BS = site.p_BS + site.R_BS * Vec3(origin.position.x, origin.position.y, origin.position.z);
+  shape->collision = collision;
+  shape->R_BS = Eigen::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+  shape->p_BS = Vec3(origin.position.x, origin.position.y, origin.position.z);
   if (shape->R_BS.allFinite() && shape->p_BS.allFinite()) shapes.push_back(*shape);
 }
 
 }  // namespace
 
-void append_shapes(const urdf::Link& link, int body, const Mat3& R_BL, const Vec3& p_BL,
-                   std::vector<Shape>& shapes) {
-  Shape site;
-  site.body = body;
-  site.link = shapes.empty() ? 0 : shapes.back().link + 1;
-  site.R_BS = R_BL;
-  site.p_BS = p_BL;
+std::vector<Shape> shapes_of(const urdf::Link& link) {
+  std::vector<Shape> shapes;
   for (const auto& visual : link.visual_array) {
-    if (visual) append(visual->geometry.get(), visual->origin, site, shapes);
+    if (visual) append(visual->geometry.get(), visual->origin, false, shapes);
   }
-  site.collision = true;
   for (const auto& collision : link.collision_array) {
-    if (collision) append(collision->geometry.get(), collision->origin, site, shapes);
+    if (collision) append(collision->geometry.get(), collision->origin, true, shapes);
   }
+  return shapes;
 }
 
 }  // namespace armtune

@@ -4,7 +4,7 @@
 // once. Every lane's numbers are, to the bit, those of core's kernels for that arm alone.
 //
 // A control period: put_measured, measure, [put_task_reference and resolve | put_joint_reference], torque,
-// adapt, observe, step. An arm's first: put_chains, put_control, put_theta, put_state.
+// adapt, observe, step. An arm's first: put_chains, put_control, put_centering, put_theta, put_state.
 
 #include <memory>
 
@@ -40,6 +40,8 @@ class ArmLanes {
   /// Every number of the controller's chain and of the plant's (numbers_of).
   virtual void put_chains(int lane, const double* control, const double* plant) = 0;
   virtual void put_control(int lane, const LaneControl& control) = 0;
+  /// n each.
+  virtual void put_centering(int lane, const double* middle, const double* rate) = 0;
   virtual void put_theta(int lane, const double* start, const double* truth) = 0;  ///< 13 n each
   virtual void put_state(int lane, const double* q, const double* qd) = 0;         ///< of the plant
   virtual void get_state(int lane, double* q, double* qd) const = 0;

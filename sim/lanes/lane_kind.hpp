@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/control/task_mask.hpp"
 #include "core/robot/chain.hpp"
 #include "sim/plant/stepper.hpp"
 
@@ -12,6 +13,7 @@ namespace armtune {
 struct LaneKind {
   int n = 0;                                     ///< joints
   std::array<JointMotion, kMaxJoints> motion{};  ///< of each
+  TaskMask mask = TaskMask::kPose;
   std::size_t most_obstacles = 0;
   double control_period = 0.0;  ///< [s]
   Stepper stepper = Stepper::kMidpoint;

@@ -5,9 +5,8 @@
 
 #include "core/common/pack.hpp"
 #include "core/control/adaptation.hpp"
-#include "core/control/cartesian_law.hpp"
-#include "core/control/measured_arm.hpp"
 #include "core/control/obstacle_impedance.hpp"
+#include "core/control/task_resolution.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "sim/lanes/arm_lanes.hpp"
 #include "sim/lanes/chain_numbers.hpp"
@@ -17,7 +16,8 @@ namespace armtune {
 template <int W>
 class PackedArm final : public ArmLanes {
  public:
-  explicit PackedArm(const LaneKind& kind) : period_(kind.control_period), stepper_(kind.stepper) {
+  explicit PackedArm(const LaneKind& kind)
+      : period_(kind.control_period), stepper_(kind.stepper), mask_(kind.mask) {
     for (ChainT<T>* chain : {&chain_, &plant_}) {
       chain->n = kind.n;
       chain->motion = kind.motion;
@@ -25,8 +25,9 @@ class PackedArm final : public ArmLanes {
         joints->setZero(kind.n);
       }
     }
-    for (Joints* joints : {&q_, &qd_, &measured_q_, &measured_qd_, &reference_.velocity,
-                           &reference_.acceleration, &Kd_, &commanded_, &torque_}) {
+    for (Joints* joints :
+         {&q_, &qd_, &measured_q_, &measured_qd_, &reference_.velocity, &reference_.acceleration,
+          &centering_.middle, &centering_.rate, &Kd_, &commanded_, &torque_}) {
       joints->setZero(kind.n);
     }
     adaptation_ = AdaptationT<T>(ParameterVectorT<T>::Zero(parameter_count(chain_)));
@@ -49,6 +50,10 @@ class PackedArm final : public ArmLanes {
     gamma_.set(lane, control.adaptation_gain);
     leakage_.set(lane, control.adaptation_leakage);
     leaks_ = any(leakage_ > T(0));
+  }
+  void put_centering(int lane, const double* middle, const double* rate) override {
+    put(lane, middle, centering_.middle);
+    put(lane, rate, centering_.rate);
   }
   void put_theta(int lane, const double* start, const double* truth) override {
     put(lane, start, adaptation_.start());
@@ -73,7 +78,7 @@ class PackedArm final : public ArmLanes {
     for (std::size_t i = obstacles; i < centers_count_; ++i) put(lane, kNowhere, centers_[i]);
   }
   void measure() override {
-    arm_.measure(chain_, measured_q_, measured_qd_, damping_);
+    arm_.measure(chain_, measured_q_, measured_qd_, damping_, mask_);
     obstacle_distance_ = obstacle_distance<T>(arm_.poses, {centers_.get(), centers_count_});
     tasks_ = typename T::Mask{};
   }
@@ -93,7 +98,7 @@ class PackedArm final : public ArmLanes {
   void resolve() override {
     if (!any(tasks_)) return;
     arm_.differentiate(chain_, measured_qd_);
-    armtune::resolve(task_, arm_.inverse, arm_.J_dot, resolved_);
+    armtune::resolve(task_, arm_, centering_, measured_q_, measured_qd_, resolved_);
     for (Eigen::Index i = 0; i < chain_.n; ++i) {
       reference_.velocity[i] = select(tasks_, resolved_.velocity[i], reference_.velocity[i]);
       reference_.acceleration[i] = select(tasks_, resolved_.acceleration[i], reference_.acceleration[i]);
@@ -184,7 +189,9 @@ class PackedArm final : public ArmLanes {
   double period_;
   Stepper stepper_;
   ChainT<T> chain_, plant_;
+  TaskMask mask_;
   InverseDampingT<T> damping_;
+  JointCenteringT<T> centering_;
   T gamma_{0.0}, leakage_{0.0};
   bool leaks_ = false;
   Joints q_, qd_;

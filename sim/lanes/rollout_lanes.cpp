@@ -32,14 +32,15 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
     throw std::invalid_argument("the stepper 'reference' is Simbody's own");
   }
   const Chain& chain = scenario.robot->chain;
-  return {chain.n, chain.motion, most_obstacles, scenario.control_period, stepper};
+  return {chain.n, chain.motion, scenario.mask, most_obstacles, scenario.control_period, stepper};
 }
 
 struct RolloutLanes::Lane {
   explicit Lane(LaneJob given)
       : job(std::move(given)),
         running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits, job.cost),
-        logic(job.scenario->scenario.robot, job.gains, job.scenario->scenario.control_period),
+        logic(job.scenario->scenario.robot, job.gains, job.scenario->scenario.control_period,
+              job.scenario->scenario.mask),
         q(job.scenario->scenario.start_position),
         qd(running.start_velocity()),
         theta(job.scenario->theta_start) {
@@ -106,6 +107,8 @@ void RolloutLanes::start(int lane, LaneJob job) {
     if (l != lane && !(first && !is_busy(l))) continue;
     arms_->put_chains(l, control.data(), plant.data());
     arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage});
+    const JointCentering& centering = place->logic.centering();
+    arms_->put_centering(l, centering.middle.data(), centering.rate.data());
     arms_->put_theta(l, scenario.theta_start.data(), scenario.theta_true.data());
     arms_->put_state(l, place->q.data(), place->qd.data());
   }

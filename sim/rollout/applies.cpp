@@ -29,16 +29,17 @@ bool applies(Metric metric, const Scenario& scenario) {
     case Metric::kPositionZMax:
     case Metric::kPositionRms:
     case Metric::kPositionMax:
+    case Metric::kLinearVelocityRms:
+    case Metric::kLinearVelocityMax:
+      return scenario.has_task();
     case Metric::kOrientationXMax:
     case Metric::kOrientationYMax:
     case Metric::kOrientationZMax:
     case Metric::kOrientationRms:
     case Metric::kOrientationMax:
-    case Metric::kLinearVelocityRms:
-    case Metric::kLinearVelocityMax:
     case Metric::kAngularVelocityRms:
     case Metric::kAngularVelocityMax:
-      return scenario.has_task();
+      return scenario.has_task() && tracks_orientation(scenario.mask);
     case Metric::kResponseRiseTime:
     case Metric::kResponseOvershoot:
     case Metric::kResponseSettlingTime:

@@ -1,27 +1,18 @@
 #include "sim/scenario/robot_file.hpp"
 
-#include <Eigen/Geometry>
+#include <array>
 
 #include "core/robot/urdf_reader.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/urdf_keys.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune {
 namespace {
 
-void read_tool(const yaml::Node& node, UrdfOptions& options) {
-  yaml::MapReader map(node);
-  if (const yaml::Node* xyz = map.optional("xyz")) options.p_tip_T = Vec3(xyz->as_numbers(3).data());
-  if (const yaml::Node* rpy = map.optional("rpy")) {
-    const auto angles = rpy->as_numbers(3);
-    options.R_tip_T =
-        (Eigen::AngleAxisd(angles[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
-         Eigen::AngleAxisd(angles[0], Vec3::UnitX()))
-            .toRotationMatrix();
-  }
-  map.finish();
-}
+/// One number per joint of the arm: read once the arm is known.
+constexpr std::array kActuatorKeys{"rotor_inertia", "viscous_friction", "coulomb_friction"};
 
 }  // namespace
 
@@ -30,33 +21,37 @@ bool is_urdf(const std::string& name_or_path) {
          name_or_path.ends_with(".xacro");
 }
 
+RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to) {
+  RobotFile file;
+  file.path = find_data_file("robots", name_or_path, relative_to);
+  if (is_urdf(name_or_path)) {
+    file.urdf = file.path;
+    return file;
+  }
+  file.root = yaml::parse_file(file.path);
+  yaml::MapReader map(*file.root);
+  file.options = read_urdf_options(map);
+  const std::string urdf = map.required("urdf").as_string();
+  file.urdf = urdf.starts_with('/') ? urdf : folder_of(file.path) + "/" + urdf;
+  for (const char* key : kActuatorKeys) map.ignore(key);
+  map.finish();
+  return file;
+}
+
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to) {
-  if (is_urdf(name_or_path)) {
-    auto model = std::make_shared<RobotModel>(read_urdf(find_data_file("robots", name_or_path, relative_to)));
-    validate(*model);
-    return model;
+  const RobotFile file = read_robot_file(name_or_path, relative_to);
+  auto model = std::make_shared<RobotModel>(read_urdf(file.urdf, file.options));
+  if (file.root) {
+    Chain& chain = model->chain;
+    const auto joints = joint_names(*model);
+    const std::array<JointVector*, 3> values{&chain.rotor_inertia, &chain.viscous_friction,
+                                             &chain.coulomb_friction};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const yaml::Node* node = file.root->find(kActuatorKeys[i]);
+      if (node != nullptr) *values[i] = yaml::joint_values(*node, joints);
+    }
   }
-  const std::string path = find_data_file("robots", name_or_path, relative_to);
-  const yaml::Node root = yaml::parse_file(path);
-  yaml::MapReader map(root);
-  UrdfOptions options;
-  options.tip_link = map.string("tip_link", "");
-  if (const yaml::Node* tool = map.optional("tool")) read_tool(*tool, options);
-  const std::string urdf = map.required("urdf").as_string();
-  auto model = std::make_shared<RobotModel>(
-      read_urdf(urdf.starts_with('/') ? urdf : folder_of(path) + "/" + urdf, options));
-  const auto joints = joint_names(*model);
-  if (const auto* node = map.optional("rotor_inertia")) {
-    model->chain.rotor_inertia = yaml::joint_values(*node, joints);
-  }
-  if (const auto* node = map.optional("viscous_friction")) {
-    model->chain.viscous_friction = yaml::joint_values(*node, joints);
-  }
-  if (const auto* node = map.optional("coulomb_friction")) {
-    model->chain.coulomb_friction = yaml::joint_values(*node, joints);
-  }
-  map.finish();
   validate(*model);
   return model;
 }

@@ -1,17 +1,31 @@
 #pragma once
-// A robot as a person gives it: a URDF alone, or a YAML file that names the URDF, the tool and the actuator
-// data that a URDF cannot hold.
+// A robot as a person gives it: a URDF alone, or a YAML file beside it that says which part of the URDF is
+// the arm and what a URDF cannot hold or this one does not.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/robot/robot_model.hpp"
+#include "core/robot/urdf_options.hpp"
+#include "sim/yaml/document.hpp"
 
 namespace armtune {
 
-/// Reads a bundled robot by name, a robot YAML or a .urdf by path. Keys of the YAML: urdf, tip_link, tool
-/// {xyz, rpy}, rotor_inertia, viscous_friction, coulomb_friction (each a list in joint order, or a map by
-/// joint name). The model is validated. Throws InputError.
+/// What is read of it before the URDF is.
+struct RobotFile {
+  std::string path;
+  std::string urdf;  ///< path
+  UrdfOptions options;
+  std::optional<yaml::Node> root;  ///< of a YAML file
+};
+
+/// A bundled robot by name, a robot YAML or a .urdf by path. Throws InputError.
+RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to = {});
+
+/// Reads it whole. Keys of the YAML: urdf, those of urdf_keys.hpp, and rotor_inertia, viscous_friction,
+/// coulomb_friction (each a list in joint order, or a map by joint name). The model is validated. Throws
+/// InputError.
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 

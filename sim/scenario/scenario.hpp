@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/harmonic_path.hpp"
 #include "core/trajectory/joint_spline.hpp"
@@ -60,6 +61,7 @@ struct Scenario {
   JointVector start_velocity;   ///< the planned motion's; empty: at rest
   std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
   HarmonicPath path;                           ///< of the tool, base frame
+  TaskMask mask = TaskMask::kPose;             ///< which part of path and gaze the arm is to hold
   std::vector<NamedPath> targets;
   double switch_every = 0.0;     ///< targets take turns [s]; 0: always the first
   std::optional<Camera> camera;  ///< none: the controller knows the targets' motion

@@ -11,6 +11,7 @@
 #include "core/common/message_text.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/planned_motion.hpp"
+#include "sim/scenario/plant_file.hpp"
 #include "sim/scenario/random_targets.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -87,6 +88,21 @@ std::vector<NamedPath> read_targets(const yaml::Node& node) {
   return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
 }
 
+/// null: the most that the joints can hold.
+TaskMask read_mask(const yaml::Node* node, int joints) {
+  if (node == nullptr) return largest_mask(joints);
+  const std::string text = node->as_string();
+  for (const TaskMask mask : {TaskMask::kPose, TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
+    if (text != name(mask)) continue;
+    if (components(mask) > joints) {
+      node->fail(fmt::format("{} takes {} joints, the arm has {}; {} is the most it can hold", text,
+                             components(mask), joints, name(largest_mask(joints))));
+    }
+    return mask;
+  }
+  node->fail("'" + text + "' is not one of: pose, position_and_axis, position");
+}
+
 /// A file's path, from the folder of the file that names it, which may be a base of the scenario's.
 std::string path_in(const yaml::Node& node) {
   std::string path = node.as_string();
@@ -107,53 +123,6 @@ ThetaStart read_theta_start(const yaml::Node& node) {
   start.model_scale = map.number_in("model_scale", 0.0, 0.0, 10.0);
   map.finish();
   return start;
-}
-
-PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string>& joints) {
-  yaml::MapReader map(node);
-  PlantConditions plant;
-  plant.position_noise = map.number_in("position_noise", 0.0, 0.0, kInfinity);
-  plant.velocity_noise = map.number_in("velocity_noise", 0.0, 0.0, kInfinity);
-  const long delay = map.integer("torque_delay_periods", 0);
-  if (delay < 0 || delay > 1000) {
-    map.required("torque_delay_periods").fail(fmt::format("{} periods; it must lie in 0 .. 1000", delay));
-  }
-  plant.torque_delay_periods = static_cast<int>(delay);
-  if (const yaml::Node* payload_node = map.optional("payload")) {
-    yaml::MapReader payload(*payload_node);
-    plant.payload.mass = payload.number_in("mass", 0.0, 0.0, kInfinity);
-    if (const yaml::Node* center = payload.optional("center")) plant.payload.center = read_vec3(*center);
-    payload.finish();
-  }
-  for (const auto& [key, values] : {std::pair{"viscous_friction", &plant.viscous_friction},
-                                    std::pair{"coulomb_friction", &plant.coulomb_friction}}) {
-    const yaml::Node* friction = map.optional(key);
-    if (friction == nullptr) continue;
-    *values = yaml::joint_values(*friction, joints);
-    if ((values->array() < 0.0).any()) friction->fail("friction must not be negative");
-  }
-  for (const auto& [key, values] :
-       {std::pair{"mass_factors", &plant.mass_factors}, std::pair{"inertia_factors", &plant.inertia_factors},
-        std::pair{"rotor_factors", &plant.rotor_factors}}) {
-    const yaml::Node* factors = map.optional(key);
-    if (factors == nullptr) continue;
-    *values = yaml::joint_values(*factors, joints);
-    if (!(values->array() > 0.0).all()) {
-      factors->fail(
-          fmt::format("a factor is {}; each must be > 0 (1: as in the robot file)", values->minCoeff()));
-    }
-  }
-  map.finish();
-  return plant;
-}
-
-Camera read_camera(const yaml::Node& node) {
-  yaml::MapReader map(node);
-  Camera camera;
-  camera.noise = map.number_in("noise", camera.noise, 0.0, kInfinity);
-  camera.bandwidth = map.number_in("bandwidth", camera.bandwidth, 1e-3, 1e5);
-  map.finish();
-  return camera;
 }
 
 /// The file's keys over those of the files its `base` names, and of theirs.
@@ -261,6 +230,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   const yaml::Node& targets = map.required("targets");
   scenario.targets = read_targets(targets);
   if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
+  scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
   if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
   if (const yaml::Node* obstacles = map.optional("obstacles"))

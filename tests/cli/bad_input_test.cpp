@@ -76,6 +76,31 @@ TEST_F(BadInput, JointWithoutLimits) {
   EXPECT_THAT(refused({"robot", endless}), testing::AllOf(HasSubstr(endless), HasSubstr("turning")));
 }
 
+TEST_F(BadInput, ARobotThatLacksDataGetsAYamlThatGivesIt) {
+  const std::string urdf =
+      test::robot(test::link("a", "") + test::link("b", "") +
+                  test::joint("j", "revolute", "a", "b",
+                              "<axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='0' effort='0'/>"));
+  const std::string path = files_.write("arm.urdf", urdf);
+  EXPECT_THAT(refused({"robot", path}),
+              testing::AllOf(HasSubstr("velocity limit of j; effort limit of j; inertia of b"),
+                             HasSubstr("--sidecar")));
+  const std::string sidecar = files_ / "arm.yaml";
+  EXPECT_EQ(test::run_program({"robot", path, "--sidecar", sidecar}).exit_code, 0);
+  EXPECT_THAT(refused({"robot", path, "--sidecar", sidecar}), HasSubstr("is there already"));
+  EXPECT_THAT(refused({"robot", sidecar}), testing::AllOf(HasSubstr("arm.yaml:4"), HasSubstr("velocity")));
+  std::string yaml = test::read_text(sidecar);
+  for (const auto& [key, value] : {std::pair{"velocity:", " 2"}, std::pair{"effort:", " 3"},
+                                   std::pair{"mass:", " 4"}, std::pair{"moments:", " [1, 0, 0, 1, 0, 1]"}}) {
+    const auto at = yaml.find(key);
+    ASSERT_NE(at, std::string::npos) << key;
+    yaml.insert(at + std::string(key).size(), value);
+  }
+  const Finished whole = test::run_program({"robot", files_.write("arm.yaml", yaml)});
+  EXPECT_EQ(whole.exit_code, 0) << whole.err;
+  EXPECT_THAT(whole.out, testing::AllOf(HasSubstr("1 joints"), HasSubstr("moving mass 4 kg")));
+}
+
 TEST_F(BadInput, UnknownYamlKey) {
   const std::string scenario = files_.write("bad.yaml", "base: moving_target\ndurations: 8\n");
   EXPECT_THAT(refused({"simulate", scenario}),

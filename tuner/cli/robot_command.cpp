@@ -1,11 +1,17 @@
 // armtune robot: what was loaded.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
+#include "core/common/error.hpp"
+#include "core/robot/urdf_reader.hpp"
+#include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/urdf_keys.hpp"
 #include "tuner/cli/commands.hpp"
 
 namespace armtune::cli {
@@ -38,15 +44,53 @@ void show(const RobotModel& model) {
   }
 }
 
+/// "velocity limit of a, b; inertia of c"
+std::string named(const MissingData& missing) {
+  std::vector<std::string> lacks;
+  const auto add = [&lacks](const char* what, const std::vector<std::string>& names) {
+    if (!names.empty()) lacks.push_back(fmt::format("{} of {}", what, fmt::join(names, ", ")));
+  };
+  add("velocity limit", missing.velocity);
+  add("effort limit", missing.effort);
+  add("inertia", missing.inertia);
+  return fmt::format("{}", fmt::join(lacks, "; "));
+}
+
+void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {
+  if (missing.empty()) {
+    fmt::print("{} lacks nothing; {} is not written\n", file.path, path);
+    return;
+  }
+  if (std::filesystem::exists(path)) throw InputError(path + ": is there already; name another file");
+  const std::string urdf = file.root ? "" : std::filesystem::absolute(file.urdf).string();
+  write_text_file(path, missing_yaml(urdf, missing));
+  fmt::print("{}: fill in {}{}\n", path, named(missing),
+             file.root ? fmt::format(", and add it to {}", file.path) : "; then give it as the robot");
+}
+
+/// Loads and shows it, or says all that it lacks.
+void look_at(const std::string& name_or_path, const std::string& sidecar) {
+  const RobotFile file = read_robot_file(name_or_path);
+  const MissingData missing = missing_data(file.urdf, file.options);
+  if (!sidecar.empty()) return write_sidecar(file, missing, sidecar);
+  if (missing.empty()) return show(*load_robot(name_or_path));
+  throw InputError(
+      fmt::format("{}: missing: {}; --sidecar arm.yaml writes the robot YAML that gives it, to be filled in",
+                  file.path, named(missing)));
+}
+
 }  // namespace
 
 void add_robot_command(CLI::App& app, int&) {
   auto file = std::make_shared<std::string>("ur10");
-  CLI::App* command =
-      app.add_subcommand("robot", "Show what a robot file holds: joints, limits, masses, reach");
+  CLI::App* command = app.add_subcommand(
+      "robot", "Show what a robot file holds: joints, limits, masses, reach; or what it lacks");
   command->add_option("ROBOT", *file, "a bundled robot, a robot YAML, or an expanded URDF")
       ->capture_default_str();
-  command->callback([file] { show(*load_robot(*file)); });
+  auto sidecar = std::make_shared<std::string>();
+  command->add_option("--sidecar", *sidecar,
+                      "write what the URDF lacks (limits, inertia) as a robot YAML to fill in");
+  command->callback([file, sidecar] { look_at(*file, *sidecar); });
 }
 
 }  // namespace armtune::cli

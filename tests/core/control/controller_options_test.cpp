@@ -197,7 +197,7 @@ TEST(ControllerOptions, LeaveSingularityGoesByWayOfItsPublishedGoal) {
     const JointState measured{start, JointVector::Zero(6)};
     const ControlOutput& out = controller->update(measured, rig.scene(), time);
     const MotionPoint<JointVector> m = task.step(rig.model->chain, rig.path.at(time), rig.scene().target,
-                                                 inverse_damping(rig.gains), rig.period);
+                                                 inverse_damping(rig.gains), TaskMask::kPose, {}, rig.period);
     const MotionPoint<double> s = rest_to_rest(0.0, 1.0, 6.0).at(time);
     // q = start + s (goal - start + s (task - goal)).
     const JointVector expected = s.velocity * (rig.goal().q - start) +

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <random>
@@ -9,9 +10,8 @@
 
 #include "core/common/pack.hpp"
 #include "core/control/adaptation.hpp"
-#include "core/control/cartesian_law.hpp"
-#include "core/control/measured_arm.hpp"
 #include "core/control/obstacle_impedance.hpp"
+#include "core/control/task_resolution.hpp"
 #include "core/robot/chain_cast.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "tests/core/support/arms.hpp"
@@ -24,7 +24,7 @@ using test::random_vector;
 
 /// What one arm's period begins with.
 struct Inputs {
-  JointVector q, qd, torque;
+  JointVector q, qd, torque, middle, pull;
   Vec6 rate, acceleration;
   Vec3 obstacle;
   ParameterVector theta;
@@ -37,6 +37,8 @@ Inputs random_inputs(std::mt19937& generator, const RobotModel& arm) {
   in.q = test::random_configuration(generator, arm);
   in.qd = random_vector(generator, arm.n(), 1.0);
   in.torque = random_vector(generator, arm.n(), 20.0);
+  in.middle = random_vector(generator, arm.n(), 1.0);
+  in.pull = random_vector(generator, arm.n(), 1.0);
   in.rate = random_vector(generator, 6, 1.0);
   in.acceleration = random_vector(generator, 6, 1.0);
   in.obstacle = random_vector(generator, 3, 1.0);
@@ -56,6 +58,8 @@ struct Period {
   Vec3T<T> obstacle;
   InverseDampingT<T> damping;
   T gamma{0.0}, distance{0.0};
+  TaskMask mask = TaskMask::kPose;
+  JointCenteringT<T> centering;
   MeasuredArmT<T> arm;
   JointReferenceT<T> reference;
   SlotineLiT<T> motion;
@@ -63,10 +67,10 @@ struct Period {
   ForwardDynamicsT<T> work;
 
   void run() {
-    arm.measure(chain, q, qd, damping);
+    arm.measure(chain, q, qd, damping, mask);
     arm.differentiate(chain, qd);
     distance = obstacle_distance<T>(arm.poses, {&obstacle, 1});
-    resolve(task, arm.inverse, arm.J_dot, reference);
+    resolve(task, arm, centering, q, qd, reference);
     slotine_li_forward(chain, arm.poses, qd, reference.velocity, reference.acceleration, motion);
     slotine_li_torque(chain, arm.poses, motion, adaptation.theta(), tau);
     adaptation.step(motion, gamma, T(0.002));
@@ -106,6 +110,8 @@ void put_inputs(const Inputs& in, Period<T>& p, Put put) {
   each(p.q, in.q);
   each(p.qd, in.qd);
   each(p.torque, in.torque);
+  each(p.centering.middle, in.middle);
+  each(p.centering.rate, in.pull);
   each(p.task.rate, in.rate);
   each(p.task.acceleration, in.acceleration);
   each(p.obstacle, in.obstacle);
@@ -117,8 +123,9 @@ void put_inputs(const Inputs& in, Period<T>& p, Put put) {
   put(p.gamma, in.gamma);
 }
 
-std::vector<std::uint64_t> alone(const Chain& chain, const Inputs& in) {
+std::vector<std::uint64_t> alone(const Chain& chain, TaskMask mask, const Inputs& in) {
   Period<double> p;
+  p.mask = mask;
   p.chain = chain;
   put_inputs(in, p, [](double& to, double from) { to = from; });
   p.run();
@@ -127,6 +134,8 @@ std::vector<std::uint64_t> alone(const Chain& chain, const Inputs& in) {
   return bits;
 }
 
+constexpr std::array kMasks{TaskMask::kPose, TaskMask::kPositionAndAxis, TaskMask::kPosition};
+
 template <int W>
 void expect_lanes_equal_arms_alone(int seed) {
   using T = Pack<W>;
@@ -134,10 +143,11 @@ void expect_lanes_equal_arms_alone(int seed) {
   int damped = 0;
   int undamped = 0;
   for (const RobotModel& arm : test::all_arms()) {
-    for (int sample = 0; sample < 10; ++sample) {
+    for (int sample = 0; sample < 15; ++sample) {
       std::vector<Inputs> in;
       Period<T> p;
       p.chain = chain_cast<T>(arm.chain);
+      p.mask = kMasks[static_cast<std::size_t>(sample) % kMasks.size()];
       for (int lane = 0; lane < W; ++lane) {
         in.push_back(random_inputs(generator, arm));
         put_inputs(in.back(), p, [lane](T& to, double from) { to.set(lane, from); });
@@ -146,8 +156,8 @@ void expect_lanes_equal_arms_alone(int seed) {
       for (int lane = 0; lane < W; ++lane) {
         std::vector<std::uint64_t> bits;
         p.outputs([&](const T& x) { bits.push_back(std::bit_cast<std::uint64_t>(x[lane])); });
-        EXPECT_EQ(bits, alone(arm.chain, in[static_cast<std::size_t>(lane)]))
-            << arm.name << ", lane " << lane;
+        EXPECT_EQ(bits, alone(arm.chain, p.mask, in[static_cast<std::size_t>(lane)]))
+            << arm.name << ", " << name(p.mask) << ", lane " << lane;
         ++(p.arm.inverse.damped()[lane] != 0 ? damped : undamped);
       }
     }

@@ -161,7 +161,7 @@ TEST_F(Accumulated, TrackingPausesWhileASlerpRunsAndBeginsAnewAfterAnotherState)
 
 TEST_F(Accumulated, EveryAxisHasItsLargestAndAllTogetherTheNorm) {
   settle();
-  p_.o.error << 0.3, 0.0, -0.4, 0.01, -0.02, 0.02;
+  p_.o.error << 0.3, 0.0, -0.4, 0.02, -0.03, 0.06;
   p_.o.error_rate << 0.0, 3.0, 4.0, 0.6, 0.0, 0.8;
   add();
   p_.o.error << -0.1, 0.2, 0.2, 0.0, 0.0, 0.0;
@@ -173,13 +173,32 @@ TEST_F(Accumulated, EveryAxisHasItsLargestAndAllTogetherTheNorm) {
   EXPECT_EQ(m[Metric::kPositionZMax], 0.4);
   EXPECT_DOUBLE_EQ(m[Metric::kPositionMax], 0.5);
   EXPECT_DOUBLE_EQ(m[Metric::kPositionRms], std::sqrt((0.25 + 0.09) / 2.0));
-  EXPECT_EQ(m[Metric::kOrientationXMax], 0.01);
-  EXPECT_EQ(m[Metric::kOrientationYMax], 0.02);
-  EXPECT_EQ(m[Metric::kOrientationZMax], 0.02);
-  EXPECT_DOUBLE_EQ(m[Metric::kOrientationMax], 0.03);
+  EXPECT_EQ(m[Metric::kOrientationXMax], 0.02);
+  EXPECT_EQ(m[Metric::kOrientationYMax], 0.03);
+  EXPECT_EQ(m[Metric::kOrientationZMax], 0.06);
+  EXPECT_DOUBLE_EQ(m[Metric::kOrientationMax], 0.07);
+  EXPECT_DOUBLE_EQ(m[Metric::kOrientationRms], 0.07 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(m[Metric::kLinearVelocityMax], 5.0);
   EXPECT_DOUBLE_EQ(m[Metric::kLinearVelocityRms], 5.0 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(m[Metric::kAngularVelocityMax], 1.0);
+  EXPECT_DOUBLE_EQ(m[Metric::kAngularVelocityRms], 1.0 / std::sqrt(2.0));
+}
+
+TEST_F(Accumulated, JointErrorsAreThoseToThePlanOverJointsAndTime) {
+  p_.control.planned = {JointVector::Zero(6), JointVector::Zero(6), JointVector::Zero(6)};
+  p_.control.planned.position[1] = 0.5;
+  p_.q.setConstant(9.0);
+  add();  // in followTrajectory there is no plan
+  p_.control.state = kFollowPlan;
+  p_.q.setZero();
+  p_.q[1] = 0.4;  // 0.1 behind it
+  add();
+  p_.q[1] = 0.5;
+  p_.q[4] = -0.2;
+  add();
+  const Metrics m = result();
+  EXPECT_NEAR(m[Metric::kJointErrorMax], 0.2, 1e-12);
+  EXPECT_NEAR(m[Metric::kJointErrorRms], std::sqrt((0.1 * 0.1 + 0.2 * 0.2) / 12.0), 1e-12);
 }
 
 TEST_F(Accumulated, TheLargestVelocityRatioNamesJointAndTime) {
@@ -257,7 +276,9 @@ TEST_F(Accumulated, TheGazeRateErrorIsBetweenToolAndLineWithoutRoll) {
   EXPECT_NEAR(MetricAccumulator(metrics_).result(0.0)[Metric::kGazeRateErrorMax], 0.0, 1e-12);
   p_.o.twist << 0.0, 0.0, 0.0, 0.0, 0.0, 7.0;
   add();
-  EXPECT_NEAR(result()[Metric::kGazeRateErrorMax], 2.0, 1e-12);
+  const Metrics m = result();
+  EXPECT_NEAR(m[Metric::kGazeRateErrorMax], 2.0, 1e-12);
+  EXPECT_NEAR(m[Metric::kGazeRateErrorRms], 2.0 / std::sqrt(2.0), 1e-12);
 }
 
 TEST_F(Accumulated, ReacquisitionRunsFromASwitchOfTheTarget) {

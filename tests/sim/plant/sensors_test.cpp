@@ -60,6 +60,18 @@ TEST(Sensors, WithoutNoiseTheyTellTheTruth) {
   EXPECT_EQ(measured.qd, kQd);
 }
 
+TEST(Sensors, AreExactWhereWhatTheyMeasureIsWhatIs) {
+  for (const double position : {0.0, 1e-4}) {
+    for (const double velocity : {0.0, 1e-2}) {
+      Sensors sensors(position, velocity, 1);
+      const bool exact = sensors.exact();
+      JointState measured;
+      sensors.measure(kQ, kQd, measured);
+      EXPECT_EQ(exact, measured.q == kQ && measured.qd == kQd) << position << " " << velocity;
+    }
+  }
+}
+
 TEST(Sensors, ZeroNoiseDrawsNothing) {
   // Were position noise drawn and multiplied by zero, the velocities' draws would come later in the sequence.
   Sensors quiet(0.0, 1e-2, 5);

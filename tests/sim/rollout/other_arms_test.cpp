@@ -55,5 +55,31 @@ TEST(OtherArms, ASevenJointArmFollowsItsCircleAndLooksAtItsTarget) {
   EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 1.0);
 }
 
+TEST(OtherArms, CenteringKeepsJointsNearTheirMiddleAndTheToolOnItsPath) {
+  SevenJoints arm;
+  arm.gains.joint_space_goal << 60.0, 40.0, -70.0, -80.0, 60.0, 50.0, 0.0;
+  Poses poses;
+  forward_kinematics(arm.scenario.robot->chain, JointVector(arm.gains.joint_space_goal * kDegree), poses);
+  arm.scenario.start_position = 0.8 * arm.gains.joint_space_goal * kDegree;
+  arm.scenario.path.center = poses.p_0T;
+  arm.scenario.targets[0].path.center = poses.p_0T + 0.5 * poses.R_0T.col(2);
+  arm.scenario.duration = 12.0;
+  double away[2];
+  for (const bool centering : {false, true}) {
+    arm.gains.joint_centering_gain = centering ? 0.5 : 0.0;
+    JointVector q;
+    const RolloutResult result =
+        Rollout(arm.scenario, Stepper::kMidpoint).run(arm.gains, [&](const Observation& o) {
+          q = *o.q;
+          return true;
+        });
+    ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+    EXPECT_LT(result.metrics[Metric::kPositionMax], 2e-3);
+    EXPECT_LT(result.metrics[Metric::kOrientationMax], 2e-2);
+    away[centering] = q.norm();  // its limits lie about zero
+  }
+  EXPECT_LT(away[1], 0.95 * away[0]);
+}
+
 }  // namespace
 }  // namespace armtune

@@ -1,10 +1,12 @@
 #include "sim/rollout/rollout.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <thread>
 
 #include "core/robot/kinematics.hpp"
@@ -126,10 +128,26 @@ TEST(Rollout, ExplodingGainsEndAsDivergedWithTimeStateAndJoint) {
   EXPECT_GT(result.end_time, 0.0);
   EXPECT_THAT(result.reason, testing::MatchesRegex("diverged at [0-9.]+ s in [a-zA-Z]+: .*"));
   EXPECT_THAT(result.reason, HasSubstr("leaveSingularity"));
+  EXPECT_THAT(result.reason, HasSubstr(fmt::format("diverged at {:.3f} s ", result.end_time)));
   const auto joints = joint_names(*scenario.robot);
   EXPECT_TRUE(std::any_of(joints.begin(), joints.end(), [&](const std::string& joint) {
     return result.reason.find(joint) != std::string::npos;
   })) << result.reason;
+  std::smatch said;
+  ASSERT_TRUE(std::regex_search(
+      result.reason, said, std::regex("moves at ([-0-9.e+]+), over 20 times its velocity limit ([0-9.]+)")))
+      << result.reason;
+  EXPECT_GT(std::abs(std::stod(said[1])), 0.99 * 20.0 * std::stod(said[2])) << "of three digits";
+}
+
+TEST(Rollout, BeginsAtRestInItsStartPose) {
+  const Scenario scenario = scenario_of("moving_target", 0.1);
+  run(scenario, published_gains(scenario), [&](const Observation& o) {
+    EXPECT_EQ(o.time, 0.0);
+    EXPECT_EQ(*o.q, scenario.start_position);
+    EXPECT_TRUE(o.qd->isZero(0.0));
+    return false;
+  });
 }
 
 TEST(Rollout, GainsThatExplodeOnlyAfterLeavingTheSingularityDivergeInTheCartesianLaw) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/robot/slotine_li.hpp"
 #include "core/trajectory/gaze.hpp"
+#include "core/trajectory/rotation.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
 namespace armtune {
@@ -41,6 +43,73 @@ TEST(TrueState, OrientationErrorsAreAgainstTheGazeAndInASlerpAgainstTheSlerp) {
   });
   EXPECT_GT(slerping, 100);
   EXPECT_GT(direct, 100);
+}
+
+TEST(TrueState, LinearErrorsAreAgainstThePathWhereItIsFollowed) {
+  const Scenario scenario = test::scenario_of("moving_target", 12.0);
+  int followed = 0;
+  Rollout(scenario, Stepper::kMidpoint).run(test::quick_gains(scenario), [&](const Observation& o) {
+    if (o.control->state != ControlState::kFollowTrajectory) return true;
+    ++followed;
+    const MotionPoint<Vec3> path = scenario.path.at(o.time);
+    EXPECT_LT((o.error.head<3>() - (o.poses->p_0T - path.position)).norm(), 1e-14);
+    EXPECT_LT((o.error_rate.head<3>() - (o.twist.head<3>() - path.velocity)).norm(), 1e-14);
+    return true;
+  });
+  EXPECT_GT(followed, 100);
+}
+
+TEST(TrueState, TheAngularVelocityErrorIsAgainstTheTurnOfWhatIsDesired) {
+  const Scenario scenario = test::scenario_of("target_switch", 12.0);
+  const double h = scenario.control_period;
+  struct Period {
+    bool slerping = false;
+    Eigen::Quaterniond desired;
+    Vec3 wanted;  ///< desired angular velocity, from the error
+  };
+  std::vector<Period> periods;
+  Gains gains = test::quick_gains(scenario);
+  gains.gaze_feedforward = true;  // without, the rates leave out that the line to the target turns
+  Rollout(scenario, Stepper::kMidpoint).run(gains, [&](const Observation& o) {
+    periods.push_back({o.control->slerping, o.control->desired_gaze.orientation,
+                       o.twist.tail<3>() - o.error_rate.tail<3>()});
+    return true;
+  });
+  // Between two periods what is desired turns by the mean of its angular velocities in them, but for what the
+  // tool, where the line begins, moves beside its path.
+  double way = 0.0;
+  double beside = 0.0;
+  for (std::size_t k = 1; k < periods.size(); ++k) {
+    if (!periods[k].slerping || !periods[k - 1].slerping) continue;
+    const Vec3 turn = rotation_log(periods[k].desired * periods[k - 1].desired.conjugate());
+    way += turn.norm();
+    beside += (turn - 0.5 * h * (periods[k].wanted + periods[k - 1].wanted)).norm();
+  }
+  EXPECT_GT(way, 0.3) << "rad";
+  EXPECT_LT(beside, 0.2 * way);
+}
+
+TEST(TrueState, PosesAndCompensationAreThoseOfTheArmAndNotOfWhatIsMeasured) {
+  Scenario scenario = test::scenario_of("realistic_moving_target", 4.0);
+  scenario.plant.position_noise = 1e-3;
+  const Chain& chain = scenario.robot->chain;
+  const std::vector<Scenario> both{scenario, test::scenario_of("moving_target", 4.0)};
+  for (const Scenario& each : both) {
+    const ParameterVector truth = theta_of(plant_model(each).chain);
+    Rollout(each, Stepper::kMidpoint).run(test::quick_gains(each), [&](const Observation& o) {
+      Poses poses;
+      forward_kinematics(chain, *o.q, poses);
+      EXPECT_LT((o.poses->p_0T - poses.p_0T).norm(), 1e-14);
+      SlotineLi motion;
+      slotine_li_forward(chain, poses, *o.qd, o.control->reference.velocity,
+                         o.control->reference.acceleration, motion);
+      Regressor Y;
+      slotine_li_regressor(chain, poses, motion, Y);
+      const double expected = (Y * (*o.theta - truth)).norm();
+      EXPECT_NEAR(o.compensation_error, expected, 1e-9 * (1.0 + expected));
+      return true;
+    });
+  }
 }
 
 TEST(TrueState, TwistIsTheDerivativeOfThePose) {

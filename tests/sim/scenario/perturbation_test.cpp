@@ -130,6 +130,7 @@ TEST(Perturbed, MovesCentersDelayNoiseThetaAndTargetsWithinTheirRangesAndFillsTh
   constexpr int kSamples = 300;
   std::array<int, 3> delays{};
   double far = 0.0;
+  double near = 0.0;
   double fast = 0.0;
   double loud = 0.0;
   double sure = 0.0;
@@ -138,7 +139,8 @@ TEST(Perturbed, MovesCentersDelayNoiseThetaAndTargetsWithinTheirRangesAndFillsTh
     const RobotModel arm = plant_model(drawn);
     validate(arm);
     EXPECT_LE(drawn.plant.center_offsets.cwiseAbs().maxCoeff(), 0.02);
-    far = std::max(far, drawn.plant.center_offsets.cwiseAbs().maxCoeff());
+    far = std::max(far, drawn.plant.center_offsets.maxCoeff());
+    near = std::min(near, drawn.plant.center_offsets.minCoeff());
     const int delay = drawn.plant.torque_delay_periods - scenario.plant.torque_delay_periods;
     ASSERT_GE(delay, 0);
     ASSERT_LE(delay, 2);
@@ -155,6 +157,7 @@ TEST(Perturbed, MovesCentersDelayNoiseThetaAndTargetsWithinTheirRangesAndFillsTh
   }
   for (const int count : delays) EXPECT_NEAR(count, kSamples / 3, 45);  // five deviations
   EXPECT_GT(far, 0.0199);
+  EXPECT_LT(near, -0.0199);
   EXPECT_GT(loud, 1.47);  // 300 draws miss the outer 3 % with probability 1e-4
   EXPECT_GT(fast, 1.19);
   EXPECT_GT(sure, 1.099);

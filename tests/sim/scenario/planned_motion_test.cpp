@@ -91,6 +91,25 @@ TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
   EXPECT_EQ(refused(1, 4, "5e-6"), "nothing was refused") << "rounding to six digits is no jump";
 }
 
+TEST_F(PlannedMotion, MayPassAPositionLimitByAPlannersToleranceOnly) {
+  const JointLimits& elbow = robot_->joints[2].limits;
+  const auto at_rest_at = [&](double q) {
+    JointVector position = JointVector::Zero(6);
+    position[2] = q;
+    std::string text = test::plan_header(*robot_);
+    for (const double t : {8.0, 8.01}) {
+      text += test::plan_row(t, {position, JointVector::Zero(6), JointVector::Zero(6)});
+    }
+    const std::string path = write(text);
+    return refusal([&] { load_planned_motion(path, *robot_); });
+  };
+  for (const double side : {-1.0, 1.0}) {
+    const double limit = side < 0.0 ? elbow.lower : elbow.upper;
+    EXPECT_EQ(at_rest_at(limit + side * 0.9e-6), "nothing was refused");
+    EXPECT_THAT(at_rest_at(limit + side * 1.1e-6), HasSubstr("outside the joint's limits"));
+  }
+}
+
 TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
   EXPECT_THAT(refusal([&] { load_planned_motion(folder_ / "none.csv", *robot_); }),
               HasSubstr("no such file"));

@@ -59,6 +59,21 @@ TEST(PlantFactors, ScaleMassAndInertiaAboutTheCenterWithoutMovingTheCenter) {
   }
 }
 
+TEST(PlantFactors, FrictionOfTheScenarioIsOnTopOfTheArms) {
+  RobotModel arm = test::ur10();
+  arm.chain.viscous_friction.setConstant(2.0);
+  arm.chain.coulomb_friction.setConstant(3.0);
+  Scenario scenario = scenario_on(arm);
+  EXPECT_EQ(plant_model(scenario).chain.viscous_friction, arm.chain.viscous_friction);
+  scenario.plant.viscous_friction = JointVector::LinSpaced(6, 0.5, 3.0);
+  scenario.plant.coulomb_friction = JointVector::LinSpaced(6, 4.0, 6.5);
+  const Chain plant = plant_model(scenario).chain;
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(plant.viscous_friction[i], 2.5 + 0.5 * i);
+    EXPECT_EQ(plant.coulomb_friction[i], 7.0 + 0.5 * i);
+  }
+}
+
 TEST(PlantFactors, OfOneOrNoneLeaveTheArmBitForBit) {
   const RobotModel arm = test::seven_joint_arm();
   const Scenario none = scenario_on(arm);

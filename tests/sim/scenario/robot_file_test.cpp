@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/kinematics.hpp"
+#include "core/robot/urdf_reader.hpp"
+#include "sim/scenario/urdf_keys.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune {
@@ -63,6 +65,68 @@ TEST(RobotFile, ATurnedToolIsTurned) {
   EXPECT_LT((turn - expected).norm(), 1e-12);
 }
 
+TEST(RobotFile, HoldsJointsAndEndsWhereItIsTold) {
+  const test::TemporaryFolder folder;
+  const auto arm = load_robot(folder.write(
+      "arm.yaml",
+      robot_text("base_link: shoulder_link\ntip_link: wrist_2_link\nhold: {wrist_3_joint: 0.5}\n")));
+  EXPECT_THAT(joint_names(*arm),
+              testing::ElementsAre("shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint"));
+  EXPECT_EQ(arm->base_link, "shoulder_link");
+}
+
+TEST(RobotFile, LimitsAndInertiaStandForThoseOfTheUrdf) {
+  const test::TemporaryFolder folder;
+  const auto arm = load_robot(folder.write(
+      "arm.yaml",
+      robot_text(
+          "tip_link: wrist_3_link\nlimits: {elbow_joint: {velocity: 1.5, lower: -1, upper: 2}}\n"
+          "inertia: {wrist_3_link: {mass: 2, center: [0, 0, 0.1], moments: [3, 0.4, 0.5, 4, 0.6, 5]}}\n")));
+  const auto bare = load_robot(kUrdf);
+  const JointLimits& given = arm->joints[2].limits;
+  EXPECT_EQ(given.velocity, 1.5);
+  EXPECT_EQ(given.effort, bare->joints[2].limits.effort);
+  EXPECT_EQ(given.lower, -1.0);
+  EXPECT_EQ(given.upper, 2.0);
+  // What is fixed to the wrist in the URDF weighs nothing; the body's z axis is the link's y axis.
+  const LinkInertia& wrist = arm->chain.link[5];
+  EXPECT_EQ(wrist.mass, 2.0);
+  EXPECT_NEAR(wrist.first_moment.norm(), 0.2, 1e-12);
+  EXPECT_NEAR(wrist.first_moment.z(), 0.0, 1e-12);
+  EXPECT_NEAR(wrist.inertia(2, 2), 4.0 + 2.0 * 0.1 * 0.1, 1e-12) << "about the joint: iyy and Steiner's term";
+  EXPECT_NEAR(wrist.inertia.trace(), 3.0 + 4.0 + 5.0 + 2.0 * 2.0 * 0.1 * 0.1, 1e-12);
+}
+
+TEST(RobotFile, WhatIsMissingIsAYamlThatLoadsOnceItIsFilledIn) {
+  const test::TemporaryFolder folder;
+  const std::string urdf =
+      folder.write("bare.urdf",
+                   "<robot name='r'><link name='a'/><link name='b'/><joint name='j: k' "
+                   "type='revolute'><parent link='a'/>"
+                   "<child link='b'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='0' effort='0'/>"
+                   "</joint></robot>");
+  const RobotFile file = read_robot_file(urdf);
+  const std::string text = missing_yaml(file.urdf, missing_data(file.urdf, file.options));
+  const std::string path = folder.write("arm.yaml", text);
+  EXPECT_THAT(test::refusal([&] { load_robot(path); }),
+              AllOf(HasSubstr("arm.yaml:4"), HasSubstr("velocity")));
+  std::string filled = text;
+  const auto fill = [&](const std::string& key, const std::string& value) {
+    const auto at = filled.find(key + ":  #");
+    ASSERT_NE(at, std::string::npos) << key;
+    filled.insert(at + key.size() + 1, " " + value);
+  };
+  fill("velocity", "2");
+  fill("effort", "3");
+  fill("mass", "1.5");
+  fill("moments", "[1, 0, 0, 1, 0, 1]");
+  const auto arm = load_robot(folder.write("arm.yaml", filled));
+  EXPECT_EQ(arm->joints[0].limits.velocity, 2.0);
+  EXPECT_EQ(arm->joints[0].limits.effort, 3.0);
+  EXPECT_EQ(arm->chain.link[0].mass, 1.5);
+  EXPECT_TRUE(missing_data(file.urdf, read_robot_file(path).options).empty());
+}
+
 TEST(RobotFile, WhatDoesNotFitIsRefusedInOneLine) {
   const test::TemporaryFolder folder;
   const auto refused = [&](const std::string& rest) {
@@ -77,6 +141,12 @@ TEST(RobotFile, WhatDoesNotFitIsRefusedInOneLine) {
   EXPECT_THAT(refused("rotor_inertias: [1]\n"), HasSubstr("did you mean 'rotor_inertia'"));
   EXPECT_THAT(refused("tool: {xyz: [0, 0]}\n"), AllOf(HasSubstr(path + ":2"), HasSubstr("3")));
   EXPECT_THAT(refused("tip_link: tool1\n"), HasSubstr("tool1"));
+  EXPECT_THAT(refused("hold: {elbow: 0}\n"), HasSubstr("there is no joint 'elbow'"));
+  EXPECT_THAT(refused("hold: {elbow_joint: bent}\n"), AllOf(HasSubstr(path + ":2"), HasSubstr("number")));
+  EXPECT_THAT(refused("limits: {elbow_joint: {speed: 1}}\n"),
+              AllOf(HasSubstr(path + ":2"), HasSubstr("'speed'")));
+  EXPECT_THAT(refused("inertia: {forearm_link: {mass: -1, moments: [1, 0, 0, 1, 0, 1]}}\n"),
+              AllOf(HasSubstr(path + ":2"), HasSubstr("negative")));
   folder.write("arm.yaml", "tip_link: tool0\n");
   EXPECT_THAT(test::refusal([&] { load_robot(path); }), HasSubstr("missing key 'urdf'"));
   EXPECT_THAT(test::refusal([&] { load_robot(folder / "none.urdf"); }), HasSubstr("none.urdf"));

@@ -9,6 +9,7 @@
 
 #include "core/robot/theta.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "tests/core/support/urdf_text.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune {
@@ -215,6 +216,35 @@ TEST_F(ScenarioFile, ACameraSeesTheTargetsOnlyWhereOneStands) {
   ASSERT_TRUE(camera.has_value());
   EXPECT_EQ(camera->noise, 0.001);
   EXPECT_EQ(camera->bandwidth, 15.0);
+}
+
+TEST_F(ScenarioFile, TheTaskIsTheMostThatTheJointsCanHoldUnlessItSaysLess) {
+  EXPECT_EQ(load_scenario("moving_target").mask, TaskMask::kPose);
+  EXPECT_EQ(load("base: moving_target\ntask_mask: position\n").mask, TaskMask::kPosition);
+  EXPECT_THAT(refused("task_mask: sideways\n"),
+              AllOf(HasSubstr("own.yaml:2:"), HasSubstr("pose, position_and_axis, position")));
+  for (int n = 3; n <= 7; ++n) {
+    std::string inside = test::link("l0", "");
+    for (int i = 1; i <= n; ++i) {
+      inside +=
+          test::link(fmt::format("l{}", i)) +
+          test::joint(fmt::format("j{}", i), "revolute", fmt::format("l{}", i - 1), fmt::format("l{}", i));
+    }
+    folder_.write("arm.urdf", test::robot(inside));
+    const std::string of_arm = fmt::format("base: moving_target\nrobot: arm.urdf\nstart_position_deg: [{}]\n",
+                                           fmt::join(std::vector<int>(static_cast<std::size_t>(n), 0), ", "));
+    EXPECT_EQ(load(of_arm).mask, largest_mask(n)) << n;
+    const std::string path = write(of_arm + "task_mask: pose\n");
+    const std::string message = test::refusal([&] { load_scenario(path); });
+    if (n < 6) {
+      EXPECT_THAT(message, AllOf(HasSubstr("own.yaml:4:"), HasSubstr("takes 6 joints, the arm has"),
+                                 HasSubstr(name(largest_mask(n)))));
+    } else {
+      EXPECT_EQ(message, "nothing was refused");
+    }
+  }
+  EXPECT_EQ(components(largest_mask(3)), 3);
+  EXPECT_EQ(components(largest_mask(5)), 5);
 }
 
 TEST_F(ScenarioFile, MistakesAreRefusedWithTheirLine) {

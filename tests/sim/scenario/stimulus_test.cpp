@@ -29,21 +29,21 @@ TEST(Stimulus, AStepIsWholeFromItsTimeOn) {
 Stimulus multisine(const std::vector<int>& orders) {
   Stimulus stimulus;
   stimulus.direction = Vec3::UnitY();
-  stimulus.shape = Multisine{0.5, 2.0, orders, schroeder_phases(orders), 3.0, 4};
+  stimulus.shape = Multisine{0.5, 2.0, orders, schroeder_phases(orders), 2.5, 4};
   return stimulus;
 }
 
 TEST(Stimulus, SinesStartAtTheirTimeAndRepeatWithTheBasePeriod) {
   const Stimulus stimulus = multisine({1, 3, 4});
   const auto& sines = std::get<Multisine>(stimulus.shape);
-  EXPECT_EQ(stimulus.start(), 3.0);
-  EXPECT_EQ(sines.window_start(), 5.0);
-  EXPECT_EQ(sines.window_end(), 13.0);
-  EXPECT_TRUE(stimulus.at(2.999).isZero(0.0));
-  for (double t = 3.0; t < 5.0; t += 0.01) {
+  EXPECT_EQ(stimulus.start(), 2.5);
+  EXPECT_EQ(sines.window_start(), 4.5);
+  EXPECT_EQ(sines.window_end(), 12.5);
+  EXPECT_TRUE(stimulus.at(2.499).isZero(0.0));
+  for (double t = 2.5; t < 4.5; t += 0.01) {
     double expected = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      expected += 0.5 * std::sin(M_PI * sines.orders[i] * (t - 3.0) + sines.phases[i]);
+      expected += 0.5 * std::sin(M_PI * sines.orders[i] * (t - 2.5) + sines.phases[i]);
     }
     EXPECT_NEAR(stimulus.value(t), expected, 1e-12);
     EXPECT_NEAR(stimulus.value(t + 2.0), expected, 1e-12);

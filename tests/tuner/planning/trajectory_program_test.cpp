@@ -31,7 +31,7 @@ HarmonicPath circle(const Vec3& center, double radius, double frequency) {
 /// Every kind of term at once, two free phases and a fixed one, jerk limits, and a path coordinate.
 TrajectoryTask everything(const RobotModel& arm) {
   TrajectoryTask task;
-  task.chain = &arm.chain;
+  task.chain = arm.chain;
   task.grid.start = 3.0;
   task.grid.phases = {
       {"first", 3, 0.4, true, 0.01, 10.0}, {"second", 2, 0.5, false}, {"third", 2, 0.3, true, 0.01, 10.0}};

@@ -42,7 +42,7 @@ std::vector<Coordinate> PlanCommon::coordinates() const {
 
 TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
   TrajectoryTask program;
-  program.chain = &robot->chain;
+  program.chain = robot->chain;
   program.grid = grid;
   program.coordinates = coordinates();
   // Where neither time nor errors cost anything the smoothest of all motions is wanted. Times T^3, since

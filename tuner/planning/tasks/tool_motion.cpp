@@ -109,15 +109,18 @@ Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid&
   TaskGoal goal;
   goal.start(q);
   const InverseDamping damping{1e-3, 1e-3, 1.0};
+  const TaskMask mask = largest_mask(robot.n());
+  const JointCentering centering{JointVector::Zero(robot.n()), JointVector::Zero(robot.n())};
   double t = times.front();
   for (Eigen::Index k = 0; k < knots; ++k) {
     const double until = times[static_cast<std::size_t>(k)];
     while (t < until - 1e-12) {
       const double dt = std::min(kInnerStep, until - t);
-      goal.step(robot.chain, tool(t), target(t), damping, dt);
+      goal.step(robot.chain, tool(t), target(t), damping, mask, centering, dt);
       t += dt;
     }
-    const MotionPoint<JointVector>& point = goal.step(robot.chain, tool(t), target(t), damping, 0.0);
+    const MotionPoint<JointVector>& point =
+        goal.step(robot.chain, tool(t), target(t), damping, mask, centering, 0.0);
     motion.position.col(k) = point.position;
     motion.velocity.col(k) = point.velocity;
   }

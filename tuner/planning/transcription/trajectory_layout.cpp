@@ -18,7 +18,7 @@ TrajectoryProgram::TrajectoryProgram(TrajectoryTask task) : task_(std::move(task
   std::erase_if(task_.terms,
                 [](const KnotTerm& term) { return term.rows.empty(); });  // an arm with nothing to say
   m_ = static_cast<int>(task_.coordinates.size());
-  joints_ = task_.chain == nullptr ? m_ : task_.chain->n;
+  joints_ = task_.chain ? task_.chain->n : m_;
   const int knots = task_.grid.knots();
   int columns = knots * 3 * m_;
   const auto& phases = task_.grid.phases;

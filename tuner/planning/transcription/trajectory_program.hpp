@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,7 @@ struct Smoothness {
 };
 
 struct TrajectoryTask {
-  const Chain* chain = nullptr;  ///< null: coordinates only, no poses
+  std::optional<Chain> chain;  ///< none: coordinates only, no poses
   TimeGrid grid;
   std::vector<Coordinate> coordinates;  ///< the joints, then perhaps the path coordinate
   std::vector<KnotTerm> terms;

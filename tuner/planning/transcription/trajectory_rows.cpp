@@ -194,7 +194,7 @@ Knot TrajectoryProgram::knot_at(const VectorXd& z, const std::vector<double>& du
     knot.sd = z[column(k, 1, joints_)] * scale(1, joints_);
     knot.sdd = z[column(k, 2, joints_)] * scale(2, joints_);
   }
-  if (task_.chain != nullptr) forward_kinematics(*task_.chain, knot.q, knot.poses);
+  if (task_.chain) forward_kinematics(*task_.chain, knot.q, knot.poses);
   return knot;
 }
 

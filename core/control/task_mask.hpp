@@ -1,0 +1,48 @@
+#pragma once
+// Which components of the tool's motion are the task. An arm of n joints can hold at most n of them; joints
+// beyond them are redundant.
+
+namespace armtune {
+
+enum class TaskMask {
+  kPose,             ///< position and orientation
+  kPositionAndAxis,  ///< position and the direction of the tool's z axis: the turn about it is free
+  kPosition          ///< position alone
+};
+
+constexpr int components(TaskMask mask) {
+  switch (mask) {
+    case TaskMask::kPose:
+      return 6;
+    case TaskMask::kPositionAndAxis:
+      return 5;
+    case TaskMask::kPosition:
+      return 3;
+  }
+  return 0;
+}
+
+constexpr const char* name(TaskMask mask) {
+  switch (mask) {
+    case TaskMask::kPose:
+      return "pose";
+    case TaskMask::kPositionAndAxis:
+      return "position_and_axis";
+    case TaskMask::kPosition:
+      return "position";
+  }
+  return "";
+}
+
+/// The most that so many joints can hold.
+constexpr TaskMask largest_mask(int joints) {
+  if (joints >= components(TaskMask::kPose)) return TaskMask::kPose;
+  if (joints >= components(TaskMask::kPositionAndAxis)) return TaskMask::kPositionAndAxis;
+  return TaskMask::kPosition;
+}
+
+constexpr bool tracks_orientation(TaskMask mask) {
+  return mask != TaskMask::kPosition;
+}
+
+}  // namespace armtune

@@ -1,0 +1,94 @@
+#pragma once
+// Joint references of a Cartesian one (equation 2):  qr' = J+ xr',  qr'' = J+ (xr'' - J' qr').
+//
+// With more joints than the task has components they follow, of all motions that hold the task, the one
+// closest to a motion z of their own, which draws them to the middle of their position limits (Liegeois,
+// Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977):
+//   qr' = z + J^T L,   L = (J J^T)^-1 (xr' - J z),   z = -k (q - middle)
+// and, as qr'' is the derivative of qr' along the motion,
+//   qr'' = y + J^T (J J^T)^-1 (xr'' - J' qr' - J y),   y = z' + J'^T L.
+// A task's components E J (core/control/task_mask.hpp) turn with the tool: E' adds J^T (0, w x L) to y and
+// takes (0, w x r) from xr'', r being what the task leaves of xr' - J qr'.
+
+#include "core/control/cartesian_law.hpp"
+#include "core/control/joint_space_law.hpp"
+#include "core/control/measured_arm.hpp"
+
+namespace armtune {
+
+/// z of every joint: zero for those without position limits.
+template <typename T>
+struct JointCenteringT {
+  JointVectorT<T> middle;  ///< of the position limits [rad, m]
+  JointVectorT<T> rate;    ///< k [1/s]
+
+  JointVectorT<T> velocity(const JointVectorT<T>& q) const {
+    JointVectorT<T> z(q.size());
+    for (Eigen::Index i = 0; i < q.size(); ++i) z[i] = rate[i] * (middle[i] - q[i]);
+    return z;
+  }
+  JointVectorT<T> acceleration(const JointVectorT<T>& qd) const {
+    JointVectorT<T> z(qd.size());
+    for (Eigen::Index i = 0; i < qd.size(); ++i) z[i] = -(rate[i] * qd[i]);
+    return z;
+  }
+};
+using JointCentering = JointCenteringT<double>;
+
+/// (0, w x L_angular): E'^T of multipliers, for a task whose components turn with the tool.
+template <typename T>
+Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
+  Vec6T<T> turned = Vec6T<T>::Zero();
+  turned.template tail<3>() = w.cross(L.template tail<3>());
+  return turned;
+}
+
+/// qr' (n) of an arm that is measured, at q (n). Returns L, of which the acceleration is made as well.
+template <typename T>
+Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
+                          const JointCenteringT<T>& centering, const JointVectorT<T>& q,
+                          JointVectorT<T>& velocity) {
+  if (arm.inverse.is_square()) {
+    arm.inverse.apply(rate, velocity);
+    return Vec6T<T>::Zero();
+  }
+  velocity = centering.velocity(q);
+  const Vec6T<T> L = arm.inverse.multipliers(rate - times(arm.J, velocity));
+  JointVectorT<T> back;
+  transposed_times(arm.J, L, back);
+  velocity += back;
+  return L;
+}
+
+/// qr'' (n) of an arm that is measured and differentiated at q' (n), with qr' in the reference and its L.
+template <typename T>
+void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm,
+                          const JointCenteringT<T>& centering, const JointVectorT<T>& qd, const Vec6T<T>& L,
+                          JointReferenceT<T>& reference) {
+  const TaskInverseT<T>& inverse = arm.inverse;
+  Vec6T<T> wanted = x.acceleration - times(arm.J_dot, reference.velocity);
+  if (inverse.is_square()) return inverse.apply(wanted, reference.acceleration);
+  JointVectorT<T> back;
+  reference.acceleration = centering.acceleration(qd);
+  transposed_times(arm.J_dot, L, back);
+  reference.acceleration += back;
+  if (inverse.mask() == TaskMask::kPositionAndAxis) {
+    const Vec3T<T> w = arm.twist.template tail<3>();
+    transposed_times(arm.J, turning(w, L), back);
+    reference.acceleration += back;
+    const Vec6T<T> left = x.rate - times(arm.J, reference.velocity);
+    wanted -= turning(w, left);
+  }
+  transposed_times(arm.J, inverse.multipliers(wanted - times(arm.J, reference.acceleration)), back);
+  reference.acceleration += back;
+}
+
+/// qr' and qr'' of an arm that is measured and differentiated, at q, q' (n).
+template <typename T>
+void resolve(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm, const JointCenteringT<T>& centering,
+             const JointVectorT<T>& q, const JointVectorT<T>& qd, JointReferenceT<T>& reference) {
+  const Vec6T<T> L = resolve_velocity(x.rate, arm, centering, q, reference.velocity);
+  resolve_acceleration(x, arm, centering, qd, L, reference);
+}
+
+}  // namespace armtune

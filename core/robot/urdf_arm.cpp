@@ -1,0 +1,286 @@
+#include "core/robot/urdf_arm.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/common/error.hpp"
+#include "core/robot/urdf_selection.hpp"
+
+namespace armtune {
+namespace {
+
+/// R_CB: the smallest rotation that takes z onto the unit vector `axis`; onto -z, a half turn about x.
+Mat3 z_onto(const Vec3& axis) {
+  const double sine_squared = axis.x() * axis.x() + axis.y() * axis.y();
+  if (axis.z() < 0.0 && sine_squared < 1e-24) return Vec3(1.0, -1.0, -1.0).asDiagonal();
+  // 1 + cos, in the form that does not cancel near -z.
+  const double w = axis.z() < 0.0 ? sine_squared / (1.0 - axis.z()) : 1.0 + axis.z();
+  return Eigen::Quaterniond(w, -axis.y(), axis.x(), 0.0).normalized().toRotationMatrix();
+}
+
+/// Where a link's frame L sits: fixed in the frame B of a moving body, or in the base (body -1).
+struct Site {
+  int body = -1;
+  Mat3 R_BL = Mat3::Identity();
+  Vec3 p_BL = Vec3::Zero();
+};
+
+class ArmBuilder {
+ public:
+  ArmBuilder(const std::string& source, const UrdfOptions& options, MissingData* missing)
+      : options_(options), missing_(missing) {
+    model_.source = source;
+  }
+
+  RobotModel build(const UrdfTree& tree) {
+    model_.name = tree.name;
+    require_tree(tree, model_.source);
+    selection_ = select_arm(tree, options_, model_.source);
+    model_.base_link = selection_.base;
+    place_links(tree);
+    if (!loose_.empty()) refuse_loose();
+    if (missing_ != nullptr) find_massless();
+    if (model_.n() > 0) place_tool();
+    validate(model_);
+    return std::move(model_);
+  }
+
+ private:
+  template <typename... Args>
+  [[noreturn]] void refuse(fmt::format_string<Args...> text, Args&&... args) const {
+    throw InputError(model_.source + ": " + fmt::format(text, std::forward<Args>(args)...));
+  }
+
+  /// Visits every link of the arm once, from its base outwards.
+  void place_links(const UrdfTree& tree) {
+    std::vector<std::string> open{selection_.base};
+    sites_.emplace(selection_.base, Site{});
+    while (!open.empty()) {
+      const UrdfLink& link = tree.links.at(open.back());
+      open.pop_back();
+      const Site site = sites_.at(link.name);
+      if (site.body >= 0) add_inertia(link, site);
+      add_shapes(link, site);
+      for (const std::string& name : link.joints) {
+        const UrdfJoint& joint = tree.joints.at(name);
+        if (site.body < 0 && is_beside(joint)) continue;  // it moves on what stands still: not the arm
+        sites_.emplace(joint.child, site_behind(joint, site));
+        open.push_back(joint.child);
+      }
+    }
+  }
+
+  void add_shapes(const UrdfLink& link, const Site& site) {
+    const int number = model_.shapes.empty() ? 0 : model_.shapes.back().link + 1;
+    for (Shape shape : link.shapes) {
+      shape.body = site.body;
+      shape.link = number;
+      shape.p_BS = site.p_BL + site.R_BL * shape.p_BS;
+      shape.R_BS = site.R_BL * shape.R_BS;
+      if (shape.R_BS.allFinite() && shape.p_BS.allFinite()) model_.shapes.push_back(shape);
+    }
+  }
+
+  bool is_held(const UrdfJoint& joint) const { return options_.held.contains(joint.name); }
+  /// It moves, and not on the way to the tip.
+  bool is_beside(const UrdfJoint& joint) const {
+    return joint.motion != UrdfMotion::kFixed && !is_held(joint) && selection_.has_tip &&
+           !selection_.on_the_way.contains(joint.name);
+  }
+
+  [[noreturn]] void refuse_loose() const {
+    std::string names, held;
+    for (const std::string& joint : loose_) {
+      names += (names.empty() ? "'" : ", '") + joint + "'";
+      held += (held.empty() ? "" : ", ") + joint + ": 0";
+    }
+    refuse(
+        "{} moves on the arm beside the way to '{}'; hold what does, at rad or m, by 'hold: {{{}}}' in a "
+        "robot YAML",
+        names, tip_name(), held);
+  }
+
+  /// The site of the joint's child link; a moving joint starts a new body.
+  Site site_behind(const UrdfJoint& joint, const Site& parent) {
+    const Mat3 R_PL = parent.R_BL * joint.R_PL;
+    const Vec3 p_PL = parent.p_BL + parent.R_BL * joint.p_PL;
+    if (joint.motion == UrdfMotion::kFixed) return {parent.body, R_PL, p_PL};
+    if (is_held(joint)) return held_site(joint, {parent.body, R_PL, p_PL});
+    if (is_beside(joint)) {
+      loose_.push_back(joint.name);
+      return {parent.body, R_PL, p_PL};
+    }
+    require_supported(joint, parent);
+    return moving_site(joint, R_PL, p_PL);
+  }
+
+  Vec3 axis_of(const UrdfJoint& joint) const {
+    const Vec3& axis = joint.axis;
+    const double length = axis.norm();
+    if (!std::isfinite(length) || length < 1e-9)
+      refuse("joint '{}': axis '{} {} {}' has no direction; give it a unit vector", joint.name, axis.x(),
+             axis.y(), axis.z());
+    return axis / length;
+  }
+
+  /// As if the joint were fixed where it is held.
+  Site held_site(const UrdfJoint& joint, const Site& at_zero) const {
+    const Vec3 axis = axis_of(joint);
+    const double q = options_.held.at(joint.name);
+    Site site = at_zero;
+    if (joint.motion == UrdfMotion::kPrismatic) {
+      site.p_BL += at_zero.R_BL * (q * axis);
+    } else {
+      site.R_BL = at_zero.R_BL * Eigen::AngleAxisd(q, axis).toRotationMatrix();
+    }
+    return site;
+  }
+
+  Site moving_site(const UrdfJoint& joint, const Mat3& R_PL, const Vec3& p_PL) {
+    const Vec3 axis = axis_of(joint);
+    Chain& chain = model_.chain;
+    const int i = chain.n++;
+    const auto k = static_cast<std::size_t>(i);
+    const Mat3 R_LB = z_onto(axis);
+    const bool prismatic = joint.motion == UrdfMotion::kPrismatic;
+    chain.motion[k] = prismatic ? JointMotion::kPrismatic : JointMotion::kRevolute;
+    chain.R_PB0[k] = R_PL * R_LB;
+    chain.p_PB0[k] = p_PL;
+    chain.rotor_inertia.conservativeResize(chain.n);
+    chain.viscous_friction.conservativeResize(chain.n);
+    chain.coulomb_friction.conservativeResize(chain.n);
+    chain.rotor_inertia[i] = 0.0;
+    chain.viscous_friction[i] = joint.damping;
+    chain.coulomb_friction[i] = joint.friction;
+    model_.joints.push_back({joint.name, joint.child, limits_of(joint)});
+    return {i, R_LB.transpose(), Vec3::Zero()};
+  }
+
+  /// The options' in place of the file's.
+  JointLimits limits_of(const UrdfJoint& joint) const {
+    const auto found = options_.limits.find(joint.name);
+    const GivenLimits given = found == options_.limits.end() ? GivenLimits{} : found->second;
+    const bool has_position = joint.motion != UrdfMotion::kContinuous;
+    const bool says_position = joint.limits || (given.lower && given.upper) || !has_position;
+    if (missing_ == nullptr && !says_position)
+      refuse("joint '{}': no position limits; give them in the URDF or by 'limits' in a robot YAML",
+             joint.name);
+    const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
+    JointLimits limits{has_position, 0.0, 0.0, given.velocity.value_or(file.velocity),
+                       given.effort.value_or(file.effort)};
+    if (has_position) {
+      limits.lower = given.lower.value_or(file.lower);
+      limits.upper = given.upper.value_or(file.upper);
+    }
+    if (missing_ != nullptr) {
+      if (!(limits.velocity > 0.0)) missing_->velocity.push_back(joint.name);
+      if (!(limits.effort > 0.0)) missing_->effort.push_back(joint.name);
+      if (!(limits.velocity > 0.0)) limits.velocity = 1.0;
+      if (!(limits.effort > 0.0)) limits.effort = 1.0;
+    }
+    return limits;
+  }
+
+  void find_massless() {
+    for (int i = 0; i < model_.n(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      LinkInertia& body = model_.chain.link[k];
+      if (body.mass > 0.0) continue;
+      missing_->inertia.push_back(model_.joints[k].link);
+      body = {1.0, Vec3::Zero(), Mat3::Identity()};
+    }
+  }
+
+  void require_supported(const UrdfJoint& joint, const Site& parent) const {
+    if (joint.motion == UrdfMotion::kOther)
+      refuse("joint '{}': floating and planar joints are not supported; make it fixed, or several joints",
+             joint.name);
+    if (!joint.mimics.empty())
+      refuse(
+          "joint '{}': it mimics joint '{}', which armtune cannot simulate; make it fixed, or hold it by "
+          "'hold: {{{}: 0}}' in a robot YAML",
+          joint.name, joint.mimics, joint.name);
+    if (!joint.limits && missing_ == nullptr && !options_.limits.contains(joint.name))
+      refuse("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",
+             joint.name);
+    // Bodies are numbered along the chain: body b carries joint b + 1.
+    const int next_body = parent.body + 1;
+    const auto next = static_cast<std::size_t>(next_body);
+    if (next < model_.joints.size())
+      refuse(
+          "armtune needs a serial arm: joints '{}' and '{}' both move on '{}'; make one of them fixed, "
+          "hold one of them, or name the tip_link",
+          model_.joints[next].name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link);
+    if (model_.n() == kMaxJoints)
+      refuse("joint '{}': it is moving joint {}; armtune takes up to {}", joint.name, kMaxJoints + 1,
+             kMaxJoints);
+  }
+
+  void add_inertia(const UrdfLink& link, const Site& site) {
+    if (const auto told = options_.inertia.find(link.name); told != options_.inertia.end()) {
+      const GivenInertia& given = told->second;
+      const LinkInertia about_center{given.mass, Vec3::Zero(), given.about_center};
+      return merge(in_frame(about_center, Mat3::Identity(), given.center), site);
+    }
+    if (!link.inertial) return;
+    const UrdfInertial& given = *link.inertial;
+    // Merging could hide these two; the rest is judged for the whole body.
+    if (given.mass < 0.0) refuse("link '{}': mass is {} kg; it must not be negative", link.name, given.mass);
+    const double least = given.about_center.diagonal().minCoeff();
+    if (least < 0.0)
+      refuse("link '{}': a moment of inertia is {} kg m^2; none may be negative", link.name, least);
+    const LinkInertia about_center{given.mass, Vec3::Zero(), given.about_center};
+    merge(in_frame(about_center, given.R_LC, given.p_LC), site);
+  }
+
+  void merge(const LinkInertia& in_L, const Site& site) {
+    const LinkInertia in_B = in_frame(in_L, site.R_BL, site.p_BL);
+    LinkInertia& body = model_.chain.link[static_cast<std::size_t>(site.body)];
+    body.mass += in_B.mass;
+    body.first_moment += in_B.first_moment;
+    body.inertia += in_B.inertia;
+  }
+
+  std::string tip_name() const {
+    if (!options_.tip_link.empty()) return options_.tip_link;
+    return sites_.contains("tool0") ? "tool0" : model_.joints.back().link;
+  }
+
+  void place_tool() {
+    model_.tip_link = tip_name();
+    const auto found = sites_.find(model_.tip_link);
+    if (found == sites_.end() || found->second.body != model_.n() - 1) {
+      std::string possible;
+      for (const auto& [name, site] : sites_)
+        if (site.body == model_.n() - 1) possible += (possible.empty() ? "" : ", ") + name;
+      refuse("link '{}': the tool frame cannot be on it: {}; choose tip_link among: {}", model_.tip_link,
+             found == sites_.end() ? "there is no such link" : "it is not fixed to the last moving link",
+             possible);
+    }
+    const Site& tip = found->second;
+    model_.chain.R_BT = tip.R_BL * options_.R_tip_T;
+    model_.chain.p_BT = tip.p_BL + tip.R_BL * options_.p_tip_T;
+  }
+
+  const UrdfOptions& options_;
+  MissingData* missing_;
+  UrdfSelection selection_;
+  RobotModel model_;
+  std::vector<std::string> loose_;     ///< joints that move on the arm and are none of its own
+  std::map<std::string, Site> sites_;  ///< by link name; ordered, so that messages are
+};
+
+}  // namespace
+
+RobotModel build_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source,
+                     MissingData* missing) {
+  return ArmBuilder(source, options, missing).build(tree);
+}
+
+}  // namespace armtune

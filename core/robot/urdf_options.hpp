@@ -1,0 +1,49 @@
+#pragma once
+// What is taken out of a URDF as the arm, and what the file does not say.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/common/types.hpp"
+
+namespace armtune {
+
+/// In place of what the file says of a joint, or where it says nothing. [rad, m, rad/s, m/s, N m, N]
+struct GivenLimits {
+  std::optional<double> lower, upper, velocity, effort;
+};
+
+/// In place of a link's inertial element, in the link's frame.
+struct GivenInertia {
+  double mass = 0.0;                 ///< [kg]
+  Vec3 center = Vec3::Zero();        ///< of mass [m]
+  Mat3 about_center = Mat3::Zero();  ///< [kg m^2]
+};
+
+struct UrdfOptions {
+  /// Link that the arm stands on, whose frame is frame 0. Empty: the root link.
+  std::string base_link;
+  /// Link that the tool frame is given in and that the chain of joints ends at. Empty: `tool0` if there is
+  /// one, else the last moving link.
+  std::string tip_link;
+  /// Tool frame in the tip link.
+  Mat3 R_tip_T = Mat3::Identity();
+  Vec3 p_tip_T = Vec3::Zero();
+  /// Joints that are held where they are, as if they were fixed there [rad, m]: a gripper's, a mimic's, an
+  /// arm's own.
+  std::map<std::string, double> held;
+  std::map<std::string, GivenLimits> limits;    ///< by joint
+  std::map<std::string, GivenInertia> inertia;  ///< by link
+};
+
+/// What the arm needs and neither the file nor the options say.
+struct MissingData {
+  std::vector<std::string> velocity;  ///< joints without a velocity limit
+  std::vector<std::string> effort;    ///< joints without an effort limit
+  std::vector<std::string> inertia;   ///< links that move and have no mass, with what is fixed to them
+  bool empty() const { return velocity.empty() && effort.empty() && inertia.empty(); }
+};
+
+}  // namespace armtune

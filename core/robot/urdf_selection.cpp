@@ -1,0 +1,95 @@
+#include "core/robot/urdf_selection.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+
+namespace armtune {
+namespace {
+
+template <typename Map>
+std::vector<std::string> names_of(const Map& map) {
+  std::vector<std::string> names;
+  names.reserve(map.size());
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
+
+void require_link(const UrdfTree& tree, const std::string& name, const char* what,
+                  const std::string& source) {
+  if (tree.links.contains(name)) return;
+  throw InputError(fmt::format("{}: {} '{}': there is no such link{}", source, what, name,
+                               suggestion(name, names_of(tree.links))));
+}
+
+void require_joint(const UrdfTree& tree, const std::string& name, const char* what,
+                   const std::string& source) {
+  if (tree.joints.contains(name)) return;
+  throw InputError(fmt::format("{}: {}: there is no joint '{}'{}", source, what, name,
+                               suggestion(name, names_of(tree.joints))));
+}
+
+void check_held(const UrdfJoint& joint, double value, const std::string& source) {
+  if (joint.motion == UrdfMotion::kFixed || joint.motion == UrdfMotion::kOther) {
+    throw InputError(
+        fmt::format("{}: hold: joint '{}' neither turns nor slides; leave it out", source, joint.name));
+  }
+  const bool limited = joint.limits && joint.motion != UrdfMotion::kContinuous;
+  const double lower = limited ? joint.limits->lower : -HUGE_VAL;
+  const double upper = limited ? joint.limits->upper : HUGE_VAL;
+  if (std::isfinite(value) && value >= lower && value <= upper) return;
+  throw InputError(fmt::format("{}: hold: joint '{}' at {} {}; its limits are {} .. {}", source, joint.name,
+                               value, joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper));
+}
+
+/// Joints from the base to the tip; false if the tip is not behind the base.
+bool find_way(const UrdfTree& tree, const std::string& base, const std::string& tip,
+              std::set<std::string>& way) {
+  std::map<std::string, const UrdfJoint*> to;  // link: the joint that leads to it
+  for (const auto& [name, joint] : tree.joints) to.emplace(joint.child, &joint);
+  way.clear();
+  for (std::string link = tip; link != base;) {
+    const auto joint = to.find(link);
+    if (joint == to.end()) return false;
+    way.insert(joint->second->name);
+    link = joint->second->parent;
+  }
+  return true;
+}
+
+}  // namespace
+
+UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source) {
+  for (const auto& [joint, value] : options.held) {
+    require_joint(tree, joint, "hold", source);
+    check_held(tree.joints.at(joint), value, source);
+  }
+  for (const auto& [joint, limits] : options.limits) require_joint(tree, joint, "limits", source);
+  for (const auto& [link, inertia] : options.inertia) require_link(tree, link, "inertia of link", source);
+  if (!options.base_link.empty()) require_link(tree, options.base_link, "base_link", source);
+
+  UrdfSelection selection;
+  selection.base = options.base_link.empty() ? tree.root : options.base_link;
+  const bool asked = !options.tip_link.empty();
+  const std::string tip = asked ? options.tip_link : "tool0";
+  // A tip link that is not there is for the arm's builder, who knows where the tool can be.
+  if (!tree.links.contains(tip)) return selection;
+  const bool behind = find_way(tree, selection.base, tip, selection.on_the_way);
+  if (asked && !behind) {
+    throw InputError(
+        fmt::format("{}: no joints lead from base_link '{}' to tip_link '{}'; choose two links "
+                    "of which one is behind the other",
+                    source, selection.base, tip));
+  }
+  selection.has_tip =
+      behind &&
+      std::any_of(selection.on_the_way.begin(), selection.on_the_way.end(), [&](const std::string& joint) {
+        return tree.joints.at(joint).motion != UrdfMotion::kFixed && !options.held.contains(joint);
+      });
+  return selection;
+}
+
+}  // namespace armtune

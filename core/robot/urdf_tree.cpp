@@ -1,0 +1,35 @@
+#include "core/robot/urdf_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+
+void require_tree(const UrdfTree& tree, const std::string& source) {
+  std::set<std::string> reached{tree.root};
+  std::vector<std::string> open{tree.root};
+  while (!open.empty()) {
+    const UrdfLink& link = tree.links.at(open.back());
+    open.pop_back();
+    for (const std::string& name : link.joints) {
+      const std::string& child = tree.joints.at(name).child;
+      if (!reached.insert(child).second) {
+        throw InputError(fmt::format(
+            "{}: link '{}': joint '{}' leads to it a second time; links and joints must form a tree", source,
+            child, name));
+      }
+      open.push_back(child);
+    }
+  }
+  for (const auto& [name, link] : tree.links) {
+    if (reached.contains(name)) continue;
+    throw InputError(
+        fmt::format("{}: link '{}': no joints lead to it from the root link '{}'; is it part of a loop?",
+                    source, name, tree.root));
+  }
+}
+
+}  // namespace armtune

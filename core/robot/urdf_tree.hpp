@@ -1,0 +1,60 @@
+#pragma once
+// A URDF as its file has it: links and joints, nothing left out or put together yet.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/robot/shape.hpp"
+
+namespace armtune {
+
+enum class UrdfMotion { kFixed, kRevolute, kContinuous, kPrismatic, kOther };
+
+struct UrdfJoint {
+  struct Limits {
+    double lower = 0.0;  ///< [rad, m]
+    double upper = 0.0;
+    double velocity = 0.0;  ///< [rad/s, m/s]
+    double effort = 0.0;    ///< [N m, N]
+  };
+
+  std::string name;
+  UrdfMotion motion = UrdfMotion::kFixed;
+  std::string parent;  ///< links
+  std::string child;
+  Mat3 R_PL = Mat3::Identity();  ///< child link's frame in the parent's, at zero
+  Vec3 p_PL = Vec3::Zero();
+  Vec3 axis = Vec3::Zero();  ///< in the child's frame, as written
+  std::optional<Limits> limits;
+  double damping = 0.0;   ///< [N m s/rad, N s/m]
+  double friction = 0.0;  ///< [N m, N]
+  std::string mimics;     ///< the joint it follows; empty: none
+};
+
+struct UrdfInertial {
+  double mass = 0.0;                 ///< [kg]
+  Mat3 R_LC = Mat3::Identity();      ///< inertial frame in the link's
+  Vec3 p_LC = Vec3::Zero();          ///< centre of mass [m]
+  Mat3 about_center = Mat3::Zero();  ///< in the inertial frame [kg m^2]
+};
+
+struct UrdfLink {
+  std::string name;
+  std::optional<UrdfInertial> inertial;
+  std::vector<Shape> shapes;        ///< poses in the link's frame
+  std::vector<std::string> joints;  ///< that move on it, in the file's order of names
+};
+
+struct UrdfTree {
+  std::string name;
+  std::string root;  ///< link
+  std::map<std::string, UrdfLink> links;
+  std::map<std::string, UrdfJoint> joints;
+};
+
+/// Throws InputError, beginning with `source`, unless every link is reached from the root by one way.
+void require_tree(const UrdfTree& tree, const std::string& source);
+
+}  // namespace armtune

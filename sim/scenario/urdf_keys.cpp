@@ -1,0 +1,91 @@
+#include "sim/scenario/urdf_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <map>
+
+#include "sim/yaml/quoted.hpp"
+
+namespace armtune {
+namespace {
+
+void read_tool(const yaml::Node& node, UrdfOptions& options) {
+  yaml::MapReader map(node);
+  if (const yaml::Node* xyz = map.optional("xyz")) options.p_tip_T = Vec3(xyz->as_numbers(3).data());
+  if (const yaml::Node* rpy = map.optional("rpy")) {
+    const auto angles = rpy->as_numbers(3);
+    options.R_tip_T =
+        (Eigen::AngleAxisd(angles[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
+         Eigen::AngleAxisd(angles[0], Vec3::UnitX()))
+            .toRotationMatrix();
+  }
+  map.finish();
+}
+
+std::optional<double> number_of(yaml::MapReader& map, const char* key) {
+  const yaml::Node* node = map.optional(key);
+  return node == nullptr ? std::nullopt : std::optional(node->as_number());
+}
+
+GivenLimits read_limits(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  const GivenLimits limits{number_of(map, "lower"), number_of(map, "upper"), number_of(map, "velocity"),
+                           number_of(map, "effort")};
+  map.finish();
+  return limits;
+}
+
+GivenInertia read_inertia(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  GivenInertia given;
+  const yaml::Node& mass = map.required("mass");
+  given.mass = mass.as_number();
+  if (!(given.mass >= 0.0)) mass.fail(fmt::format("{} kg; it must not be negative", given.mass));
+  if (const yaml::Node* center = map.optional("center")) given.center = Vec3(center->as_numbers(3).data());
+  const auto m = map.required("moments").as_numbers(6);
+  given.about_center << m[0], m[1], m[2],  //
+      m[1], m[3], m[4],                    //
+      m[2], m[4], m[5];
+  map.finish();
+  return given;
+}
+
+}  // namespace
+
+UrdfOptions read_urdf_options(yaml::MapReader& map) {
+  UrdfOptions options;
+  options.base_link = map.string("base_link", "");
+  options.tip_link = map.string("tip_link", "");
+  if (const yaml::Node* tool = map.optional("tool")) read_tool(*tool, options);
+  if (const yaml::Node* hold = map.optional("hold")) {
+    for (const auto& [joint, value] : hold->entries()) options.held[joint] = value.as_number();
+  }
+  if (const yaml::Node* limits = map.optional("limits")) {
+    for (const auto& [joint, value] : limits->entries()) options.limits[joint] = read_limits(value);
+  }
+  if (const yaml::Node* inertia = map.optional("inertia")) {
+    for (const auto& [link, value] : inertia->entries()) options.inertia[link] = read_inertia(value);
+  }
+  return options;
+}
+
+std::string missing_yaml(const std::string& urdf, const MissingData& missing) {
+  std::string text;
+  if (!urdf.empty()) text += fmt::format("urdf: {}\n", yaml::quoted(urdf));
+  std::map<std::string, std::string> limits;
+  for (const std::string& joint : missing.velocity) limits[joint] += "    velocity:  # rad/s or m/s\n";
+  for (const std::string& joint : missing.effort) limits[joint] += "    effort:  # N m or N\n";
+  if (!limits.empty()) text += "limits:\n";
+  for (const auto& [joint, lines] : limits) text += fmt::format("  {}:\n{}", yaml::quoted(joint), lines);
+  if (!missing.inertia.empty()) text += "inertia:\n";
+  for (const std::string& link : missing.inertia) {
+    text += fmt::format(
+        "  {}:\n    mass:  # kg\n    center: [0, 0, 0]  # m, in the link's frame\n"
+        "    moments:  # [ixx, ixy, ixz, iyy, iyz, izz] about the centre, kg m^2\n",
+        yaml::quoted(link));
+  }
+  return text;
+}
+
+}  // namespace armtune

@@ -1,0 +1,22 @@
+#pragma once
+// The keys of a robot YAML that say what of a URDF is the arm and what the URDF does not say:
+//   base_link, tip_link: NAME
+//   tool: {xyz: [m], rpy: [rad]}                               the tool frame in the tip link
+//   hold: {JOINT: rad or m}                                    joints that do not move
+//   limits: {JOINT: {lower:, upper:, velocity:, effort:}}      each may be left out
+//   inertia: {LINK: {mass:, center: [x, y, z], moments: [ixx, ixy, ixz, iyy, iyz, izz]}}
+// The last in the link's frame, moments about the centre of mass along its axes.
+
+#include "core/robot/urdf_options.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+
+/// Throws InputError with file and line. Whether the names are the URDF's is for its reader.
+UrdfOptions read_urdf_options(yaml::MapReader& map);
+
+/// A robot YAML, or what is to be added to one, with an empty value for all that is missing, which its reader
+/// asks for by its line. urdf: named at the top if it is not empty.
+std::string missing_yaml(const std::string& urdf, const MissingData& missing);
+
+}  // namespace armtune

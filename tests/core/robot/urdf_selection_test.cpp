@@ -1,0 +1,208 @@
+// An arm out of a larger tree: base and tip links, held joints, and what the file does not say.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/core/support/states.hpp"
+#include "tests/core/support/urdf_text.hpp"
+
+namespace armtune {
+namespace {
+
+using test::joint;
+using test::link;
+using test::robot;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+UrdfOptions with_tip(const std::string& tip) {
+  UrdfOptions options;
+  options.tip_link = tip;
+  return options;
+}
+UrdfOptions with_base(const std::string& base, const std::string& tip = "") {
+  UrdfOptions options = with_tip(tip);
+  options.base_link = base;
+  return options;
+}
+UrdfOptions with_held(const std::string& joint, double value) {
+  UrdfOptions options;
+  options.held[joint] = value;
+  return options;
+}
+
+class UrdfSelection : public test::UrdfFiles {
+ protected:
+  UrdfSelection() : generator_(77) {}
+
+  /// A body that is unlike any other.
+  std::string body() {
+    const auto number = [this](double lower, double upper) {
+      return test::random_number(generator_, lower, upper);
+    };
+    const double a = number(0.02, 0.03), b = number(0.02, 0.03), c = number(0.02, 0.03);
+    return fmt::format(
+        "<inertial><origin xyz='{} {} {}' rpy='{} {} {}'/><mass value='{}'/>"
+        "<inertia ixx='{}' iyy='{}' izz='{}' ixy='0.001' ixz='0.002' iyz='-0.001'/></inertial>",
+        number(-0.1, 0.1), number(-0.1, 0.1), number(-0.1, 0.1), number(-1, 1), number(-1, 1), number(-1, 1),
+        number(1, 3), a, b, c);
+  }
+  std::string placed(const std::string& axis = "0 0.6 0.8") {
+    const auto number = [this] { return test::random_number(generator_, -0.4, 0.4); };
+    return fmt::format("<origin xyz='{} {} {}' rpy='{} {} {}'/><axis xyz='{}'/>{}", number(), number(),
+                       number(), number(), number(), number(), axis, test::kLimit);
+  }
+  /// `count` moving joints on `base`, with links `prefix`1, 2, ...
+  std::string chain(const std::string& prefix, const std::string& base, int count) {
+    std::string text;
+    std::string before = base;
+    for (int i = 1; i <= count; ++i) {
+      const std::string name = prefix + std::to_string(i);
+      text += link(name, body()) +
+              joint(name + "_joint", i == 2 ? "prismatic" : "revolute", before, name, placed());
+      before = name;
+    }
+    return text;
+  }
+
+  void expect_same_arm(const RobotModel& a, const RobotModel& b) {
+    ASSERT_EQ(a.n(), b.n());
+    EXPECT_EQ(joint_names(a), joint_names(b));
+    for (int sample = 0; sample < 10; ++sample) {
+      const JointVector q = test::random_configuration(generator_, a);
+      const JointVector qd = test::random_vector(generator_, a.n(), 1.0);
+      const JointVector qdd = test::random_vector(generator_, a.n(), 1.0);
+      const JointVector torque = test::inverse_dynamics_at(a.chain, q, qd, qdd);
+      EXPECT_LT((torque - test::inverse_dynamics_at(b.chain, q, qd, qdd)).norm(), 1e-12 * torque.norm());
+      EXPECT_LT((test::poses_at(a.chain, q).p_0T - test::poses_at(b.chain, q).p_0T).norm(), 1e-12);
+      EXPECT_LT((test::poses_at(a.chain, q).R_0T - test::poses_at(b.chain, q).R_0T).norm(), 1e-12);
+    }
+  }
+
+  std::mt19937 generator_;
+};
+
+TEST_F(UrdfSelection, AnArmOfAHumanoidMovesLikeTheArmAlone) {
+  const std::string arm = chain("right", "chest", 4);
+  const std::string whole = robot(link("pelvis", body()) + link("chest", body()) +
+                                  joint("waist", "revolute", "pelvis", "chest", placed()) + arm +
+                                  chain("left", "chest", 3) + chain("leg", "pelvis", 2));
+  const RobotModel alone = read(robot(link("chest") + arm));
+  UrdfOptions options;
+  options.base_link = "chest";
+  options.tip_link = "right4";
+  const RobotModel selected = read(whole, options);
+  EXPECT_EQ(selected.base_link, "chest");
+  expect_same_arm(selected, alone);
+  // Without a base the waist is the arm's first joint, and the other arm hangs on what it moves.
+  options.base_link.clear();
+  EXPECT_THAT(
+      refusal(whole, options),
+      AllOf(HasSubstr(
+                "'left1_joint', 'left2_joint', 'left3_joint' moves on the arm beside the way to 'right4'"),
+            HasSubstr("hold: {left1_joint: 0, left2_joint: 0, left3_joint: 0}"),
+            testing::Not(HasSubstr("leg"))));
+  options.held = {{"left1_joint", 0.0}, {"left2_joint", 0.0}, {"left3_joint", 0.0}};
+  EXPECT_EQ(read(whole, options).n(), 5);
+}
+
+TEST_F(UrdfSelection, AHeldJointIsOneFixedWhereItIsHeld) {
+  const std::string arm = link("base") + chain("arm", "base", 3);
+  const std::string finger_body = body();
+  const std::string further = body();
+  const auto with_gripper = [&](const std::string& type, const std::string& origin, const std::string& rest) {
+    return robot(arm + link("finger", finger_body) +
+                 joint("finger_joint", type, "arm3", "finger", "<origin " + origin + "/>" + rest) +
+                 link("pad", further) +
+                 joint("pad_joint", "fixed", "finger", "pad", "<origin xyz='0.1 0.2 0.3' rpy='0.3 0 0'/>"));
+  };
+  UrdfOptions options;
+  options.tip_link = "arm3";
+  // It slides by 0.5 along its axis; it turns by 0.5 about it. The axis is not of unit length in the file.
+  options.held = {{"finger_joint", 0.5}};
+  const std::string axis = "<axis xyz='0 0 2'/>" + test::kLimit;
+  expect_same_arm(read(with_gripper("prismatic", "xyz='0.1 0 0.05' rpy='0 0 0'", axis), options),
+                  read(with_gripper("fixed", "xyz='0.1 0 0.55' rpy='0 0 0'", ""), with_tip("arm3")));
+  const RobotModel turned = read(with_gripper("revolute", "xyz='0.1 0 0.05' rpy='0 0 0'", axis), options);
+  expect_same_arm(turned,
+                  read(with_gripper("fixed", "xyz='0.1 0 0.05' rpy='0 0 0.5'", ""), with_tip("arm3")));
+  const RobotModel bare = read(robot(arm));
+  EXPECT_GT(turned.chain.link[2].mass, bare.chain.link[2].mass + 2.0) << "finger and pad are carried";
+}
+
+TEST_F(UrdfSelection, AJointOfTheArmsOwnCanBeHeldAndAMimicToo) {
+  const std::string inside = link("base") + chain("arm", "base", 4);
+  UrdfOptions options;
+  options.held = {{"arm3_joint", 0.25}};
+  EXPECT_THAT(joint_names(read(robot(inside), options)),
+              ElementsAre("arm1_joint", "arm2_joint", "arm4_joint"));
+  const std::string mimic =
+      robot(inside + link("finger", body()) +
+            joint("finger_joint", "revolute", "arm4", "finger", placed() + "<mimic joint='arm4_joint'/>"));
+  EXPECT_THAT(refusal(mimic, {}), AllOf(HasSubstr("finger_joint"), HasSubstr("mimic"), HasSubstr("hold")));
+  EXPECT_EQ(read(mimic, with_held("finger_joint", 0.0)).n(), 4);
+}
+
+TEST_F(UrdfSelection, NamesAndValuesThatAreNotTheFilesAreRefused) {
+  const std::string text = robot(link("base") + chain("arm", "base", 3));
+  EXPECT_THAT(refusal(text, with_base("bass")), AllOf(HasSubstr("base_link 'bass'"), HasSubstr("'base'")));
+  EXPECT_THAT(refusal(text, with_base("arm2", "arm1")),
+              AllOf(HasSubstr("'arm2'"), HasSubstr("'arm1'"), HasSubstr("behind the other")));
+  EXPECT_THAT(refusal(text, with_held("arm1_join", 0.0)),
+              AllOf(HasSubstr("hold"), HasSubstr("did you mean 'arm1_joint'")));
+  EXPECT_THAT(refusal(text, with_held("arm1_joint", 2.5)),
+              AllOf(HasSubstr("'arm1_joint' at 2.5 rad"), HasSubstr("-1 .. 2")));
+  EXPECT_THAT(refusal(text, with_held("arm1_joint", NAN)), HasSubstr("at nan rad"));
+  UrdfOptions options;
+  options.limits["arm9_joint"] = {};
+  EXPECT_THAT(refusal(text, options), HasSubstr("limits: there is no joint 'arm9_joint'"));
+  options.limits.clear();
+  options.inertia["arm9"] = {};
+  EXPECT_THAT(refusal(text, options), HasSubstr("inertia of link 'arm9'"));
+}
+
+TEST_F(UrdfSelection, GivenLimitsAndInertiaStandForThoseOfTheFile) {
+  const std::string axis = "<axis xyz='0 0 1'/>";
+  const std::string whole = robot(test::one_joint());
+  const std::string bare =
+      robot(link("a") + link("b", "") +
+            joint("j", "revolute", "a", "b", axis + "<limit lower='-1' upper='2' velocity='0' effort='0'/>"));
+  UrdfOptions options;
+  options.limits["j"] = {{}, {}, 3.0, 4.0};
+  options.inertia["b"] = {1.0, Vec3::Zero(), Mat3::Identity()};
+  const RobotModel given = read(bare, options);
+  const RobotModel said = read(whole);
+  expect_same_arm(given, said);
+  EXPECT_EQ(given.joints[0].limits.velocity, said.joints[0].limits.velocity);
+  EXPECT_EQ(given.joints[0].limits.effort, said.joints[0].limits.effort);
+  options.limits["j"] = {-0.5, 0.5, 3.0, 4.0};
+  EXPECT_EQ(read(whole, options).joints[0].limits.lower, -0.5);
+  EXPECT_EQ(read(whole, options).joints[0].limits.upper, 0.5);
+}
+
+TEST_F(UrdfSelection, AllThatIsMissingIsToldAtOnce) {
+  const std::string nothing = "<axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='0' effort='0'/>";
+  const std::string text =
+      robot(link("a") + link("b", "") + joint("j", "revolute", "a", "b", nothing) + link("c") +
+            joint("k", "revolute", "b", "c",
+                  "<axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='2' effort='0'/>") +
+            link("d", "") + joint("f", "fixed", "b", "d"));
+  const MissingData missing = missing_data(write(text));
+  EXPECT_THAT(missing.velocity, ElementsAre("j"));
+  EXPECT_THAT(missing.effort, ElementsAre("j", "k"));
+  EXPECT_THAT(missing.inertia, ElementsAre("b"));
+  UrdfOptions options;
+  options.limits["j"] = {{}, {}, 1.0, 2.0};
+  options.limits["k"] = {{}, {}, {}, 2.0};
+  options.inertia["d"] = {1.0, Vec3::Zero(), Mat3::Identity()};
+  EXPECT_TRUE(missing_data(write(text), options).empty()) << "what is fixed to a link is part of its body";
+  EXPECT_EQ(read(text, options).n(), 2);
+  EXPECT_THAT(missing_data(write(robot(test::one_joint()))).inertia, IsEmpty());
+}
+
+}  // namespace
+}  // namespace armtune
