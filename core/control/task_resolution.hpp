@@ -53,7 +53,7 @@ Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
     return Vec6T<T>::Zero();
   }
   velocity = centering.velocity(q);
-  const Vec6T<T> L = arm.inverse.multipliers(rate - times(arm.J, velocity));
+  Vec6T<T> L = arm.inverse.multipliers(rate - times(arm.J, velocity));
   JointVectorT<T> back;
   transposed_times(arm.J, L, back);
   velocity += back;
