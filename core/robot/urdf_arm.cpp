@@ -15,6 +15,9 @@
 namespace armtune {
 namespace {
 
+/// Of the largest moment of inertia: what a rod's smallest one can be off when it was turned into other axes.
+constexpr double kRounding = 1e-12;
+
 /// R_CB: the smallest rotation that takes z onto the unit vector `axis`; onto -z, a half turn about x.
 Mat3 z_onto(const Vec3& axis) {
   const double sine_squared = axis.x() * axis.x() + axis.y() * axis.y();
@@ -233,7 +236,7 @@ class ArmBuilder {
     // Merging could hide these two; the rest is judged for the whole body.
     if (given.mass < 0.0) refuse("link '{}': mass is {} kg; it must not be negative", link.name, given.mass);
     const double least = given.about_center.diagonal().minCoeff();
-    if (least < 0.0)
+    if (least < -kRounding * given.about_center.diagonal().maxCoeff())
       refuse("link '{}': a moment of inertia is {} kg m^2; none may be negative", link.name, least);
     const LinkInertia about_center{given.mass, Vec3::Zero(), given.about_center};
     merge(in_frame(about_center, given.R_LC, given.p_LC), site);

@@ -66,6 +66,22 @@ TEST(UrdfWriter, AnArmWithALinkCalledToolGetsAnotherNameForItsEnd) {
   EXPECT_LT((back.chain.p_BT - arm.chain.p_BT).norm(), 1e-12);
 }
 
+TEST(UrdfWriter, AThinRodInTurnedAxesReadsBack) {
+  // Turned into the joint's axes its smallest moment rounds to some -1e-17.
+  const std::string rod =
+      "<robot name='r'><link name='a'/><link name='b'><inertial><origin xyz='0.1 0 0' rpy='0 0.1 0'/><mass "
+      "value='2'/>"
+      "<inertia ixx='0.1' ixy='0' ixz='0' iyy='0' iyz='0' izz='0.1'/></inertial></link>"
+      "<joint name='j' type='revolute'><parent link='a'/><child link='b'/><origin xyz='0 0 0.3' rpy='0.1 0 "
+      "0'/>"
+      "<axis xyz='0 1 0'/><limit lower='-1' upper='2' velocity='3' effort='4'/></joint></robot>";
+  const RobotModel arm = read_back(rod, "");
+  EXPECT_NO_THROW(validate(arm));
+  const RobotModel back = read_back(urdf_text(arm));
+  EXPECT_NO_THROW(validate(back));
+  EXPECT_LT((back.chain.link[0].inertia - arm.chain.link[0].inertia).norm(), 1e-12);
+}
+
 TEST(UrdfWriter, ALinkWithoutMassIsWrittenWithFiniteNumbers) {
   RobotModel arm = test::ur10();
   arm.chain.link[1] = {};
