@@ -13,26 +13,6 @@ namespace {
 /// The wrist: a slerp lowers Kd of the last three joints.
 constexpr int kWristJoints = 3;
 
-JointVector goal_in_si(const RobotModel& model, const Gains& gains) {
-  JointVector goal = gains.joint_space_goal;
-  for (int i = 0; i < model.n(); ++i) {
-    if (model.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) goal[i] *= M_PI / 180.0;
-  }
-  return goal;
-}
-
-/// Of joints beyond those the task takes; of the others there is nothing to draw to anywhere.
-JointCentering joint_centering(const RobotModel& model, double rate) {
-  JointCentering centering{JointVector::Zero(model.n()), JointVector::Zero(model.n())};
-  for (int i = 0; i < model.n(); ++i) {
-    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
-    if (!limits.has_position) continue;
-    centering.middle[i] = 0.5 * (limits.lower + limits.upper);
-    centering.rate[i] = rate;
-  }
-  return centering;
-}
-
 MotionPoint<Vec3> path_now(const Scene& scene, double time) {
   return scene.on_path != nullptr ? *scene.on_path : scene.path->at(time);
 }
@@ -43,7 +23,7 @@ ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains&
                            TaskMask mask)
     : model_(std::move(model)),
       gains_(gains),
-      goal_(goal_in_si(*model_, gains)),
+      goal_(in_si(*model_, gains.joint_space_goal)),
       effort_limits_(model_->effort_limits()),
       velocity_limits_(model_->velocity_limits()),
       velocity_bound_(gains.velocity_margin * velocity_limits_),

@@ -34,8 +34,9 @@ std::vector<GainField> make_fields() {
        &Gains::force_control_gains},
       {"obstacleInfluenceRadius", "m", "an obstacle repels joint origins closer than this",
        &Gains::obstacleInfluenceRadius, true, true},
-      {"joint_space_goal", "deg", "joint angles at the end of leaveSingularity (metres for prismatic joints)",
-       &Gains::joint_space_goal},
+      {"joint_space_goal", "deg",
+       "joint angles at the end of leaveSingularity (metres for prismatic joints); absent: found on the task",
+       &Gains::joint_space_goal, false},
       {"joint_trajectory_duration", "s", "time from the start pose to joint_space_goal",
        &Gains::joint_trajectory_duration, true, true},
       {"trajectoryDurationErrorGain", "s/m", "time a return to the path takes per metre of distance",
@@ -135,6 +136,7 @@ void validate(const Gains& gains, const std::vector<std::string>& joints, const 
   for (const GainField& field : gain_fields()) {
     const auto values = numbers(gains, field);
     const auto names = component_names(field, joints);
+    if (!field.required && field.is_number() && values.empty()) continue;
     if (field.is_number() && values.size() != names.size()) {
       throw InputError(fmt::format("{}: {} has {} values, the arm needs {}: {}", source, field.name,
                                    values.size(), names.size(), fmt::join(names, " ")));

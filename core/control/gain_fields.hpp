@@ -25,7 +25,7 @@ struct GainField {
   const char* meaning;
   std::variant<double Gains::*, Vec6 Gains::*, JointVector Gains::*, bool Gains::*, SlerpReference Gains::*>
       member;
-  bool required = true;            ///< must stand in a gains file
+  bool required = true;            ///< must stand in a gains file; joint vectors that need not may be empty
   bool strictly_positive = false;  ///< otherwise numbers must be >= 0 (the joint goal: any)
   SearchRange search = SearchRange::kNone;
   /// Of kFactor: bounds as factors on the start's value.

@@ -18,7 +18,7 @@ struct Gains {
   Vec6 task_space_gains_i = Vec6::Zero();
   JointVector task_space_gains_d;
   JointVector force_control_gains;
-  JointVector joint_space_goal;  ///< [deg], as published
+  JointVector joint_space_goal;  ///< [deg], as published; empty: a scenario's own
   double joint_trajectory_duration = 6.0;
   double obstacleInfluenceRadius = 0.325;
   double trajectoryDurationErrorGain = 7.0;

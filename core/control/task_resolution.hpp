@@ -11,29 +11,11 @@
 // takes (0, w x r) from xr'', r being what the task leaves of xr' - J qr'.
 
 #include "core/control/cartesian_law.hpp"
+#include "core/control/joint_centering.hpp"
 #include "core/control/joint_space_law.hpp"
 #include "core/control/measured_arm.hpp"
 
 namespace armtune {
-
-/// z of every joint: zero for those without position limits.
-template <typename T>
-struct JointCenteringT {
-  JointVectorT<T> middle;  ///< of the position limits [rad, m]
-  JointVectorT<T> rate;    ///< k [1/s]
-
-  JointVectorT<T> velocity(const JointVectorT<T>& q) const {
-    JointVectorT<T> z(q.size());
-    for (Eigen::Index i = 0; i < q.size(); ++i) z[i] = rate[i] * (middle[i] - q[i]);
-    return z;
-  }
-  JointVectorT<T> acceleration(const JointVectorT<T>& qd) const {
-    JointVectorT<T> z(qd.size());
-    for (Eigen::Index i = 0; i < qd.size(); ++i) z[i] = -(rate[i] * qd[i]);
-    return z;
-  }
-};
-using JointCentering = JointCenteringT<double>;
 
 /// (0, w x L_angular): E'^T of multipliers, for a task whose components turn with the tool.
 template <typename T>

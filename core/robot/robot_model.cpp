@@ -202,6 +202,22 @@ std::vector<std::string> theta_names(const RobotModel& model) {
   return names;
 }
 
+JointVector in_degrees(const RobotModel& model, const JointVector& q) {
+  JointVector degrees = q;
+  for (int i = 0; i < model.n(); ++i) {
+    if (model.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) degrees[i] *= 180.0 / M_PI;
+  }
+  return degrees;
+}
+
+JointVector in_si(const RobotModel& model, const JointVector& degrees) {
+  JointVector q = degrees;
+  for (int i = 0; i < model.n(); ++i) {
+    if (model.chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute) q[i] *= M_PI / 180.0;
+  }
+  return q;
+}
+
 double reach(const RobotModel& model) {
   const Chain& chain = model.chain;
   double sum = chain.p_BT.norm();

@@ -39,6 +39,10 @@ struct RobotModel {
   JointVector effort_limits() const;
 };
 
+/// Joint positions (n) from [rad, m] to [deg, m], the units of files, and back.
+JointVector in_degrees(const RobotModel& model, const JointVector& q);
+JointVector in_si(const RobotModel& model, const JointVector& degrees);
+
 /// Names of the joints, in order.
 std::vector<std::string> joint_names(const RobotModel& model);
 

@@ -39,8 +39,8 @@ struct RolloutLanes::Lane {
   explicit Lane(LaneJob given)
       : job(std::move(given)),
         running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits, job.cost),
-        logic(job.scenario->scenario.robot, job.gains, job.scenario->scenario.control_period,
-              job.scenario->scenario.mask),
+        logic(job.scenario->scenario.robot, with_goal(job.gains, job.scenario->scenario),
+              job.scenario->scenario.control_period, job.scenario->scenario.mask),
         q(job.scenario->scenario.start_position),
         qd(running.start_velocity()),
         theta(job.scenario->theta_start) {

@@ -17,8 +17,8 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   const FlushDenormals flush;
   const Scenario& scenario = prepared_->scenario;
   RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits, cost);
-  Controller controller(scenario.robot, gains, prepared_->theta_start, scenario.control_period,
-                        scenario.mask);
+  Controller controller(scenario.robot, with_goal(gains, scenario), prepared_->theta_start,
+                        scenario.control_period, scenario.mask);
   TrueState truth(*scenario.robot, prepared_->theta_true);
   plant_->set_state(scenario.start_position, running.start_velocity());
   World world;

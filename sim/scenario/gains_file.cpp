@@ -82,6 +82,7 @@ std::string gains_yaml(const Gains& gains, const std::vector<std::string>& heade
   for (const std::string& line : header) text += fmt::format("# {}\n", line);
   text += fmt::format("{}:\n", kNamespace);
   for (const GainField& field : gain_fields()) {
+    if (field.is_number() && numbers(gains, field).empty()) continue;
     text += fmt::format("  # {}{}{}{}\n  {}: {}\n", field.meaning, *field.unit ? " [" : "", field.unit,
                         *field.unit ? "]" : "", field.name, field_text(gains, field));
   }

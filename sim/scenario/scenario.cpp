@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/error.hpp"
 #include "core/robot/theta.hpp"
 #include "sim/yaml/map_reader.hpp"
 
@@ -33,6 +34,23 @@ void apply_factors(const PlantConditions& plant, Chain& chain) {
 }
 
 }  // namespace
+
+Gains with_goal(Gains gains, const Scenario& scenario) {
+  if (gains.joint_space_goal.size() > 0) return gains;
+  if (scenario.goal_position.size() == 0) {
+    // Plans come first and go over into the task: leaveSingularity is never in it.
+    if (scenario.planned) {
+      gains.joint_space_goal = in_degrees(*scenario.robot, scenario.start_position);
+      return gains;
+    }
+    throw InputError(scenario.name +
+                     ": the scenario gives its own start_position_deg and the gains no joint_space_goal; "
+                     "give one, or leave both "
+                     "out to have them found");
+  }
+  gains.joint_space_goal = in_degrees(*scenario.robot, scenario.goal_position);
+  return gains;
+}
 
 int Scenario::periods() const {
   return static_cast<int>(std::llround(duration / control_period));

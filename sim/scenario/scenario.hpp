@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/gains.hpp"
 #include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/harmonic_path.hpp"
@@ -58,6 +59,7 @@ struct Scenario {
   double duration = 0.0;        ///< from then on [s]
   double control_period = 0.0;  ///< [s]
   JointVector start_position;   ///< [rad, m]
+  JointVector goal_position;    ///< on the task, of leaveSingularity where gains have none; empty: they must
   JointVector start_velocity;   ///< the planned motion's; empty: at rest
   std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
   HarmonicPath path;                           ///< of the tool, base frame
@@ -83,6 +85,9 @@ struct Scenario {
 /// Reads a bundled scenario by name, or a file by path. `base: NAME` (or a list) takes every top-level key
 /// from other files first; the file's own keys replace them whole. Throws InputError.
 Scenario load_scenario(const std::string& name_or_path);
+
+/// Gains whose joint_space_goal is the scenario's where they have none. Throws InputError if neither has one.
+Gains with_goal(Gains gains, const Scenario& scenario);
 
 /// The arm as it really is in the scenario: factors, then payload and friction included.
 RobotModel plant_model(const Scenario& scenario);

@@ -10,6 +10,7 @@
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/plant_file.hpp"
 #include "sim/scenario/random_targets.hpp"
@@ -148,12 +149,10 @@ yaml::Node parse_with_base(const std::string& path, std::vector<std::string>& fi
 }
 
 void read_start(const yaml::Node& node, Scenario& scenario) {
-  scenario.start_position = yaml::joint_values(node, joint_names(*scenario.robot));
+  scenario.start_position = in_si(*scenario.robot, yaml::joint_values(node, joint_names(*scenario.robot)));
   for (int i = 0; i < scenario.robot->n(); ++i) {
     const JointInfo& joint = scenario.robot->joints[static_cast<std::size_t>(i)];
-    double& q = scenario.start_position[i];
-    if (scenario.robot->chain.motion[static_cast<std::size_t>(i)] == JointMotion::kRevolute)
-      q *= M_PI / 180.0;
+    const double q = scenario.start_position[i];
     if (joint.limits.has_position && (q < joint.limits.lower || q > joint.limits.upper)) {
       node.fail(fmt::format("{} starts at {:.6g} (in rad or m), outside its limits {:.6g} .. {:.6g}",
                             joint.name, q, joint.limits.lower, joint.limits.upper));
@@ -219,10 +218,8 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* planned = map.optional("planned")) {
     read_planned(*planned, scenario);
     scenario.duration = read_duration(map.optional("duration"), scenario);
-    map.ignore("start_position_deg");  // a base's: the plan has its own
   } else {
     scenario.duration = read_duration(&map.required("duration"), scenario);
-    read_start(map.required("start_position_deg"), scenario);
   }
   yaml::MapReader tool_path(map.required("path"));
   scenario.path = read_path(tool_path);
@@ -232,6 +229,13 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
   scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
+  // A plan has a start of its own, over a base's.
+  if (const yaml::Node* start = map.optional("start_position_deg"); start != nullptr && !scenario.planned) {
+    read_start(*start, scenario);
+  } else if (!scenario.planned) {
+    scenario.goal_position = best_start_of_task(scenario);
+    scenario.start_position = off_goal(*scenario.robot, scenario.goal_position);
+  }
   if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_named_paths(*obstacles);

@@ -13,6 +13,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/task_files.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -69,11 +70,16 @@ void write_sidecar(const RobotFile& file, const MissingData& missing, const std:
 }
 
 /// Loads and shows it, or says all that it lacks.
-void look_at(const std::string& name_or_path, const std::string& sidecar) {
+void look_at(const std::string& name_or_path, const std::string& sidecar, const std::string& task) {
   const RobotFile file = read_robot_file(name_or_path);
   const MissingData missing = missing_data(file.urdf, file.options);
   if (!sidecar.empty()) return write_sidecar(file, missing, sidecar);
-  if (missing.empty()) return show(*load_robot(name_or_path));
+  if (missing.empty()) {
+    const auto robot = load_robot(name_or_path);
+    show(*robot);
+    if (!task.empty()) write_task_files(robot, file.path, task);
+    return;
+  }
   throw InputError(
       fmt::format("{}: missing: {}; --sidecar arm.yaml writes the robot YAML that gives it, to be filled in",
                   file.path, named(missing)));
@@ -90,7 +96,14 @@ void add_robot_command(CLI::App& app, int&) {
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
                       "write what the URDF lacks (limits, inertia) as a robot YAML to fill in");
-  command->callback([file, sidecar] { look_at(*file, *sidecar); });
+  auto task = std::make_shared<std::string>();
+  command
+      ->add_option("--task", *task,
+                   "new folder for a first task: a circle where the arm moves well, gains from its inertia, "
+                   "a study that tunes "
+                   "them")
+      ->excludes("--sidecar");
+  command->callback([file, sidecar, task] { look_at(*file, *sidecar, *task); });
 }
 
 }  // namespace armtune::cli

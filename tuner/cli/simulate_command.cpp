@@ -15,6 +15,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/task_notes.hpp"
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -67,7 +68,9 @@ int run(const Arguments& args) {
     scenarios.push_back(load_scenario(name));
     if (!args.theta.empty()) start_theta_from(args.theta, scenarios.back());
   }
-  for (const Scenario& scenario : scenarios) load_gains(args.gains, joint_names(*scenario.robot));
+  for (const Scenario& scenario : scenarios) {
+    warn_of_task(scenario, load_gains(args.gains, joint_names(*scenario.robot)));
+  }
   SimulateOptions options;
   options.stepper = stepper_from_name(args.stepper);
   options.engine = engine_from_name(args.engine);

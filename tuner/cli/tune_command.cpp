@@ -15,6 +15,7 @@
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/cli/task_notes.hpp"
 #include "tuner/cli/tune_help.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
@@ -118,6 +119,7 @@ void announce(const Study& study, const Arguments& args, const Journal& journal)
     fmt::print("the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
                swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched");
   }
+  for (const Scenario& scenario : study.scenarios) warn_of_task(scenario, study.space.start);
   if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
   std::fflush(stdout);
 }

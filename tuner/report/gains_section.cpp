@@ -26,7 +26,7 @@ std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vecto
         std::find_if(entries.begin(), entries.end(), [&g](const GainEntry& e) { return e.name == g.name; });
     if (found == entries.end()) continue;
     Gain gain{g.name, found->field->unit, g.lower, g.upper, g.scale, {}};
-    for (const auto& set : sets) gain.values.push_back(set ? value(*set, *found) : NAN);
+    for (const auto& set : sets) gain.values.push_back(set && has(*set, *found) ? value(*set, *found) : NAN);
     gains.push_back(std::move(gain));
   }
   return gains;

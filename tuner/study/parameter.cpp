@@ -38,6 +38,10 @@ std::vector<GainEntry> gain_entries(const std::vector<std::string>& joints) {
   return entries;
 }
 
+bool has(const Gains& gains, const GainEntry& entry) {
+  return entry.component < numbers(gains, *entry.field).size();
+}
+
 double& value(Gains& gains, const GainEntry& entry) {
   return numbers(gains, *entry.field)[entry.component];
 }

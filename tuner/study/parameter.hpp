@@ -20,6 +20,8 @@ struct GainEntry {
 /// All numbers of all fields of an arm with these joints, in the order of the fields.
 std::vector<GainEntry> gain_entries(const std::vector<std::string>& joints);
 
+/// Whether a gain set has that number: fields that a file may leave out can be empty.
+bool has(const Gains& gains, const GainEntry& entry);
 double& value(Gains& gains, const GainEntry& entry);
 double value(const Gains& gains, const GainEntry& entry);
 

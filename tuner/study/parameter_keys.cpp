@@ -94,7 +94,8 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start,
                           const std::vector<std::string>& joints) {
   ParameterSpace space;
   space.start = start;
-  const auto all = gain_entries(joints);
+  auto all = gain_entries(joints);
+  std::erase_if(all, [&start](const GainEntry& entry) { return !has(start, entry); });
   if (node == nullptr) {
     for (const GainEntry& entry : all) {
       if (entry.field->search != SearchRange::kNone) space.free.push_back(default_parameter(entry, start));

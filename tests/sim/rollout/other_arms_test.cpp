@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/rollout/rollout.hpp"
+#include "sim/scenario/gains_file.hpp"
 #include "tests/core/support/arms.hpp"
 
 namespace armtune {
@@ -79,6 +80,42 @@ TEST(OtherArms, CenteringKeepsJointsNearTheirMiddleAndTheToolOnItsPath) {
     away[centering] = q.norm();  // its limits lie about zero
   }
   EXPECT_LT(away[1], 0.95 * away[0]);
+}
+
+RolloutResult rollout(const char* scenario_name, const char* gains) {
+  const Scenario scenario = load_scenario(scenario_name);
+  return Rollout(scenario, Stepper::kMidpoint, Engine::kNative)
+      .run(load_gains(gains, joint_names(*scenario.robot)));
+}
+
+TEST(OtherArms, SevenJointsAreAsAccurateAsSixForTheirReachAndKeepOffTheirLimits) {
+  // The same task by reach, nothing known at the start, gains tuned by a study each.
+  const RolloutResult six = rollout("moving_target", "extended_tuned");
+  const RolloutResult seven = rollout("panda_moving_target", "panda_tuned");
+  const double by_reach =
+      reach(*load_scenario("panda_moving_target").robot) / reach(*load_scenario("moving_target").robot);
+  for (const Metric metric : {Metric::kPositionMax, Metric::kPositionRms}) {
+    EXPECT_LT(seven.metrics[metric], 1.2 * by_reach * six.metrics[metric]) << name(metric);
+  }
+  for (const Metric metric : {Metric::kOrientationMax, Metric::kOrientationRms}) {
+    EXPECT_LT(seven.metrics[metric], 1.2 * six.metrics[metric]) << name(metric);
+  }
+  for (const char* scenario : {"panda_moving_target", "panda_target_switch", "panda_obstacle_pass"}) {
+    const RolloutResult result = rollout(scenario, "panda_tuned");
+    EXPECT_GT(result.metrics[Metric::kJointPositionMinMargin], 0.1) << scenario;
+    EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 0.9) << scenario;
+  }
+}
+
+TEST(OtherArms, FiveJointsFollowPositionAndGaze) {
+  for (const char* scenario : {"youbot_moving_target", "youbot_target_switch"}) {
+    const RolloutResult result = rollout(scenario, "youbot_tuned");
+    ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+    EXPECT_LT(result.metrics[Metric::kPositionMax], 2e-3) << scenario;
+    EXPECT_LT(result.metrics[Metric::kOrientationMax], 1e-2) << scenario;
+    EXPECT_GT(result.metrics[Metric::kJointPositionMinMargin], 0.05) << scenario;
+    EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 0.9) << scenario;
+  }
 }
 
 }  // namespace

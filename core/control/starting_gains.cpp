@@ -1,0 +1,60 @@
+#include "core/control/starting_gains.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/robot/dynamics.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kRate = 25.0;               // 1/s, of S
+constexpr double kTaskRate = 15.0;           // 1/s, of the task's errors
+constexpr double kJointRate = 5.0;           // 1/s
+constexpr double kShareOfVelocity = 0.4;     // of the limits, at most, on the way to the goal
+constexpr double kShortest = 3.0;            // s, of that way
+constexpr double kQuinticPeak = 15.0 / 8.0;  // of a rest-to-rest quintic's velocity over its mean
+
+}  // namespace
+
+Gains starting_gains(const RobotModel& robot, const JointVector& start, const JointVector& goal,
+                     double manipulability) {
+  const int n = robot.n();
+  Poses poses;
+  forward_kinematics(robot.chain, goal, poses);
+  JointMatrix M;
+  mass_matrix(robot.chain, poses, M);
+  M.diagonal() += robot.chain.rotor_inertia;
+  const JointVector felt = JointMatrix(M.inverse()).diagonal().cwiseInverse();
+  const double size = reach(robot);
+
+  Gains gains;
+  gains.joint_space_goal = in_degrees(robot, goal);
+  gains.joint_space_gains_p = JointVector::Constant(n, kJointRate);
+  gains.joint_space_gains_d = kRate * felt;
+  gains.task_space_gains_p.setConstant(kTaskRate);
+  gains.task_space_gains_i.setConstant(0.1);
+  gains.task_space_gains_d = gains.joint_space_gains_d;
+  const double slowest = ((goal - start).array().abs() / robot.velocity_limits().array()).maxCoeff();
+  gains.joint_trajectory_duration = std::max(kShortest, std::ceil(kQuinticPeak * slowest / kShareOfVelocity));
+  // Lengths as the published gains have them to the UR10's reach.
+  gains.obstacleInfluenceRadius = 0.25 * size;
+  gains.trajectoryDurationErrorGain = 9.0 / size;
+  gains.force_control_gains = JointVector::Constant(n, 2.0 * robot.effort_limits().maxCoeff() / size);
+  gains.manipulability_threshold = 0.3 * manipulability;
+  gains.manipulability_damping = 0.03 * size * size;
+  gains.joint_centering_gain = 0.2;
+  gains.variable_damping = true;
+  gains.gaze_feedforward = true;
+  gains.slerp_start_angle = 0.03;
+  gains.joint_goal_follows_task = true;
+  gains.velocity_margin = 0.72;
+  gains.velocity_barrier_start = 0.6;
+  gains.velocity_barrier_gain = 1.0;
+  gains.adapt_while_avoiding = false;
+  gains.adaptation_projection = true;
+  return gains;
+}
+
+}  // namespace armtune

@@ -1,0 +1,157 @@
+#include "sim/scenario/path_walk.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/common/error.hpp"
+#include "core/control/pose_search.hpp"
+#include "core/control/starting_gains.hpp"
+#include "core/control/task_goal.hpp"
+#include "sim/scenario/data_files.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kStep = 0.02;      // s
+constexpr double kOffPath = 1e-3;   // m: the inverse kinematics itself is a hundred times closer
+constexpr double kSingular = 0.02;  // of the largest manipulability of the walk
+constexpr double kAway = 20.0 * M_PI / 180.0;
+constexpr double kAwaySliding = 0.1;   // m
+constexpr double kAwayShare = 0.1;     // of the range, at most
+constexpr double kCentering = 0.2;     // 1/s, where no gains are known
+constexpr double kEnoughMargin = 0.1;  // of the range: more is no better
+
+/// One turn is as good as many where nothing else moves.
+double walked_time(const Scenario& scenario) {
+  const double frequency = std::abs(scenario.path.frequency);
+  const bool targets_rest = std::all_of(
+      scenario.targets.begin(), scenario.targets.end(),
+      [](const NamedPath& target) { return target.path.frequency == 0.0 || target.path.terms.empty(); });
+  const double rest = scenario.targets.size() > 1 && scenario.switch_every > 0.0 ? scenario.duration : 1.0;
+  if (!targets_rest) return scenario.duration;
+  if (frequency == 0.0 || scenario.path.terms.empty()) return std::min(scenario.duration, rest);
+  return std::min(scenario.duration, std::max(rest, 2.0 * M_PI / frequency));
+}
+
+ToolGoal beginning(const Scenario& scenario) {
+  const double time = scenario.start_time;
+  ToolGoal goal{scenario.path.at(time).position, {}};
+  if (tracks_orientation(scenario.mask))
+    goal.target = scenario.targets[scenario.active_target(time)].path.at(time).position;
+  return goal;
+}
+
+}  // namespace
+
+PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
+  const RobotModel& robot = *scenario.robot;
+  const double scale = std::min(1.0, std::pow(reach(robot), 3));
+  const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
+  const JointCentering centering = joint_centering(robot, centering_gain);
+  TaskGoal motion;
+  motion.start(q);
+  MeasuredArm arm;
+  PathWalk walk;
+  walk.manipulability.value = std::numeric_limits<double>::infinity();
+  walk.margin.value = std::numeric_limits<double>::infinity();
+  const auto steps = static_cast<long>(std::ceil(walked_time(scenario) / kStep));
+  for (long k = 0; k <= steps; ++k) {
+    const double time = scenario.start_time + static_cast<double>(k) * kStep;
+    const MotionPoint<Vec3> path = scenario.path.at(time);
+    const MotionPoint<Vec3> target = scenario.targets[scenario.active_target(time)].path.at(time);
+    const MotionPoint<JointVector>& joints =
+        motion.step(robot.chain, path, target, damping, scenario.mask, centering, kStep);
+    arm.measure(robot.chain, joints.position, joints.velocity, damping, scenario.mask);
+    const double off = (arm.poses.p_0T - path.position).norm();
+    const double m = arm.inverse.manipulability();
+    if (!(off <= walk.error.value)) walk.error = {time, path.position, off};
+    if (!(m >= walk.manipulability.value)) walk.manipulability = {time, path.position, m};
+    walk.largest_manipulability = std::max(walk.largest_manipulability, m);
+    const TightestJoint tightest = tightest_joint(robot, joints.position);
+    if (!(tightest.margin >= walk.margin.value)) {
+      walk.margin = {time, path.position, tightest.margin};
+      walk.joint = tightest.joint;
+    }
+    if (!std::isfinite(off)) break;
+  }
+  return walk;
+}
+
+std::string trouble(const PathWalk& walk, const Scenario& scenario) {
+  const auto place = [](const WalkPlace& at) {
+    return fmt::format("at {:.4g} s, tool at ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
+                       at.tool.z());
+  };
+  if (!(walk.error.value <= kOffPath)) {
+    return fmt::format(
+        "the path leaves the workspace of {}: {} it comes no closer than {:.3g} m; move or shrink the path",
+        scenario.robot->name, place(walk.error), walk.error.value);
+  }
+  if (!(walk.manipulability.value >= kSingular * walk.largest_manipulability)) {
+    return fmt::format(
+        "the path runs through a singularity of {}: {} manipulability is {:.3g}, elsewhere on it up to "
+        "{:.3g}; "
+        "move the path, or give another start",
+        scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
+        walk.largest_manipulability);
+  }
+  if (!(walk.margin.value >= 0.0)) {
+    return fmt::format(
+        "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",
+        scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
+        place(walk.margin));
+  }
+  return {};
+}
+
+JointVector best_start_of_task(const Scenario& scenario) {
+  const ToolGoal goal = beginning(scenario);
+  const auto best =
+      best_pose(*scenario.robot, goal, sample_position(*scenario.robot, 0), [&](const JointVector& q) {
+        const PathWalk walk = walk_path(scenario, q, kCentering);
+        const double ease = walk.manipulability.value * std::min(1.0, walk.margin.value / kEnoughMargin);
+        // Where the whole walk fails, still the pose that does best.
+        return trouble(walk, scenario).empty() ? ease
+                                               : -1.0 - walk.error.value - std::max(0.0, -walk.margin.value);
+      });
+  if (best) return *best;
+  const Vec3& tool = goal.tool;
+  throw InputError(
+      fmt::format("{}: {} cannot have its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
+                  "within its joint limits; move "
+                  "the path, or give start_position_deg",
+                  shown_path(scenario.source), scenario.robot->name, tool.x(), tool.y(), tool.z(),
+                  goal.target ? ", with its z axis on the target" : ""));
+}
+
+std::string task_trouble(const Scenario& scenario, const Gains& gains) {
+  if (scenario.planned) return {};
+  JointVector q = in_si(*scenario.robot, with_goal(gains, scenario).joint_space_goal);
+  if (!reach_goal(*scenario.robot, beginning(scenario), q)) {
+    try {
+      q = best_start_of_task(scenario);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+  return trouble(walk_path(scenario, q, gains.joint_centering_gain), scenario);
+}
+
+JointVector off_goal(const RobotModel& robot, const JointVector& goal) {
+  JointVector start = goal;
+  for (int i = 0; i < robot.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const JointLimits& limits = robot.joints[k].limits;
+    const bool slides = robot.chain.motion[k] == JointMotion::kPrismatic;
+    double away = slides ? kAwaySliding : kAway;
+    if (limits.has_position) away = std::min(away, kAwayShare * (limits.upper - limits.lower));
+    const double middle = limits.has_position ? 0.5 * (limits.lower + limits.upper) : 0.0;
+    start[i] += goal[i] > middle ? -away : away;
+  }
+  return start;
+}
+
+}  // namespace armtune

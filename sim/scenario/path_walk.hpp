@@ -1,0 +1,50 @@
+#pragma once
+// Whether an arm can do a scenario's task at all: its path and its gaze gone along by inverse kinematics,
+// without dynamics, gains or limits on velocity. What no controller could do better is known before the first
+// simulation.
+
+#include <string>
+
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune {
+
+/// A moment of a walk.
+struct WalkPlace {
+  double time = 0.0;         ///< [s]
+  Vec3 tool = Vec3::Zero();  ///< of the path, base frame [m]
+  double value = 0.0;
+};
+
+struct PathWalk {
+  WalkPlace error;           ///< largest distance of the tool from the path [m]
+  WalkPlace manipulability;  ///< smallest, of the task's components (equation 4)
+  WalkPlace margin;          ///< smallest share of a joint's range that is left to its limit
+  double largest_manipulability = 0.0;
+  int joint = 0;  ///< whose margin it is
+};
+
+/// From joint positions q (n) that have the tool on the path at scenario.start_time; over the whole scenario,
+/// or a turn of the path where that is shorter and targets rest. Needs a robot, path, targets and a mask;
+/// nothing else. centering_gain: joint_centering_gain [1/s].
+PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain);
+
+/// What is wrong with it in one sentence, with place and figure: the path leaves the workspace, a joint its
+/// limits, or a singularity is passed. Empty: nothing.
+std::string trouble(const PathWalk& walk, const Scenario& scenario);
+
+/// The joint positions (n) of the longest-lasting ease on the task: the tool on the path at `time`, looking
+/// at the target that is active then, with the largest manipulability over the walk from there, away from the
+/// limits. Throws InputError if there are none, naming the place.
+JointVector best_start_of_task(const Scenario& scenario);
+
+/// `trouble` on the way that begins closest to the joint_space_goal of `gains`, where there is one, as
+/// leaveSingularity leads there; or that there is no such way. Empty: nothing is wrong, or the scenario
+/// follows a plan.
+std::string task_trouble(const Scenario& scenario, const Gains& gains);
+
+/// A position (n) to begin a simulation with when none is given: off `goal` by 20 degrees or 0.1 m, a tenth
+/// of the joint's range at most, towards the middle of each joint's limits.
+JointVector off_goal(const RobotModel& robot, const JointVector& goal);
+
+}  // namespace armtune

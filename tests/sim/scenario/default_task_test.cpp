@@ -1,0 +1,61 @@
+#include "sim/scenario/default_task.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/control/starting_gains.hpp"
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+void does_its_task(const std::shared_ptr<const RobotModel>& robot) {
+  const DefaultTask task = default_task(robot);
+  const Gains gains = starting_gains(*robot, task.scenario.start_position, task.goal, task.manipulability);
+  const double radius = task.scenario.path.terms[0].cosine.norm();
+  const RolloutResult result = Rollout(task.scenario, Stepper::kMidpoint, Engine::kNative).run(gains);
+  ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_GT(result.metrics[Metric::kSamples], 5000.0);
+  EXPECT_LT(result.metrics[Metric::kPositionMax], 0.2 * radius);
+  EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 1.0);
+  if (tracks_orientation(task.scenario.mask)) {
+    EXPECT_LT(result.metrics[Metric::kOrientationMax], 0.05);
+  }
+}
+
+class BundledRobots : public testing::TestWithParam<const char*> {};
+
+TEST_P(BundledRobots, DoTheirFirstTaskWithTheirStartingGains) {
+  does_its_task(load_robot(GetParam()));
+}
+
+TEST_P(BundledRobots, FirstTaskReadsBackAsItIs) {
+  const auto robot = load_robot(GetParam());
+  const DefaultTask task = default_task(robot);
+  const test::TemporaryFolder folder;
+  const Scenario back = load_scenario(folder.write("task.yaml", default_task_yaml(task, GetParam())));
+  EXPECT_EQ(back.path.center, task.scenario.path.center);
+  EXPECT_EQ(back.path.terms[0].cosine, task.scenario.path.terms[0].cosine);
+  EXPECT_EQ(back.path.terms[0].sine, task.scenario.path.terms[0].sine);
+  EXPECT_EQ(back.path.frequency, task.scenario.path.frequency);
+  EXPECT_LT((back.start_position - task.scenario.start_position).norm(), 1e-2);  // four digits of degrees
+  EXPECT_EQ(back.mask, task.scenario.mask);
+  ASSERT_EQ(back.targets.size(), 2U);
+  EXPECT_EQ(back.targets[1].path.center, task.scenario.targets[1].path.center);
+  EXPECT_EQ(back.switch_every, task.scenario.switch_every);
+  EXPECT_NEAR(back.plant.payload.mass, task.scenario.plant.payload.mass, 1e-9);
+  EXPECT_EQ(back.plant.velocity_noise, task.scenario.plant.velocity_noise);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, BundledRobots, testing::Values("ur10", "panda", "youbot"));
+
+TEST(DefaultTask, AnArmOfThreeJointsHoldsItsPositionOnly) {
+  const DefaultTask task = default_task(std::make_shared<const RobotModel>(test::random_arm(3, 5, false)));
+  EXPECT_EQ(task.scenario.mask, TaskMask::kPosition);
+}
+
+}  // namespace
+}  // namespace armtune

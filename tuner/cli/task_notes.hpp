@@ -1,0 +1,13 @@
+#pragma once
+// A word about tasks that no gains can do, before anything is simulated.
+
+#include "core/control/gains.hpp"
+#include "sim/scenario/scenario.hpp"
+
+namespace armtune::cli {
+
+/// A line to stderr if the scenario's path leaves the workspace, a joint's limits, or runs through a
+/// singularity.
+void warn_of_task(const Scenario& scenario, const Gains& gains);
+
+}  // namespace armtune::cli
