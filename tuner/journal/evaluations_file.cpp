@@ -2,11 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/csv/cell.hpp"
 
 namespace armtune {
+namespace {
+
+/// What a scenario's metric is written for, once even where several terms have it.
+using Figure = std::pair<std::size_t, Metric>;
+
+template <typename Term>
+std::vector<Figure> figures(const std::vector<Term>& terms) {
+  std::vector<Figure> all;
+  for (const Term& term : terms) {
+    for (const std::size_t s : term.scenarios) {
+      const Figure figure{s, term.metric};
+      if (std::find(all.begin(), all.end(), figure) == all.end()) all.push_back(figure);
+    }
+  }
+  return all;
+}
+
+}  // namespace
 
 std::vector<Column> evaluation_columns(const Study& study, const std::vector<ExtraColumn>& extra) {
   std::vector<Column> columns;
@@ -26,17 +46,13 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
       "scenario did not complete; empty if it was given up");
   add("status", "", "completed, what went wrong first, or of no use to the search: given up");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
-  for (const ObjectiveTerm& term : study.terms) {
-    for (const std::size_t s : term.scenarios) {
-      const MetricField& f = field(term.metric);
-      add(fmt::format("{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
-    }
+  for (const auto& [s, metric] : figures(study.terms)) {
+    const MetricField& f = field(metric);
+    add(fmt::format("{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
   }
-  for (const Constraint& c : study.constraints) {
-    for (const std::size_t s : c.scenarios) {
-      const MetricField& f = field(c.metric);
-      add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
-    }
+  for (const auto& [s, metric] : figures(study.constraints)) {
+    const MetricField& f = field(metric);
+    add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
   }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);
   add("time/wall", "s", "wall time since the run began, to the millisecond");
@@ -59,12 +75,8 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
       fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(whole ? e.objective : NAN),
                   e.feasible ? 1 : 0, cell(whole ? e.violation : NAN), cell(e.status));
   for (const Parameter& p : study_.space.free) row += "," + cell(value(e.gains, p.entry));
-  for (const ObjectiveTerm& term : study_.terms) {
-    for (const std::size_t s : term.scenarios) row += "," + cell(e.results[s].metrics[term.metric]);
-  }
-  for (const Constraint& c : study_.constraints) {
-    for (const std::size_t s : c.scenarios) row += "," + cell(e.results[s].metrics[c.metric]);
-  }
+  for (const auto& [s, metric] : figures(study_.terms)) row += "," + cell(e.results[s].metrics[metric]);
+  for (const auto& [s, metric] : figures(study_.constraints)) row += "," + cell(e.results[s].metrics[metric]);
   for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
   // The journal is what has to survive a power cut; this file can be made again from it.
   file_.append(row + fmt::format(",{:.3f}\n", e.seconds), false);

@@ -140,6 +140,14 @@ TEST_F(Journalled, WhatReplacesAnotherIsPrivateAndNotWrittenThroughALink) {
   EXPECT_EQ(test::read_csv(path).rows.size(), 1U);
 }
 
+TEST(Columns, AFigureThatSeveralTermsShareIsWrittenOnce) {
+  Study study = load_study("ur10_gaze");
+  const std::size_t before = evaluation_columns(study).size();
+  study.terms.push_back(study.terms.front());
+  study.constraints.push_back(study.constraints.front());
+  EXPECT_EQ(evaluation_columns(study).size(), before);
+}
+
 TEST(Columns, OfTheBundledStudyAreAllExplained) {
   const Study study = load_study("ur10_gaze");
   const std::string columns = columns_csv(
