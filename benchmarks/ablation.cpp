@@ -243,7 +243,7 @@ int run(int argc, char** argv) {
   app.add_option("--gains", tuned_gains, "the tuned gains")->capture_default_str();
   app.add_option("--workers", workers, "threads")->check(CLI::Range(1, 1024))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  if (!folder.empty()) make_run_folder(folder);
+  const FolderLock lock = make_run_folder(folder);
   const auto began = std::chrono::steady_clock::now();
 
   const auto joints = joint_names(*load_scenario("moving_target").robot);

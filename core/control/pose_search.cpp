@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "core/robot/kinematics.hpp"
 #include "core/trajectory/gaze.hpp"
@@ -17,6 +18,20 @@ constexpr int kSteps = 200;
 constexpr double kReached = 1e-9;     // m and rad
 constexpr double kLongestStep = 0.3;  // rad, m, of any joint
 constexpr double kDamping = 1e-6;
+
+/// Of a turning joint's range the part within half a turn of zero; where that is the smaller part of it, a
+/// turn from its lower limit on.
+std::pair<double, double> sampled_range(const RobotModel& robot, int joint) {
+  const auto k = static_cast<std::size_t>(joint);
+  const JointLimits& limits = robot.joints[k].limits;
+  if (!limits.has_position) return {-M_PI, M_PI};
+  if (robot.chain.motion[k] == JointMotion::kPrismatic) return {limits.lower, limits.upper};
+  const double lower = std::max(limits.lower, -M_PI);
+  const double upper = std::min(limits.upper, M_PI);
+  const double turn = std::min(limits.upper - limits.lower, 2.0 * M_PI);
+  if (upper - lower > 0.5 * turn) return {lower, upper};
+  return {limits.lower, limits.lower + turn};
+}
 
 }  // namespace
 
@@ -67,9 +82,7 @@ JointVector sample_position(const RobotModel& robot, unsigned sample) {
   std::mt19937 generator(sample);  // its number names the sample
   JointVector q(robot.n());
   for (int i = 0; i < robot.n(); ++i) {
-    const JointLimits& limits = robot.joints[static_cast<std::size_t>(i)].limits;
-    const double lower = limits.has_position ? std::max(limits.lower, -M_PI) : -M_PI;
-    const double upper = limits.has_position ? std::min(limits.upper, M_PI) : M_PI;
+    const auto [lower, upper] = sampled_range(robot, i);
     q[i] = lower + (upper - lower) * std::generate_canonical<double, 53>(generator);
   }
   return q;

@@ -25,8 +25,8 @@ bool reach_goal(const RobotModel& robot, const ToolGoal& goal, JointVector& q);
 std::optional<JointVector> best_pose(const RobotModel& robot, const ToolGoal& goal, const JointVector& first,
                                      const std::function<double(const JointVector&)>& score);
 
-/// Number `sample` of a fixed series of joint positions (n) within the limits, a turn at most for joints
-/// without.
+/// Number `sample` of a fixed series of joint positions (n) within the limits; a joint that turns takes a
+/// turn at most, about zero where it can.
 JointVector sample_position(const RobotModel& robot, unsigned sample);
 
 /// The joint that is closest to a position limit, and what is left to it as a share of its range: 0.5 in the

@@ -7,13 +7,13 @@
 
 namespace armtune {
 
-/// start, goal (n) [rad, m]: of leaveSingularity; goal lies on the task. manipulability: of the task at
-/// `goal`.
+/// start, goal (n) [rad, m]: of leaveSingularity; goal lies on the task. manipulability: the smallest that
+/// the task has.
 ///
 /// Kd of a joint is 25 /s times the inertia it feels with the others free, 1 / (M^-1)_ii: M^-1 Kd has then no
-/// eigenvalue above 25 n /s, which periods of a few milliseconds can hold. Kp is below a quarter of that rate
-/// where the two meet (Slotine and Li, Applied Nonlinear Control, section 9.2: S dies with M^-1 Kd, then the
-/// error with Kp).
+/// eigenvalue above 25 n /s, which periods of a few milliseconds can hold. Kp is below that rate,
+/// 5 /s of a joint and 15 /s of the task (Slotine and Li, Applied Nonlinear Control, section 9.2: S dies with
+/// M^-1 Kd, then the error with Kp).
 Gains starting_gains(const RobotModel& robot, const JointVector& start, const JointVector& goal,
                      double manipulability);
 

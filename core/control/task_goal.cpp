@@ -12,8 +12,11 @@ const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionP
                                                const MotionPoint<Vec3>& target, const InverseDamping& damping,
                                                TaskMask mask, const JointCentering& centering, double dt) {
   motion_.position += step_;
-  arm_.measure(chain, motion_.position, motion_.velocity, damping, mask);
-  const Poses& poses = arm_.poses;
+  // Not measure(): the twist is that of the velocity still to be found.
+  Poses& poses = arm_.poses;
+  forward_kinematics(chain, motion_.position, poses);
+  tool_jacobian(chain, poses, arm_.J);
+  arm_.inverse.compute(arm_.J, damping, mask, poses.R_0T);
   const TurnRate gaze =
       direction_rate(gaze_direction({poses.p_0T, path.velocity, path.acceleration}, target));
   TaskReference wanted;

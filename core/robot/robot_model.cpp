@@ -140,8 +140,8 @@ void Checker::joint(int i) const {
     require(std::isfinite(limits.lower) && std::isfinite(limits.upper),
             "joint '{}': position limits {} and {} {} must be finite", joint, limits.lower, limits.upper,
             unit);
-    require(limits.lower <= limits.upper, "joint '{}': lower limit {} {} is above its upper limit {}", joint,
-            limits.lower, unit, limits.upper);
+    require(limits.lower < limits.upper, "joint '{}': lower limit {} {} is not below its upper limit {}",
+            joint, limits.lower, unit, limits.upper);
   }
   require(limits.has_position || revolute, "joint '{}': a prismatic joint needs position limits", joint);
   require(std::isfinite(limits.velocity) && limits.velocity > 0.0,

@@ -46,8 +46,10 @@ class ArmBuilder {
     require_tree(tree, model_.source);
     selection_ = select_arm(tree, options_, model_.source);
     model_.base_link = selection_.base;
+    model_.chain.gravity = base_in_root(tree).transpose() * model_.chain.gravity;
     place_links(tree);
     if (!loose_.empty()) refuse_loose();
+    refuse_unused();
     if (missing_ != nullptr) find_massless();
     if (model_.n() > 0) place_tool();
     validate(model_);
@@ -58,6 +60,19 @@ class ArmBuilder {
   template <typename... Args>
   [[noreturn]] void refuse(fmt::format_string<Args...> text, Args&&... args) const {
     throw InputError(model_.source + ": " + fmt::format(text, std::forward<Args>(args)...));
+  }
+
+  /// Orientation of the base link's frame in the root link's.
+  Mat3 base_in_root(const UrdfTree& tree) const {
+    std::map<std::string, const UrdfJoint*> to;  // link: the joint that leads to it
+    for (const auto& [name, joint] : tree.joints) to.emplace(joint.child, &joint);
+    Mat3 R = Mat3::Identity();
+    for (auto way = to.find(selection_.base); way != to.end(); way = to.find(way->second->parent)) {
+      const UrdfJoint& joint = *way->second;
+      const Site at_zero{-1, joint.R_PL, joint.p_PL};
+      R = (is_held(joint) ? held_site(joint, at_zero) : at_zero).R_BL * R;
+    }
+    return R;
   }
 
   /// Visits every link of the arm once, from its base outwards.
@@ -99,14 +114,42 @@ class ArmBuilder {
 
   [[noreturn]] void refuse_loose() const {
     std::string names, held;
-    for (const std::string& joint : loose_) {
-      names += (names.empty() ? "'" : ", '") + joint + "'";
-      held += (held.empty() ? "" : ", ") + joint + ": 0";
+    for (const UrdfJoint* joint : loose_) {
+      names += (names.empty() ? "'" : ", '") + joint->name + "'";
+      held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", joint->name, place_to_hold(*joint));
     }
     refuse(
         "{} moves on the arm beside the way to '{}'; hold what does, at rad or m, by 'hold: {{{}}}' in a "
         "robot YAML",
         names, tip_name(), held);
+  }
+
+  /// Within its limits, as close to zero as they allow [rad, m].
+  double place_to_hold(const UrdfJoint& joint) const {
+    const auto range = position_range(joint, options_);
+    return range ? std::max(range->first, std::min(range->second, 0.0)) : 0.0;
+  }
+
+  /// What the options say and no part of the arm is made of.
+  void refuse_unused() const {
+    for (const auto& [name, limits] : options_.limits) {
+      if (!options_.held.contains(name)) {
+        if (!moves(name)) refuse("limits: joint '{}' does not move this arm; leave it out", name);
+      } else if (limits.velocity || limits.effort) {
+        refuse("limits: joint '{}' is held, where only lower and upper count; leave velocity and effort out",
+               name);
+      }
+    }
+    for (const auto& [name, inertia] : options_.inertia) {
+      const auto site = sites_.find(name);
+      if (site == sites_.end() || site->second.body < 0)
+        refuse("inertia: link '{}' is not moved by this arm; leave it out", name);
+    }
+  }
+
+  bool moves(const std::string& joint) const {
+    return std::any_of(model_.joints.begin(), model_.joints.end(),
+                       [&](const JointInfo& info) { return info.name == joint; });
   }
 
   /// The site of the joint's child link; a moving joint starts a new body.
@@ -115,8 +158,8 @@ class ArmBuilder {
     const Vec3 p_PL = parent.p_BL + parent.R_BL * joint.p_PL;
     if (joint.motion == UrdfMotion::kFixed) return {parent.body, R_PL, p_PL};
     if (is_held(joint)) return held_site(joint, {parent.body, R_PL, p_PL});
-    if (is_beside(joint)) {
-      loose_.push_back(joint.name);
+    if (is_beside(joint) && joint.motion != UrdfMotion::kOther) {  // of that kind none can be held
+      loose_.push_back(&joint);
       return {parent.body, R_PL, p_PL};
     }
     require_supported(joint, parent);
@@ -169,19 +212,25 @@ class ArmBuilder {
   JointLimits limits_of(const UrdfJoint& joint) const {
     const auto found = options_.limits.find(joint.name);
     const GivenLimits given = found == options_.limits.end() ? GivenLimits{} : found->second;
-    const bool has_position = joint.motion != UrdfMotion::kContinuous;
-    const bool says_position = joint.limits || (given.lower && given.upper) || !has_position;
-    if (missing_ == nullptr && !says_position)
-      refuse("joint '{}': no position limits; give them in the URDF or by 'limits' in a robot YAML",
-             joint.name);
+    const bool turns_freely = joint.motion == UrdfMotion::kContinuous && !given.lower && !given.upper;
+    const auto range = position_range(joint, options_);
+    const bool lacks_position = !range && !turns_freely;
+    if (missing_ == nullptr && lacks_position)
+      refuse(
+          "joint '{}': its lower and its upper position limit are missing or the same; give both in the URDF "
+          "or by 'limits' in a robot YAML",
+          joint.name);
     const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
-    JointLimits limits{has_position, 0.0, 0.0, given.velocity.value_or(file.velocity),
+    const auto [lower, upper] = range.value_or(std::pair(0.0, 0.0));
+    JointLimits limits{range.has_value(), lower, upper, given.velocity.value_or(file.velocity),
                        given.effort.value_or(file.effort)};
-    if (has_position) {
-      limits.lower = given.lower.value_or(file.lower);
-      limits.upper = given.upper.value_or(file.upper);
-    }
     if (missing_ != nullptr) {
+      if (lacks_position) {
+        missing_->position.push_back(joint.name);
+        limits.has_position = true;
+        limits.lower = -1.0;
+        limits.upper = 1.0;
+      }
       if (!(limits.velocity > 0.0)) missing_->velocity.push_back(joint.name);
       if (!(limits.effort > 0.0)) missing_->effort.push_back(joint.name);
       if (!(limits.velocity > 0.0)) limits.velocity = 1.0;
@@ -207,8 +256,8 @@ class ArmBuilder {
     if (!joint.mimics.empty())
       refuse(
           "joint '{}': it mimics joint '{}', which armtune cannot simulate; make it fixed, or hold it by "
-          "'hold: {{{}: 0}}' in a robot YAML",
-          joint.name, joint.mimics, joint.name);
+          "'hold: {{{}: {}}}' in a robot YAML",
+          joint.name, joint.mimics, joint.name, place_to_hold(joint));
     if (!joint.limits && missing_ == nullptr && !options_.limits.contains(joint.name))
       refuse("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",
              joint.name);
@@ -275,8 +324,8 @@ class ArmBuilder {
   MissingData* missing_;
   UrdfSelection selection_;
   RobotModel model_;
-  std::vector<std::string> loose_;     ///< joints that move on the arm and are none of its own
-  std::map<std::string, Site> sites_;  ///< by link name; ordered, so that messages are
+  std::vector<const UrdfJoint*> loose_;  ///< joints that move on the arm and are none of its own
+  std::map<std::string, Site> sites_;    ///< by link name; ordered, so that messages are
 };
 
 }  // namespace

@@ -23,7 +23,9 @@ struct GivenInertia {
 };
 
 struct UrdfOptions {
-  /// Link that the arm stands on, whose frame is frame 0. Empty: the root link.
+  /// Link that the arm stands on, whose frame is frame 0. Empty: the root link, which stands upright: gravity
+  /// pulls along its -z, and another base feels it as it stands in the tree, with held joints where they are
+  /// held and others at zero.
   std::string base_link;
   /// Link that the tool frame is given in and that the chain of joints ends at. Empty: `tool0` if there is
   /// one, else the last moving link.
@@ -40,10 +42,11 @@ struct UrdfOptions {
 
 /// What the arm needs and neither the file nor the options say.
 struct MissingData {
+  std::vector<std::string> position;  ///< joints without position limits, or with two equal ones
   std::vector<std::string> velocity;  ///< joints without a velocity limit
   std::vector<std::string> effort;    ///< joints without an effort limit
   std::vector<std::string> inertia;   ///< links that move and have no mass, with what is fixed to them
-  bool empty() const { return velocity.empty() && effort.empty() && inertia.empty(); }
+  bool empty() const { return position.empty() && velocity.empty() && effort.empty() && inertia.empty(); }
 };
 
 }  // namespace armtune

@@ -32,14 +32,12 @@ void require_joint(const UrdfTree& tree, const std::string& name, const char* wh
                                suggestion(name, names_of(tree.joints))));
 }
 
-void check_held(const UrdfJoint& joint, double value, const std::string& source) {
+void check_held(const UrdfJoint& joint, double value, const UrdfOptions& options, const std::string& source) {
   if (joint.motion == UrdfMotion::kFixed || joint.motion == UrdfMotion::kOther) {
     throw InputError(
         fmt::format("{}: hold: joint '{}' neither turns nor slides; leave it out", source, joint.name));
   }
-  const bool limited = joint.limits && joint.motion != UrdfMotion::kContinuous;
-  const double lower = limited ? joint.limits->lower : -HUGE_VAL;
-  const double upper = limited ? joint.limits->upper : HUGE_VAL;
+  const auto [lower, upper] = position_range(joint, options).value_or(std::pair(-HUGE_VAL, HUGE_VAL));
   if (std::isfinite(value) && value >= lower && value <= upper) return;
   throw InputError(fmt::format("{}: hold: joint '{}' at {} {}; its limits are {} .. {}", source, joint.name,
                                value, joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper));
@@ -62,10 +60,22 @@ bool find_way(const UrdfTree& tree, const std::string& base, const std::string& 
 
 }  // namespace
 
+std::optional<std::pair<double, double>> position_range(const UrdfJoint& joint, const UrdfOptions& options) {
+  const auto found = options.limits.find(joint.name);
+  const GivenLimits given = found == options.limits.end() ? GivenLimits{} : found->second;
+  const bool said = joint.limits && joint.motion != UrdfMotion::kContinuous;
+  if (!said && !(given.lower && given.upper)) return {};
+  const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
+  const std::pair range(given.lower.value_or(file.lower), given.upper.value_or(file.upper));
+  // urdfdom's zeros for a limit element without them.
+  if (range.first == range.second) return {};
+  return range;
+}
+
 UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source) {
   for (const auto& [joint, value] : options.held) {
     require_joint(tree, joint, "hold", source);
-    check_held(tree.joints.at(joint), value, source);
+    check_held(tree.joints.at(joint), value, options, source);
   }
   for (const auto& [joint, limits] : options.limits) require_joint(tree, joint, "limits", source);
   for (const auto& [link, inertia] : options.inertia) require_link(tree, link, "inertia of link", source);

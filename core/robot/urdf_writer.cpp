@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -66,20 +67,43 @@ std::string joint_text(const RobotModel& model, int i, const std::string& parent
       origin(model.chain.R_PB0[k], model.chain.p_PB0[k]), position, limits.velocity, limits.effort);
 }
 
+/// A name for a link that the model does not have, and neither NAME_joint.
+std::string free_link(const RobotModel& model, std::string name) {
+  const auto taken = [&](const JointInfo& joint) {
+    return joint.link == name || joint.name == name + "_joint";
+  };
+  while (name == model.base_link || std::any_of(model.joints.begin(), model.joints.end(), taken)) name += '_';
+  return name;
+}
+
+std::string fixed_joint(const std::string& name, const std::string& parent, const std::string& child,
+                        const std::string& placed) {
+  return fmt::format(
+      "  <joint name=\"{}\" type=\"fixed\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n    {}\n"
+      "  </joint>\n",
+      name, escaped(parent), escaped(child), placed);
+}
+
+/// An upright link below the base link, where gravity does not pull along that one's -z; else nothing.
+std::string root_text(const RobotModel& model) {
+  const Vec3& g = model.chain.gravity;
+  if (g.isZero(0.0) || (g.normalized() + Vec3::UnitZ()).norm() < 1e-12) return {};
+  const Mat3 R_root_0 = Eigen::Quaterniond::FromTwoVectors(g, -Vec3::UnitZ()).toRotationMatrix();
+  const std::string root = free_link(model, "upright");
+  return fmt::format("  <link name=\"{}\"/>\n", root) +
+         fixed_joint(root + "_joint", root, model.base_link, origin(R_root_0, Vec3::Zero()));
+}
+
 }  // namespace
 
 std::string urdf_tool_link(const RobotModel& model) {
-  std::string tool = "tool";
-  const auto taken = [&](const JointInfo& joint) {
-    return joint.link == tool || joint.name == tool + "_joint";
-  };
-  while (tool == model.base_link || std::any_of(model.joints.begin(), model.joints.end(), taken)) tool += '_';
-  return tool;
+  return free_link(model, "tool");
 }
 
 std::string urdf_text(const RobotModel& model) {
   std::string text = fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
                                  escaped(model.name), escaped(model.base_link));
+  text += root_text(model);
   std::string parent = model.base_link;
   for (int i = 0; i < model.n(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -88,11 +112,10 @@ std::string urdf_text(const RobotModel& model) {
     text += joint_text(model, i, parent);
     parent = model.joints[k].link;
   }
-  text += fmt::format(
-      "  <link name=\"{0}\"/>\n  <joint name=\"{0}_joint\" type=\"fixed\">\n    <parent link=\"{1}\"/>\n"
-      "    <child link=\"{0}\"/>\n    {2}\n  </joint>\n</robot>\n",
-      urdf_tool_link(model), escaped(parent), origin(model.chain.R_BT, model.chain.p_BT));
-  return text;
+  const std::string tool = urdf_tool_link(model);
+  text += fmt::format("  <link name=\"{}\"/>\n", tool);
+  return text + fixed_joint(tool + "_joint", parent, tool, origin(model.chain.R_BT, model.chain.p_BT)) +
+         "</robot>\n";
 }
 
 }  // namespace armtune

@@ -68,7 +68,8 @@ class Scanner {
       if (text_[end] == '"' || text_[end] == '\'') end = attribute(at, end);
       if (text_[end] == '%') refuse_format(end);
       if (text_[end] == '=' && ++attributes > kMaxAttributes)
-        refuse(at, "a tag with more than {} attributes", kMaxAttributes);
+        refuse(at, "a tag with more than {} attributes; a URDF needs no more than 10: take the others away",
+               kMaxAttributes);
     }
     if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag that is not closed by '>'");
     const std::string_view body = text_.substr(at + 1, end - at - 1);

@@ -17,8 +17,11 @@ namespace {
 
 constexpr std::size_t kMaxColumns = 10'000;
 
+/// Two places of four bytes each: with the largest of files they stay below 500 MB.
+constexpr std::size_t kMaxCells = 24'000'000;
+
 std::size_t max_bytes(CsvOrigin origin) {
-  return (origin == CsvOrigin::kUser ? std::size_t{48} : std::size_t{512}) << 20;
+  return (origin == CsvOrigin::kUser ? std::size_t{48} : std::size_t{256}) << 20;
 }
 
 void refuse_two_of_one_name(const std::vector<std::string>& header, const std::string& file) {
@@ -30,8 +33,9 @@ void refuse_two_of_one_name(const std::vector<std::string>& header, const std::s
 }
 
 [[noreturn]] void refuse_open_quote(const CsvCells& cells, const std::string& file) {
-  throw InputError(
-      fmt::format("{}:{}: the quote opened here is never closed", file, cells.open_quote_line()));
+  throw InputError(fmt::format(
+      "{}:{}: the quote opened here is never closed; close it, or double it where it belongs to the text",
+      file, cells.open_quote_line()));
 }
 
 /// At most as many as there are cells behind the header: what to reserve.
@@ -72,6 +76,11 @@ CsvTable CsvTable::parse(std::string text, std::string name, CsvOrigin origin) {
 void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
   const std::size_t width = header_.size();
   const std::size_t most = count_separators(text_) + 1;
+  // A user's file is small enough whatever is in it.
+  if (origin == CsvOrigin::kArmtune && most > kMaxCells) {
+    throw InputError(
+        fmt::format("{}: more than {} cells; record fewer rows (simulate --record-every)", name_, kMaxCells));
+  }
   begin_.reserve(most);
   end_.reserve(most);
   std::size_t in_row = 0;

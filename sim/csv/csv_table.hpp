@@ -13,7 +13,7 @@ class CsvCells;
 
 /// Whose file it is, and so how much of it is read and what a last row without its line end means.
 enum class CsvOrigin {
-  kArmtune,  ///< up to 512 MB; such a row was being written when the run was killed, and is left out
+  kArmtune,  ///< up to 256 MB; such a row was being written when the run was killed, and is left out
   kUser,     ///< up to 48 MB; such a row is a row
 };
 

@@ -160,7 +160,8 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointPositionMinMargin:
       return min_margin_ < kInfinity ? min_margin_ : NAN;
     case Metric::kJointEffortMaxRatio:
-      return first_ ? NAN : max_effort_ratio_;
+      // Over a limit of zero a torque is no number of times.
+      return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/message_text.hpp"
+
 namespace armtune {
 namespace {
 
@@ -117,7 +119,7 @@ void RunningRollout::moved(const JointVector& q, const JointVector& qd, const st
   const bool sane = (qd.array().abs() <= diverged_velocity_.array()).all() && std::isfinite(q.sum());
   if (sane && failure.empty()) return;
   const std::string why =
-      failure.empty() ? divergence(*scenario_.robot, q, qd) : fmt::format("the engine gave up: {}", failure);
+      failure.empty() ? divergence(*scenario_.robot, q, qd) : "the engine gave up: " + one_line(failure);
   if (why.empty()) return;
   end(RolloutStatus::kDiverged,
       fmt::format("diverged at {:.3f} s in {}: {}", observation_.time + scenario_.control_period,

@@ -98,8 +98,9 @@ bool place_task(DefaultTask& task) {
       ToolGoal begin{scenario.path.at(0.0).position, {}};
       if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
       if (!reach_goal(arm, begin, task.goal)) continue;
-      if (!trouble(walk_path(scenario, task.goal, kCentering), scenario).empty()) continue;
-      task.manipulability = place.manipulability;
+      const PathWalk walk = walk_path(scenario, task.goal, kCentering);
+      if (!is_clear(walk)) continue;
+      task.manipulability = walk.manipulability.value;
       scenario.start_position = off_goal(arm, task.goal);
       return true;
     }
@@ -138,16 +139,17 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot) {
 
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot) {
   const Scenario& s = task.scenario;
+  const std::string description =
+      fmt::format("a circle where {} moves well, the gaze at two targets that take turns", s.robot->name);
   std::string text = fmt::format(
-      "description: a circle where {0} moves well, the gaze at two targets that take turns\nrobot: "
-      "{1}\nduration: {2}            "
+      "description: {0}\nrobot: {1}\nduration: {2}            "
       "# s\ncontrol_period: {3}   # s\nstart_position_deg: [{4:.4g}]\n"
       "task_mask: {5}   # what the arm is to hold: pose, position_and_axis or position\n\n"
       "# center + sum of cos and sin terms of order k at k * frequency, base frame\npath:\n  center: {6}   # "
       "m\n"
       "  frequency: {7}   # rad/s\n  terms:\n    - {{order: 1, cos: {8}, sin: {9}}}\n\nswitch_every: {10}   "
       "# s\ntargets:\n",
-      s.robot->name, yaml::quoted(robot), s.duration, s.control_period,
+      yaml::quoted(description), yaml::quoted(robot), s.duration, s.control_period,
       fmt::join(in_degrees(*s.robot, s.start_position), ", "), name(s.mask), list(s.path.center),
       s.path.frequency, list(s.path.terms[0].cosine), list(s.path.terms[0].sine), s.switch_every);
   for (const NamedPath& target : s.targets)

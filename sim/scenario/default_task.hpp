@@ -12,7 +12,7 @@ namespace armtune {
 struct DefaultTask {
   Scenario scenario;
   JointVector goal;             ///< (n) [rad, m] on the task where it begins
-  double manipulability = 0.0;  ///< there
+  double manipulability = 0.0;  ///< the smallest of the task on its way from there
 };
 
 /// The circle is a tenth of the arm's reach, or as much smaller as its limits ask for, perpendicular to the

@@ -15,14 +15,17 @@
 namespace armtune {
 namespace {
 
-constexpr double kStep = 0.02;      // s
-constexpr double kOffPath = 1e-3;   // m: the inverse kinematics itself is a hundred times closer
-constexpr double kSingular = 0.02;  // of the largest manipulability of the walk
+constexpr double kStep = 0.02;         // s
+constexpr double kLongestStep = 0.05;  // s: TaskGoal's errors die at 3 /s
+constexpr long kMostSteps = 20000;     // thirty walks of them take seconds
+constexpr double kOffPath = 1e-3;      // m: the inverse kinematics itself is a hundred times closer
+constexpr double kSingular = 0.02;     // of the largest manipulability of the walk
 constexpr double kAway = 20.0 * M_PI / 180.0;
 constexpr double kAwaySliding = 0.1;   // m
 constexpr double kAwayShare = 0.1;     // of the range, at most
 constexpr double kCentering = 0.2;     // 1/s, where no gains are known
 constexpr double kEnoughMargin = 0.1;  // of the range: more is no better
+constexpr unsigned kPlacesTried = 30;
 
 /// One turn is as good as many where nothing else moves.
 double walked_time(const Scenario& scenario) {
@@ -36,15 +39,38 @@ double walked_time(const Scenario& scenario) {
   return std::min(scenario.duration, std::max(rest, 2.0 * M_PI / frequency));
 }
 
-ToolGoal beginning(const Scenario& scenario) {
-  const double time = scenario.start_time;
+ToolGoal goal_at(const Scenario& scenario, double time) {
   ToolGoal goal{scenario.path.at(time).position, {}};
   if (tracks_orientation(scenario.mask))
     goal.target = scenario.targets[scenario.active_target(time)].path.at(time).position;
   return goal;
 }
 
+ToolGoal beginning(const Scenario& scenario) {
+  return goal_at(scenario, scenario.start_time);
+}
+
+/// Whether the arm can have its tool there at all, on whatever way.
+bool can_reach(const RobotModel& robot, const ToolGoal& goal) {
+  for (unsigned start = 0; start < kPlacesTried; ++start) {
+    JointVector q = sample_position(robot, start);
+    if (reach_goal(robot, goal, q)) return true;
+  }
+  return false;
+}
+
+bool is_off_path(const PathWalk& walk) {
+  return !(walk.error.value <= kOffPath);
+}
+bool is_singular(const PathWalk& walk) {
+  return !(walk.manipulability.value >= kSingular * walk.largest_manipulability);
+}
+
 }  // namespace
+
+bool is_clear(const PathWalk& walk) {
+  return !is_off_path(walk) && !is_singular(walk) && walk.margin.value >= 0.0;
+}
 
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
   const RobotModel& robot = *scenario.robot;
@@ -57,14 +83,17 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
   PathWalk walk;
   walk.manipulability.value = std::numeric_limits<double>::infinity();
   walk.margin.value = std::numeric_limits<double>::infinity();
-  const auto steps = static_cast<long>(std::ceil(walked_time(scenario) / kStep));
+  const double walked = walked_time(scenario);
+  const double dt = std::clamp(walked / kMostSteps, kStep, kLongestStep);
+  const auto steps = static_cast<long>(std::min<double>(kMostSteps, std::ceil(walked / dt)));
   for (long k = 0; k <= steps; ++k) {
-    const double time = scenario.start_time + static_cast<double>(k) * kStep;
+    const double time = scenario.start_time + static_cast<double>(k) * dt;
     const MotionPoint<Vec3> path = scenario.path.at(time);
     const MotionPoint<Vec3> target = scenario.targets[scenario.active_target(time)].path.at(time);
     const MotionPoint<JointVector>& joints =
-        motion.step(robot.chain, path, target, damping, scenario.mask, centering, kStep);
+        motion.step(robot.chain, path, target, damping, scenario.mask, centering, dt);
     arm.measure(robot.chain, joints.position, joints.velocity, damping, scenario.mask);
+    walk.steps = k;
     const double off = (arm.poses.p_0T - path.position).norm();
     const double m = arm.inverse.manipulability();
     if (!(off <= walk.error.value)) walk.error = {time, path.position, off};
@@ -85,12 +114,16 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
     return fmt::format("at {:.4g} s, tool at ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
                        at.tool.z());
   };
-  if (!(walk.error.value <= kOffPath)) {
+  if (is_clear(walk)) return {};
+  // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
+  // inverse alone may lead.
+  if (is_off_path(walk) &&
+      !(is_singular(walk) && can_reach(*scenario.robot, goal_at(scenario, walk.error.time)))) {
     return fmt::format(
         "the path leaves the workspace of {}: {} it comes no closer than {:.3g} m; move or shrink the path",
         scenario.robot->name, place(walk.error), walk.error.value);
   }
-  if (!(walk.manipulability.value >= kSingular * walk.largest_manipulability)) {
+  if (is_singular(walk)) {
     return fmt::format(
         "the path runs through a singularity of {}: {} manipulability is {:.3g}, elsewhere on it up to "
         "{:.3g}; "
@@ -98,13 +131,10 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
         scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
         walk.largest_manipulability);
   }
-  if (!(walk.margin.value >= 0.0)) {
-    return fmt::format(
-        "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",
-        scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
-        place(walk.margin));
-  }
-  return {};
+  return fmt::format(
+      "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",
+      scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
+      place(walk.margin));
 }
 
 JointVector best_start_of_task(const Scenario& scenario) {
@@ -114,8 +144,7 @@ JointVector best_start_of_task(const Scenario& scenario) {
         const PathWalk walk = walk_path(scenario, q, kCentering);
         const double ease = walk.manipulability.value * std::min(1.0, walk.margin.value / kEnoughMargin);
         // Where the whole walk fails, still the pose that does best.
-        return trouble(walk, scenario).empty() ? ease
-                                               : -1.0 - walk.error.value - std::max(0.0, -walk.margin.value);
+        return is_clear(walk) ? ease : -1.0 - walk.error.value - std::max(0.0, -walk.margin.value);
       });
   if (best) return *best;
   const Vec3& tool = goal.tool;

@@ -21,21 +21,26 @@ struct PathWalk {
   WalkPlace manipulability;  ///< smallest, of the task's components (equation 4)
   WalkPlace margin;          ///< smallest share of a joint's range that is left to its limit
   double largest_manipulability = 0.0;
-  int joint = 0;  ///< whose margin it is
+  int joint = 0;   ///< whose margin it is
+  long steps = 0;  ///< that were gone
 };
 
 /// From joint positions q (n) that have the tool on the path at scenario.start_time; over the whole scenario,
-/// or a turn of the path where that is shorter and targets rest. Needs a robot, path, targets and a mask;
+/// or a turn of the path where that is shorter and targets rest. In steps of 0.02 s, longer where it takes
+/// more than 400 s; of what takes more than 1000 s the first 1000. Needs a robot, path, targets and a mask;
 /// nothing else. centering_gain: joint_centering_gain [1/s].
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain);
 
+/// The path is followed to a millimetre, within the joints' limits, and off singularities.
+bool is_clear(const PathWalk& walk);
+
 /// What is wrong with it in one sentence, with place and figure: the path leaves the workspace, a joint its
-/// limits, or a singularity is passed. Empty: nothing.
+/// limits, or a singularity is passed. Empty: nothing, it is clear.
 std::string trouble(const PathWalk& walk, const Scenario& scenario);
 
-/// The joint positions (n) of the longest-lasting ease on the task: the tool on the path at `time`, looking
-/// at the target that is active then, with the largest manipulability over the walk from there, away from the
-/// limits. Throws InputError if there are none, naming the place.
+/// The joint positions (n) to begin the task at: the tool on the path at scenario.start_time, looking at the
+/// target that is active then, from where the smallest manipulability of the walk is the largest, away from
+/// the limits. Throws InputError if there are none, naming the place.
 JointVector best_start_of_task(const Scenario& scenario);
 
 /// `trouble` on the way that begins closest to the joint_space_goal of `gains`, where there is one, as

@@ -10,10 +10,10 @@
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/path_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/plant_file.hpp"
-#include "sim/scenario/random_targets.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/stimulus_file.hpp"
@@ -27,67 +27,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxBaseFiles = 16;
 constexpr double kMaxPeriods = 1e8;
 constexpr double kRounding = 1e-6;  // of a period: a plan of so many whole ones takes no further one
-constexpr long kMostRandomTargets = 1000;
-
-Vec3 read_vec3(const yaml::Node& node) {
-  return Vec3(node.as_numbers(3).data());
-}
-
-HarmonicPath read_path(yaml::MapReader& map) {
-  HarmonicPath path;
-  path.center = read_vec3(map.required("center"));
-  path.frequency = map.number("frequency", 0.0);
-  path.phase = map.number("phase", 0.0);
-  if (const yaml::Node* terms = map.optional("terms")) {
-    for (const yaml::Node& item : terms->items()) {
-      yaml::MapReader term(item);
-      HarmonicTerm& added = path.terms.emplace_back();
-      const yaml::Node& order = term.required("order");
-      const long value = order.as_integer();
-      if (value < 0 || value > 1000) order.fail(fmt::format("order is {}; it must lie in 0 .. 1000", value));
-      added.order = static_cast<int>(value);
-      if (const yaml::Node* cosine = term.optional("cos")) added.cosine = read_vec3(*cosine);
-      if (const yaml::Node* sine = term.optional("sin")) added.sine = read_vec3(*sine);
-      term.finish();
-    }
-  }
-  return path;
-}
-
-std::vector<NamedPath> read_named_paths(const yaml::Node& node) {
-  std::vector<NamedPath> paths;
-  for (const yaml::Node& item : node.items()) {
-    yaml::MapReader map(item);
-    NamedPath& added = paths.emplace_back();
-    added.name = map.required("name").as_string();
-    added.path = read_path(map);
-    map.finish();
-  }
-  return paths;
-}
-
-/// A list of targets, or {random: {count, low, high, seed}}. One key for both, so that either stands whole
-/// over a base's.
-std::vector<NamedPath> read_targets(const yaml::Node& node) {
-  if (node.kind() != yaml::Node::Kind::kMap) return read_named_paths(node);
-  yaml::MapReader outer(node);
-  const yaml::Node& random = outer.required("random");
-  outer.finish();
-  yaml::MapReader map(random);
-  const yaml::Node& count_node = map.required("count");
-  const long count = count_node.as_integer();
-  if (count < 1 || count > kMostRandomTargets) {
-    count_node.fail(fmt::format("{} targets; it must lie in 1 .. {}", count, kMostRandomTargets));
-  }
-  const Vec3 low = read_vec3(map.required("low"));
-  const yaml::Node& high_node = map.required("high");
-  const Vec3 high = read_vec3(high_node);
-  if (!(high.array() >= low.array()).all()) high_node.fail("a coordinate is below that of low");
-  const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail("must not be negative");
-  map.finish();
-  return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
-}
 
 /// null: the most that the joints can hold.
 TaskMask read_mask(const yaml::Node* node, int joints) {
@@ -95,9 +34,12 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
   const std::string text = node->as_string();
   for (const TaskMask mask : {TaskMask::kPose, TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
     if (text != name(mask)) continue;
+    const TaskMask most = largest_mask(joints);
     if (components(mask) > joints) {
-      node->fail(fmt::format("{} takes {} joints, the arm has {}; {} is the most it can hold", text,
-                             components(mask), joints, name(largest_mask(joints))));
+      node->fail(fmt::format("{} takes {} joints, the arm has {}; {}", text, components(mask), joints,
+                             components(most) <= joints
+                                 ? fmt::format("{} is the most it can hold", name(most))
+                                 : "leave the key out, and it comes as close to the position as it can"));
     }
     return mask;
   }

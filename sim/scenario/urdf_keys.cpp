@@ -74,6 +74,8 @@ std::string missing_yaml(const std::string& urdf, const MissingData& missing) {
   std::string text;
   if (!urdf.empty()) text += fmt::format("urdf: {}\n", yaml::quoted(urdf));
   std::map<std::string, std::string> limits;
+  for (const std::string& joint : missing.position)
+    limits[joint] += "    lower:  # rad or m\n    upper:  # rad or m\n";
   for (const std::string& joint : missing.velocity) limits[joint] += "    velocity:  # rad/s or m/s\n";
   for (const std::string& joint : missing.effort) limits[joint] += "    effort:  # N m or N\n";
   if (!limits.empty()) text += "limits:\n";

@@ -3,9 +3,10 @@
 //   base_link, tip_link: NAME
 //   tool: {xyz: [m], rpy: [rad]}                               the tool frame in the tip link
 //   hold: {JOINT: rad or m}                                    joints that do not move
-//   limits: {JOINT: {lower:, upper:, velocity:, effort:}}      each may be left out
+//   limits: {JOINT: {lower:, upper:, velocity:, effort:}}      each may be left out; of joints that move, and
+//                                                              lower and upper of held ones
 //   inertia: {LINK: {mass:, center: [x, y, z], moments: [ixx, ixy, ixz, iyy, iyz, izz]}}
-// The last in the link's frame, moments about the centre of mass along its axes.
+// The last in the link's frame, moments about the centre of mass along its axes; of links that move.
 
 #include "core/robot/urdf_options.hpp"
 #include "sim/yaml/map_reader.hpp"

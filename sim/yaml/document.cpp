@@ -179,7 +179,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void open(const YAML::Mark& mark, Node::Kind kind) {
     if (open_.size() == kMaxDepth) {
-      fail_at(*file_, line_of(mark), {}, fmt::format("nested more than {} levels deep", kMaxDepth));
+      fail_at(
+          *file_, line_of(mark), {},
+          fmt::format("nested more than {} levels deep; armtune's files need no more than 10", kMaxDepth));
     }
     const bool is_key = expects_key();
     if (is_key && !container_key_) container_key_ = {line_of(mark), parent_path()};
@@ -238,7 +240,7 @@ class TreeBuilder final : public YAML::EventHandler {
     }
     if (closes_quote(rest)) return;
     fail_at(*file_, line_of(mark), next_path(),
-            fmt::format("the quote {} opened here is never closed", rest[0]));
+            fmt::format("the quote {} opened here is never closed; close it", rest[0]));
   }
 
   /// Line of an empty list element: yaml-cpp marks it at whatever comes after it.

@@ -9,6 +9,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/tuner/support/short_study.hpp"
 
 namespace armtune {
 namespace {
@@ -31,6 +32,9 @@ TEST(NewUser, TunesAnUnknownArmInFourCommands) {
   const auto velocity = urdf.find("velocity=\"");
   ASSERT_NE(velocity, std::string::npos);
   urdf.replace(velocity, urdf.find('"', velocity + 10) + 1 - velocity, "velocity=\"0\"");
+  const auto name = urdf.find("random_arm_6");
+  ASSERT_NE(name, std::string::npos);
+  urdf.replace(name, 12, "arm: v2");
   const std::string path = folder.write("unknown.urdf", urdf);
   const std::string robot = folder / "unknown.yaml";
   const std::string task = folder / "task";
@@ -72,6 +76,17 @@ TEST(NewUser, APathThatNoGainsCanFollowIsNamedBeforeItIsSimulated) {
   const Finished done = run_program({"simulate", path});
   EXPECT_THAT(done.err, testing::AllOf(HasSubstr("warning: far:"),
                                        HasSubstr("cannot have its tool at (-1.5, 0, 0.5) m")));
+}
+
+TEST(NewUser, ATuningWhoseStartFailsNamesThePathThatNoGainsCanFollow) {
+  const test::ShortStudy files;
+  // Over before the tool is on the path: there is nothing to be relative to.
+  files.write("short.yaml", "base: moving_target\nduration: 1\npath: {center: [-1.5, 0, 0.5]}\n");
+  const Finished done = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2"});
+  EXPECT_EQ(done.exit_code, 2) << done.out;
+  EXPECT_THAT(done.err, testing::AllOf(HasSubstr("warning: short:"),
+                                       HasSubstr("cannot have its tool at (-1.5, 0, 0.5) m")));
+  EXPECT_LT(done.err.find("warning: short:"), done.err.find("study.yaml")) << done.err;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
+#include "tuner/run/run_folder.hpp"
 
 namespace armtune {
 namespace {
@@ -74,6 +75,31 @@ TEST(Simulate, OverwritesNoFinishedRun) {
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   EXPECT_THAT(files_in(files / "run"), testing::ElementsAre("kept.txt"));
   EXPECT_EQ(test::read_text(files / "run/kept.txt"), "precious");
+}
+
+TEST(Simulate, RefusesAFolderThatAnotherRunIsAboutToWriteInto) {
+  const ShortStudy files;
+  const FolderLock other = make_run_folder(files / "run");
+  const Finished refused = run_program({"simulate", files / "short.yaml", "--out", files / "run"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, testing::AllOf(HasSubstr(files / "run"), HasSubstr("another run")));
+  EXPECT_TRUE(files_in(files / "run").empty());
+}
+
+TEST(Simulate, ADeadlineEndsAScenarioWithAStatusAndLosesNoOther) {
+  const ShortStudy files;
+  const Finished late =
+      run_program({"simulate", files / "short.yaml", files / "short_realistic.yaml", "--gains",
+                   files / "gains.yaml", "--out", files / "run", "--rollout-deadline", "1e-9"});
+  EXPECT_EQ(late.exit_code, 1);
+  const auto errors = test::read_csv(files / "run/errors.csv");
+  ASSERT_EQ(errors.rows.size(), 2U);
+  for (std::size_t row = 0; row < 2; ++row) {
+    EXPECT_EQ(errors.at(row, "status"), "interrupted");
+    EXPECT_EQ(errors.at(row, "error/position/max"), "") << "not 0: it was never computed";
+    EXPECT_THAT(errors.at(row, "reason"),
+                testing::AllOf(HasSubstr("interrupted at 0.000 s of 8 s"), HasSubstr("--rollout-deadline")));
+  }
 }
 
 TEST(Simulate, ItsCommandInRunYamlMakesTheRunAgainFromAShell) {

@@ -85,7 +85,7 @@ int run(const Arguments& args) {
   for (const std::string& set : args.sets) {
     for (const Scenario& s : scenarios) load_gains(gains_name(set), joint_names(*s.robot));
   }
-  if (!args.folder.empty()) make_run_folder(args.folder);
+  const FolderLock lock = make_run_folder(args.folder);
   SimulateOptions options;
   options.stepper = stepper_from_name(args.stepper);
   options.workers = args.workers;

@@ -95,7 +95,7 @@ int run(const Arguments& args) {
     excitation = load_excitation(args.trajectory, joints);
     show(use_of(excitation, *model, base_parameters(*model)));
   }
-  make_run_folder(args.folder);
+  const FolderLock lock = make_run_folder(args.folder);
   write_text_file(args.folder + "/excitation.yaml", excitation_yaml(excitation, joints));
   constexpr double kTrajectoryPeriod = 0.002;
   write_text_file(args.folder + "/trajectory.csv", excitation_csv(excitation, joints, kTrajectoryPeriod));

@@ -102,7 +102,7 @@ int run(const Arguments& args) {
   const auto model = load_robot(args.robot);
   const LogColumns columns =
       args.columns.empty() ? default_log_columns(*model) : load_log_columns(args.columns, *model);
-  if (!args.folder.empty()) make_run_folder(args.folder);
+  const FolderLock lock = make_run_folder(args.folder);
   ProgressLine line;
   IdentifyOptions options = args.options;
   long shown = -1;

@@ -36,7 +36,7 @@ int run(Arguments args) {
       {"fixed_target", "moving_target", "target_switch", "obstacle_pass", "realistic_fixed_target",
        "realistic_moving_target", "realistic_target_switch", "realistic_obstacle_pass"});
   const GainSet set = load_gain_set(args.set, scenarios);
-  if (!args.folder.empty()) make_run_folder(args.folder);
+  const FolderLock lock = make_run_folder(args.folder);
 
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [began] {

@@ -130,7 +130,8 @@ int run(Arguments args, Team& team) {
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
-  if (!resumed) make_run_folder(args.folder);
+  FolderLock lock;
+  if (!resumed) lock = make_run_folder(args.folder);
   const auto journal = open_journal(args.folder, args.resume, header_of(study, args, options));
   if (journal->exit_code()) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);

@@ -168,7 +168,7 @@ int run(const Arguments& args) {
       std::max(last.stationarity, last.complementarity));
   Arguments out = args;
   out.folder = folder;
-  make_run_folder(folder);
+  const FolderLock lock = make_run_folder(folder);
   write_files(out, task, problem, planned, uses, seconds);
   const std::string report = add_report(folder, [&task] { return scene_of_plan(task); });
   fmt::print(

@@ -146,6 +146,8 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
 }
 
 void tell_how_to_go_on(const std::string& command, const std::string& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder + kJournal, ignored)) return;
   fmt::print(stderr, "what was finished is in {}; once the cause is gone, go on: {} {} --resume {}\n", folder,
              program_name(), command, folder);
 }

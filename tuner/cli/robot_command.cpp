@@ -51,6 +51,7 @@ std::string named(const MissingData& missing) {
   const auto add = [&lacks](const char* what, const std::vector<std::string>& names) {
     if (!names.empty()) lacks.push_back(fmt::format("{} of {}", what, fmt::join(names, ", ")));
   };
+  add("position limits", missing.position);
   add("velocity limit", missing.velocity);
   add("effort limit", missing.effort);
   add("inertia", missing.inertia);

@@ -126,9 +126,10 @@ int run(Arguments args, Team& team) {
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
+  FolderLock lock;
   std::unique_ptr<Journal> journal;
   if (!args.folder.empty()) {
-    if (!resumed) make_run_folder(args.folder);
+    if (!resumed) lock = make_run_folder(args.folder);
     journal = open_journal(args.folder, args.resume, header_of(scenarios, set.gains, options));
     if (journal->exit_code()) {
       fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);

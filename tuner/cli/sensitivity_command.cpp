@@ -35,7 +35,7 @@ int run(const Arguments& args, Team& team) {
   const Gains best = load_gains(gains_path, joint_names(*study.scenarios.front().robot));
   const std::string journal_path = args.run + "/evaluations.csv";
   const auto journal = read_evaluations(journal_path, study);
-  if (!args.folder.empty()) make_run_folder(args.folder);
+  const FolderLock lock = make_run_folder(args.folder);
 
   Workers workers(team.crew(), study.robust);
   ProgressLine line;

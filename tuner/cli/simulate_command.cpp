@@ -13,6 +13,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/task_notes.hpp"
@@ -33,6 +34,7 @@ struct Arguments {
   std::string folder;
   int workers = default_workers();
   int record_every = 5;
+  double deadline = 0.0;
   bool yardstick = false;
 };
 
@@ -77,7 +79,8 @@ int run(const Arguments& args) {
   options.workers = args.workers;
   options.folder = args.folder;
   options.record_stride = args.record_every;
-  if (!args.folder.empty()) make_run_folder(args.folder);
+  options.deadline = args.deadline;
+  const FolderLock lock = make_run_folder(args.folder);
 
   ProgressLine line;
   options.progress = [&](std::size_t done) {
@@ -143,6 +146,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   add_yardstick_option(*command, args->yardstick);
   command->footer([] {
     return fmt::format("Bundled scenarios: {}\nBundled gains: {}\n",

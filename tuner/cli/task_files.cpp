@@ -7,6 +7,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/default_task.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "sim/yaml/quoted.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -36,7 +37,7 @@ search:
 )";
 
 std::string study_text(const RobotModel& robot, bool looks) {
-  return fmt::format("description: first gains for {}\n", robot.name) +
+  return fmt::format("description: {}\n", yaml::quoted("first gains for " + robot.name)) +
          fmt::format(kStudy,
                      fmt::arg("orientation_parameters", looks ? "  - {name: slerpDurationErrorGain}\n" : ""),
                      fmt::arg("orientation_terms", looks ? "  - {metric: error/orientation/max, weight: 1}\n"
@@ -50,7 +51,7 @@ void write_task_files(const std::shared_ptr<const RobotModel>& robot, const std:
                       const std::string& folder) {
   const DefaultTask task = default_task(robot);
   const Gains gains = starting_gains(*robot, task.scenario.start_position, task.goal, task.manipulability);
-  make_run_folder(folder);
+  const FolderLock lock = make_run_folder(folder);
   write_text_file(folder + "/task.yaml", default_task_yaml(task, portable_reference(robot_file)));
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(gains, {fmt::format("from the inertia and the limits of {}; a start, not tuned",

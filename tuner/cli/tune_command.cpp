@@ -119,7 +119,6 @@ void announce(const Study& study, const Arguments& args, const Journal& journal)
     fmt::print("the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
                swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched");
   }
-  for (const Scenario& scenario : study.scenarios) warn_of_task(scenario, study.space.start);
   if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
   std::fflush(stdout);
 }
@@ -169,8 +168,9 @@ int run(Arguments args, Team& team) {
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
+  FolderLock lock;
   if (!resumed) {
-    make_run_folder(args.folder);
+    lock = make_run_folder(args.folder);
     if (study.warm) write_warm(study, args.folder);  // before the journal: a resumed run reads them here
   }
   const auto journal =
@@ -184,6 +184,8 @@ int run(Arguments args, Team& team) {
   }
   const double before = journal->seconds();  // of the sessions of a run that goes on
   warn_of_clamped(study);
+  // Before the start gains are simulated: a task that none can do may be why they do not complete it.
+  for (const Scenario& scenario : study.scenarios) warn_of_task(scenario, study.space.start);
   Workers workers(team.crew(), study.robust);
   std::optional<Objective> objective;
   TuneResult result;

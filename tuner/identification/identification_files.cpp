@@ -8,6 +8,7 @@
 
 #include "core/robot/urdf_writer.hpp"
 #include "sim/csv/cell.hpp"
+#include "sim/yaml/quoted.hpp"
 
 namespace armtune {
 
@@ -58,9 +59,10 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
     return fmt::format("[{}]", fmt::join(v.data(), v.data() + v.size(), ", "));
   };
   return fmt::format(
-      "urdf: {}\ntip_link: {}\nrotor_inertia: {}\nviscous_friction: {}\ncoulomb_friction: {}\n", urdf,
-      urdf_tool_link(model), list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
-      list(model.chain.coulomb_friction));
+      "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}\nviscous_friction: {}\n"
+      "coulomb_friction: {}\n",
+      urdf, yaml::quoted(model.base_link), urdf_tool_link(model), list(model.chain.rotor_inertia),
+      list(model.chain.viscous_friction), list(model.chain.coulomb_friction));
 }
 
 }  // namespace armtune

@@ -15,6 +15,7 @@ namespace armtune {
 namespace {
 
 constexpr std::size_t kDigits = 16;
+constexpr std::size_t kMaxLine = std::size_t{64} << 20;  // a record of 1,000 scenarios takes one
 constexpr std::string_view kFormat = "armtune journal 1";
 constexpr std::string_view kHeaderEnd = "records";
 /// Kind of the record that some minutes are over.
@@ -70,7 +71,7 @@ std::uint64_t number_in(std::string_view text) {
 /// A journal line by line, with the place where each begins.
 class Lines {
  public:
-  explicit Lines(const std::string& path) : file_(path, std::ios::binary) {
+  explicit Lines(const std::string& path) : path_(path), file_(path, std::ios::binary) {
     if (!file_) {
       throw InputError(
           path + ": cannot be read; only the folder of a run that has begun can be resumed: begin it anew");
@@ -81,8 +82,21 @@ class Lines {
     place_ += static_cast<long>(line_.size()) + (whole_ ? 1 : 0);
     whole_ = false;
     line_.clear();
-    if (!std::getline(file_, line_)) return false;
-    whole_ = !file_.eof();
+    // std::getline would fill the memory with a line that never ends.
+    std::streambuf& bytes = *file_.rdbuf();
+    for (int byte = bytes.sbumpc(); byte != std::char_traits<char>::eof(); byte = bytes.sbumpc()) {
+      if (byte == '\n') {
+        whole_ = true;
+        break;
+      }
+      if (line_.size() == kMaxLine) {
+        throw InputError(
+            fmt::format("{}:{}: a line of more than {} MB; it is no journal of armtune, or damaged", path_,
+                        number_ + 1, kMaxLine >> 20));
+      }
+      line_ += static_cast<char>(byte);
+    }
+    if (!whole_ && line_.empty()) return false;
     ++number_;
     return true;
   }
@@ -92,6 +106,7 @@ class Lines {
   long number() const { return number_; }
 
  private:
+  std::string path_;
   std::ifstream file_;
   std::string line_;
   bool whole_ = false;

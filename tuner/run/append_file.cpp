@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -77,6 +78,12 @@ void AppendFile::fail(const char* what) const {
 }
 
 void AppendFile::append(const std::string& text, bool sync) {
+  // What goes to a file that nobody can find again is lost: better said at once than in the morning.
+  struct stat now {};
+  if (::fstat(file_, &now) == 0 && now.st_nlink == 0) {
+    throw std::runtime_error(fmt::format(
+        "{}: was deleted while the run went on, and with it what was finished; begin it anew", path_));
+  }
   const char* data = text.data();
   std::size_t left = text.size();
   while (left > 0) {

@@ -21,7 +21,7 @@ class AppendFile {
   AppendFile& operator=(const AppendFile&) = delete;
 
   /// Appends the text: it outlives this process, and with `sync` a power cut. Throws std::runtime_error if
-  /// the disk refuses it.
+  /// the disk refuses it, or if somebody has deleted the file.
   void append(const std::string& text, bool sync = true);
   /// Cuts the file to this many bytes. Throws std::runtime_error.
   void truncate(long size);

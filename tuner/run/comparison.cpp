@@ -14,9 +14,10 @@ std::string number(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:.4g}", value);
 }
 
-/// A ratio says something only between two values of one sign and a first one that is not zero.
+/// A ratio says something only between two values of one sign and a first one that is not zero; an infinite
+/// one is no value, though what is divided by it would look like one.
 double ratio(double value, double reference) {
-  return reference > 0.0 && value >= 0.0 ? value / reference : NAN;
+  return std::isfinite(reference) && reference > 0.0 && value >= 0.0 ? value / reference : NAN;
 }
 
 }  // namespace

@@ -1,16 +1,22 @@
 #include "tuner/run/run_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <Eigen/Core>
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "core/common/error.hpp"
+#include "core/common/input_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
@@ -48,9 +54,26 @@ void refuse_used_folder(const std::string& folder) {
   }
 }
 
-void make_run_folder(const std::string& folder) {
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool FolderLock::take() {
+  return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+}
+
+FolderLock make_run_folder(const std::string& folder) {
+  if (folder.empty()) return {};
   refuse_used_folder(folder);
   make_folder(folder);
+  FolderLock lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Where a file system locks no folders, what is in it has to do.
+  if (!lock.take() && errno == EWOULDBLOCK) {
+    throw InputError(
+        fmt::format("{}: another run is about to write into it; name another folder with --out", folder));
+  }
+  refuse_used_folder(folder);  // by one that has ended meanwhile
+  return lock;
 }
 
 std::string default_run_folder(const std::string& name) {
@@ -87,8 +110,10 @@ std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::s
 
 std::string add_columns(const std::string& folder, const FileColumns& columns) {
   const std::string path = folder + "/columns.csv";
-  std::ifstream file(path);
-  if (!file) return {};
+  constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return {};
+  std::istringstream file(read_input_file(path, kMaxBytes, "a run's columns.csv"));
   const std::string all = columns_csv({columns});
   const std::size_t header_end = all.find('\n') + 1;
   std::string text;

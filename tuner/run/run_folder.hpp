@@ -13,8 +13,28 @@ namespace armtune {
 /// Throws InputError if the folder exists and holds anything: finished results are never overwritten.
 void refuse_used_folder(const std::string& folder);
 
-/// Makes the run's folder. Throws InputError if it holds anything or cannot be made.
-void make_run_folder(const std::string& folder);
+/// While it lives no other process can begin a run in the folder.
+class FolderLock {
+ public:
+  FolderLock() = default;  ///< of no folder
+  explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
+  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderLock& operator=(FolderLock&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~FolderLock();
+
+  /// False, with the reason in errno, if another process has it.
+  bool take();
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// Makes the run's folder; nothing where its name is empty. Throws InputError if it holds anything, if
+/// another run is about to write into it, or if it cannot be made.
+[[nodiscard]] FolderLock make_run_folder(const std::string& folder);
 
 /// "runs/<name>_20261121-103000" (UTC) below the current folder.
 std::string default_run_folder(const std::string& name);

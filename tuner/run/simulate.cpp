@@ -8,6 +8,8 @@
 #include "core/common/error.hpp"
 #include "sim/rollout/recorder.hpp"
 #include "tuner/workers/parallel.hpp"
+#include "tuner/workers/patience.hpp"
+#include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune {
 
@@ -35,10 +37,20 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     Rollout rollout(scenarios[i], options.stepper, options.engine);
     std::optional<Recorder> recorder;
     if (!options.folder.empty()) recorder.emplace(scenarios[i], options.record_stride);
+    const double deadline = deadline_of(options.deadline, scenarios[i]);
+    RunningTime time;
+    bool late = false;
     results[i].result = rollout.run(gains_of(scenarios[i]), [&](const Observation& o) {
       if (recorder) (*recorder)(o);
-      return !stop;
+      late = time.look() > deadline;
+      return !late && !stop;
     });
+    if (late) {
+      results[i].result.reason += fmt::format(
+          " of {} s: its deadline of {} s was over; allow more with --rollout-deadline, or find "
+          "out what slows it down",
+          scenarios[i].duration, deadline);
+    }
     const RolloutStatus status = results[i].result.status;
     const bool whole = status == RolloutStatus::kCompleted || status == RolloutStatus::kNoSamples;
     if (recorder) recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv", whole);

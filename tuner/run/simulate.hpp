@@ -16,11 +16,13 @@ struct SimulateOptions {
   int workers = 1;
   std::string folder;     ///< rollout_<scenario>.csv go here; empty: none are written
   int record_stride = 5;  ///< every k-th control period is written
+  double deadline = 0.0;  ///< of one scenario, wall clock [s]; 0: by its duration (deadline_of)
   std::function<void(std::size_t done)> progress;  ///< one call at a time
 };
 
 /// Results in the order of the scenarios. gains_of(scenario): its gains. Scenarios that were not reached
-/// before `stop` have the status interrupted. Throws InputError if two scenarios share a name.
+/// before `stop` or their deadline have the status interrupted. Throws InputError if two scenarios share a
+/// name.
 std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                                      const std::function<Gains(const Scenario&)>& gains_of,
                                      const SimulateOptions& options, const std::atomic<bool>& stop);

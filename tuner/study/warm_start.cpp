@@ -54,7 +54,18 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
   const std::vector<bool> chosen = given(space, warm.parameters);
   WarmPoint point;
   point.x = space.start_point();
-  const std::vector<double> coordinates = space.point_of(warm.gains);
+  Gains there = space.start;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (!chosen[i]) continue;
+    const GainEntry& entry = space.free[i].entry;
+    if (!has(warm.gains, entry)) {
+      throw InputError(
+          fmt::format("{}: no {}, which this study tunes; add it there, or name the gains to take from there",
+                      warm.source, entry.field->name));
+    }
+    value(there, entry) = value(warm.gains, entry);
+  }
+  const std::vector<double> coordinates = space.point_of(there);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     if (chosen[i]) {
       const Parameter& p = space.free[i];

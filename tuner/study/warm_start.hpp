@@ -30,7 +30,8 @@ struct WarmPoint {
 void load_warm_gains(WarmStart& warm, const std::string& folder_or_file,
                      const std::vector<std::string>& joints, const std::string& relative_to = {});
 
-/// Throws InputError if a name is none of a tuned gain or field.
+/// Throws InputError if a name is none of a tuned gain or field, or if the gains leave one out that is taken
+/// from them.
 WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm);
 
 }  // namespace armtune

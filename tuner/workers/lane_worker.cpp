@@ -64,7 +64,7 @@ class Block {
       std::optional<InLane>& one = under_way_[lane];
       if (!one) continue;
       // Side by side a rollout takes longer than alone, all of them together less.
-      if (one->time.look() > arms_ * deadline_of(plan, plan.scenarios[one->job.job.scenario])) {
+      if (one->time.look() > arms_ * deadline_of(plan.deadline, plan.scenarios[one->job.job.scenario])) {
         throw alone.late(one->job.job, arms_, lanes_.time(static_cast<int>(lane)));
       }
     }

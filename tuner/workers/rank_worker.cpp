@@ -81,7 +81,7 @@ class RankWorker final : public Worker {
   double longest() const {
     double seconds = 0.0;
     for (const auto& [number, one] : open_) {
-      seconds = std::max(seconds, deadline_of(plan_, plan_.scenarios[one.job.scenario]));
+      seconds = std::max(seconds, deadline_of(plan_.deadline, plan_.scenarios[one.job.scenario]));
     }
     return static_cast<double>(most_) * seconds;
   }

@@ -9,10 +9,10 @@
 
 namespace armtune {
 
-double deadline_of(const RolloutPlan& plan, const Scenario& scenario) {
+double deadline_of(double asked, const Scenario& scenario) {
   constexpr double kAnyhow = 20.0;
   constexpr double kPerSecond = 2.0;
-  return plan.deadline > 0.0 ? plan.deadline : kAnyhow + kPerSecond * scenario.duration;
+  return asked > 0.0 ? asked : kAnyhow + kPerSecond * scenario.duration;
 }
 
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample) {

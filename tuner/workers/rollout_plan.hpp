@@ -41,9 +41,9 @@ struct RolloutJob {
   EndCost cost = {};  ///< the same, by what it costs
 };
 
-/// How long a rollout of the scenario may take [s of wall clock]: the plan's deadline, or 20 s and twice the
-/// simulated duration. Many times what any processor needs: it ends what would never end.
-double deadline_of(const RolloutPlan& plan, const Scenario& scenario);
+/// How long a rollout of the scenario may take [s of wall clock]: what is asked for, or, where that is 0, 20
+/// s and twice the simulated duration. Many times what any processor needs: it ends what would never end.
+double deadline_of(double asked, const Scenario& scenario);
 
 /// The scenario as the sample's arm meets it.
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample);

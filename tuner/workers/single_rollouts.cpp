@@ -32,13 +32,13 @@ std::runtime_error SingleRollouts::late(const RolloutJob& job, int arms, double 
       fmt::format("{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s{}; allow "
                   "more with --rollout-deadline, or find out what slows it down",
                   scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", simulated,
-                  scenario.duration, deadline_of(plan_, scenario),
+                  scenario.duration, deadline_of(plan_.deadline, scenario),
                   arms > 1 ? fmt::format(", {} times that for as many arms side by side", arms) : ""));
 }
 
 RolloutResult SingleRollouts::run(const RolloutJob& job, const std::function<bool()>& stop) {
   RunningTime time;
-  const double deadline = deadline_of(plan_, plan_.scenarios[job.scenario]);
+  const double deadline = deadline_of(plan_.deadline, plan_.scenarios[job.scenario]);
   const auto observer = [&](const Observation& o) {
     if (time.look() > deadline) throw late(job, 1, o.time);
     return !stop();

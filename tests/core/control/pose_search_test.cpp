@@ -69,6 +69,31 @@ TEST(PoseSearch, SamplesLieWithinTheLimitsAndDiffer) {
   }
 }
 
+TEST(PoseSearch, SamplesFillRangesFarFromZero) {
+  RobotModel arm = test::random_arm(6, 11, true);
+  ASSERT_EQ(arm.chain.motion[1], JointMotion::kPrismatic);
+  arm.joints[0].limits = {true, 3.5, 5.0, 1.0, 1.0};  // beyond half a turn
+  arm.joints[1].limits = {true, 4.0, 6.0, 1.0, 1.0};  // metres
+  arm.joints[2].limits = {true, -20.0, 20.0, 1.0, 1.0};
+  arm.joints[3].limits = {true, 2.5, 12.0, 1.0, 1.0};
+  JointVector least = sample_position(arm, 0);
+  JointVector most = least;
+  for (unsigned sample = 0; sample < 50; ++sample) {
+    const JointVector q = sample_position(arm, sample);
+    EXPECT_GT(tightest_joint(arm, q).margin, 0.0);
+    least = least.cwiseMin(q);
+    most = most.cwiseMax(q);
+  }
+  const JointVector spread = most - least;
+  EXPECT_GT(spread[0], 1.0);
+  EXPECT_GT(spread[1], 1.5);
+  for (const int joint : {2, 3}) {
+    EXPECT_GT(spread[joint], 4.5) << joint;
+    EXPECT_LE(spread[joint], 2.0 * M_PI) << "a turn is enough";
+  }
+  EXPECT_LE(most[2], M_PI);
+}
+
 TEST(PoseSearch, TheTightestJointIsTheOneWithTheLeastShareLeft) {
   RobotModel arm = test::ur10();
   JointVector q = JointVector::Zero(6);

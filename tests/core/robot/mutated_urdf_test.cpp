@@ -5,6 +5,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <random>
 #include <string_view>
@@ -122,6 +123,8 @@ TEST_F(MutatedUrdf, TenThousandAreRefusedOrSound) {
     ASSERT_TRUE(torque.allFinite()) << text;
   }
   // Bytes of comments, names and poses may change and leave an arm; many others must not.
+  std::cout << kAll << " mutated URDFs: " << kAll - accepted << " refused in one line, " << accepted
+            << " sound arms, none accepted with an error logged\n";
   EXPECT_GT(accepted, kAll / 20);
   EXPECT_LT(accepted, kAll - kAll / 4);
 }

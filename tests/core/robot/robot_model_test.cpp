@@ -199,6 +199,8 @@ TEST(Validate, RefusesARevoluteLinkWithoutInertiaAboutItsAxis) {
 TEST(Validate, RefusesLimitsThatAreMissingOrCrossed) {
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.lower = 2.5; }),
               AllOf(HasSubstr("'joint_2'"), HasSubstr("2.5 rad"), HasSubstr("2.09")));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.lower = m.joints[1].limits.upper; }),
+              AllOf(HasSubstr("'joint_2'"), HasSubstr("not below")));
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.velocity = 0.0; }),
               AllOf(HasSubstr("'joint_2'"), HasSubstr("velocity limit is 0 rad/s")));
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints[1].limits.effort = -3.0; }),

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/urdf_text.hpp"
@@ -34,6 +36,10 @@ UrdfOptions with_held(const std::string& joint, double value) {
   options.held[joint] = value;
   return options;
 }
+
+/// Turned about the vertical alone: gravity pulls alike on both sides of it.
+const std::string kUprightWaist =
+    "<origin xyz='0.1 -0.2 0.3' rpy='0 0 0.7'/><axis xyz='0 0.6 0.8'/>" + test::kLimit;
 
 class UrdfSelection : public test::UrdfFiles {
  protected:
@@ -89,7 +95,7 @@ class UrdfSelection : public test::UrdfFiles {
 TEST_F(UrdfSelection, AnArmOfAHumanoidMovesLikeTheArmAlone) {
   const std::string arm = chain("right", "chest", 4);
   const std::string whole = robot(link("pelvis", body()) + link("chest", body()) +
-                                  joint("waist", "revolute", "pelvis", "chest", placed()) + arm +
+                                  joint("waist", "revolute", "pelvis", "chest", kUprightWaist) + arm +
                                   chain("left", "chest", 3) + chain("leg", "pelvis", 2));
   const RobotModel alone = read(robot(link("chest") + arm));
   UrdfOptions options;
@@ -108,6 +114,35 @@ TEST_F(UrdfSelection, AnArmOfAHumanoidMovesLikeTheArmAlone) {
             testing::Not(HasSubstr("leg"))));
   options.held = {{"left1_joint", 0.0}, {"left2_joint", 0.0}, {"left3_joint", 0.0}};
   EXPECT_EQ(read(whole, options).n(), 5);
+}
+
+TEST_F(UrdfSelection, ATiltedBaseLinkFeelsGravityAsTheWholeTreeDoes) {
+  const std::string torso =
+      link("pelvis") + link("spine") + link("chest") + joint("back", "fixed", "pelvis", "spine", placed());
+  const std::string at_waist = placed();
+  const std::string arm = chain("arm", "chest", 4);
+  const auto tree = [&](const std::string& waist) {
+    return robot(torso + joint("waist", waist, "spine", "chest", at_waist) + arm);
+  };
+  UrdfOptions of_arm = with_base("chest", "arm4");
+  UrdfOptions of_tree = with_tip("arm4");
+  // At zero where nothing holds the waist, as if it were fixed there.
+  std::vector<std::pair<RobotModel, RobotModel>> arms;
+  arms.emplace_back(read(tree("revolute"), of_arm), read(tree("fixed"), of_tree));
+  of_arm.held = of_tree.held = {{"waist", 0.6}};
+  arms.emplace_back(read(tree("revolute"), of_arm), read(tree("revolute"), of_tree));
+  for (const auto& [alone, whole] : arms) {
+    ASSERT_EQ(joint_names(alone), joint_names(whole));
+    EXPECT_NEAR(alone.chain.gravity.norm(), 9.81, 1e-12);
+    Chain upright = alone.chain;
+    upright.gravity = Chain().gravity;
+    for (int sample = 0; sample < 10; ++sample) {
+      const JointVector q = test::random_configuration(generator_, alone);
+      const JointVector torque = test::gravity_torque_at(whole.chain, q);
+      EXPECT_LT((test::gravity_torque_at(alone.chain, q) - torque).norm(), 1e-12 * torque.norm());
+      EXPECT_GT((test::gravity_torque_at(upright, q) - torque).norm(), 1e-3 * torque.norm());
+    }
+  }
 }
 
 TEST_F(UrdfSelection, AHeldJointIsOneFixedWhereItIsHeld) {
@@ -182,6 +217,84 @@ TEST_F(UrdfSelection, GivenLimitsAndInertiaStandForThoseOfTheFile) {
   options.limits["j"] = {-0.5, 0.5, 3.0, 4.0};
   EXPECT_EQ(read(whole, options).joints[0].limits.lower, -0.5);
   EXPECT_EQ(read(whole, options).joints[0].limits.upper, 0.5);
+}
+
+TEST_F(UrdfSelection, AContinuousJointTakesPositionLimitsThatAreGiven) {
+  const std::string text =
+      robot(link("a") + link("b") +
+            joint("j", "continuous", "a", "b", "<axis xyz='0 0 1'/><limit velocity='3' effort='4'/>"));
+  EXPECT_FALSE(read(text).joints[0].limits.has_position);
+  UrdfOptions options;
+  options.limits["j"] = {-0.5, 0.7, {}, {}};
+  const JointLimits limits = read(text, options).joints[0].limits;
+  EXPECT_TRUE(limits.has_position);
+  EXPECT_EQ(limits.lower, -0.5);
+  EXPECT_EQ(limits.upper, 0.7);
+  EXPECT_EQ(limits.velocity, 3.0);
+  options.limits["j"] = {-0.5, {}, {}, {}};
+  EXPECT_THAT(refusal(text, options), AllOf(HasSubstr("joint 'j'"), HasSubstr("give both")));
+}
+
+TEST_F(UrdfSelection, LimitsAndInertiaOfWhatDoesNotMoveAreRefused) {
+  const std::string text = robot(link("base") + chain("arm", "base", 3) + link("tip") +
+                                 joint("fixed", "fixed", "arm3", "tip") + chain("other", "base", 2));
+  for (const char* name : {"fixed", "other1_joint"}) {
+    UrdfOptions options = with_tip("arm3");
+    options.limits[name] = {{}, {}, 1.0, {}};
+    EXPECT_THAT(refusal(text, options),
+                HasSubstr(fmt::format("limits: joint '{}' does not move this arm; leave it out", name)));
+  }
+  for (const char* name : {"base", "other1"}) {
+    UrdfOptions options = with_tip("arm3");
+    options.inertia[name] = {1.0, Vec3::Zero(), Mat3::Identity()};
+    EXPECT_THAT(refusal(text, options),
+                HasSubstr(fmt::format("inertia: link '{}' is not moved by this arm; leave it out", name)));
+  }
+}
+
+TEST_F(UrdfSelection, AHeldJointKeepsToTheLimitsThatAreGiven) {
+  const std::string text = robot(link("base") + chain("arm", "base", 3));  // limits -1 .. 2
+  UrdfOptions options = with_held("arm3_joint", 2.5);
+  options.limits["arm3_joint"] = {{}, 3.0, {}, {}};
+  EXPECT_EQ(read(text, options).n(), 2);
+  options.limits["arm3_joint"] = {0.0, 1.0, {}, {}};
+  EXPECT_THAT(refusal(text, options), AllOf(HasSubstr("'arm3_joint' at 2.5 rad"), HasSubstr("0 .. 1")));
+  options.limits["arm3_joint"] = {{}, 3.0, {}, 5.0};
+  EXPECT_THAT(refusal(text, options), AllOf(HasSubstr("'arm3_joint' is held"), HasSubstr("leave velocity")));
+}
+
+TEST_F(UrdfSelection, WhatIsProposedToBeHeldCanBeHeld) {
+  const std::string arm = link("base") + chain("arm", "base", 3) + link("finger", body());
+  const std::string limit = "<axis xyz='0 0 1'/><limit lower='0.1' upper='0.5' velocity='1' effort='1'/>";
+  const std::string gripper = robot(arm + joint("finger_joint", "revolute", "arm3", "finger", limit));
+  EXPECT_THAT(refusal(gripper, with_tip("arm3")), HasSubstr("hold: {finger_joint: 0.1}"));
+  UrdfOptions options = with_tip("arm3");
+  options.held = {{"finger_joint", 0.1}};
+  EXPECT_EQ(read(gripper, options).n(), 3);
+  EXPECT_THAT(refusal(robot(arm + joint("finger_joint", "revolute", "arm3", "finger",
+                                        limit + "<mimic joint='arm1_joint'/>"))),
+              HasSubstr("hold: {finger_joint: 0.1}"));
+  // Nothing can hold a joint that floats.
+  EXPECT_THAT(
+      refusal(robot(arm + joint("finger_joint", "floating", "arm2", "finger")), with_tip("arm3")),
+      AllOf(HasSubstr("'finger_joint'"), HasSubstr("make it fixed"), testing::Not(HasSubstr("hold:"))));
+}
+
+TEST_F(UrdfSelection, EqualPositionLimitsAreMissingOnes) {
+  // What urdfdom makes of a limit element without lower and upper.
+  const std::string text =
+      robot(test::one_joint(test::kInertial, "<axis xyz='0 0 1'/><limit velocity='3' effort='4'/>"));
+  EXPECT_THAT(refusal(text), AllOf(HasSubstr("joint 'j'"), HasSubstr("lower"),
+                                   HasSubstr("missing or the same"), HasSubstr("'limits' in a robot YAML")));
+  const MissingData missing = missing_data(write(text));
+  EXPECT_THAT(missing.position, ElementsAre("j"));
+  EXPECT_THAT(missing.velocity, IsEmpty());
+  UrdfOptions options;
+  options.limits["j"] = {-1.0, 2.0, {}, {}};
+  EXPECT_TRUE(missing_data(write(text), options).empty());
+  EXPECT_EQ(read(text, options).joints[0].limits.upper, 2.0);
+  options.limits["j"] = {1.0, 1.0, {}, {}};
+  EXPECT_THAT(refusal(text, options), HasSubstr("the same"));
 }
 
 TEST_F(UrdfSelection, AllThatIsMissingIsToldAtOnce) {

@@ -16,11 +16,12 @@ namespace {
 
 using test::WorstError;
 
-RobotModel read_back(const std::string& text, const std::string& tip = "tool") {
+RobotModel read_back(const std::string& text, const std::string& tip = "tool", const std::string& base = "") {
   const std::string path = testing::TempDir() + "armtune_urdf_writer_test.urdf";
   std::ofstream(path, std::ios::binary) << text;
   UrdfOptions options;
   options.tip_link = tip;
+  options.base_link = base;
   RobotModel model = read_urdf(path, options);
   std::remove(path.c_str());
   return model;
@@ -64,6 +65,17 @@ TEST(UrdfWriter, AnArmWithALinkCalledToolGetsAnotherNameForItsEnd) {
   ASSERT_EQ(urdf_tool_link(arm), "tool_");
   const RobotModel back = read_back(urdf_text(arm), "tool_");
   EXPECT_LT((back.chain.p_BT - arm.chain.p_BT).norm(), 1e-12);
+}
+
+TEST(UrdfWriter, ATiltedArmReadsBackUnderTheSameGravity) {
+  RobotModel arm = test::ur10();
+  for (const Vec3& gravity : {Vec3(3.0, -8.0, 2.0), Vec3(0.0, 0.0, 9.81)}) {
+    arm.chain.gravity = 9.81 * gravity.normalized();
+    const RobotModel back = read_back(urdf_text(arm), "tool", arm.base_link);
+    EXPECT_LT((back.chain.gravity - arm.chain.gravity).norm(), 1e-9);  // as above
+    EXPECT_LT((back.chain.p_BT - arm.chain.p_BT).norm(), 1e-12);
+  }
+  EXPECT_EQ(urdf_text(test::ur10()).find("upright"), std::string::npos);
 }
 
 TEST(UrdfWriter, AThinRodInTurnedAxesReadsBack) {

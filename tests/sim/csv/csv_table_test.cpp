@@ -91,6 +91,12 @@ TEST(CsvTable, RefusesFilesThatAreNone) {
   EXPECT_THAT(refusal([] { CsvTable::read("/dev/zero", CsvOrigin::kUser); }), HasSubstr("larger than 48 MB"));
 }
 
+TEST(CsvTable, RefusesMoreCellsThanMemoryShouldHold) {
+  const std::string rows(24'000'001, '\n');
+  EXPECT_THAT(refusal([&] { CsvTable::parse("a\n" + rows, "t.csv"); }),
+              testing::AllOf(HasSubstr("t.csv: more than 24000000 cells"), HasSubstr("--record-every")));
+}
+
 TEST(CsvTable, NamesFileLineAndColumnOfWhatIsWrong) {
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,2,3\n", "t.csv"); }), HasSubstr("t.csv:3: 3 cells"));
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,x7\n", "t.csv").numbers(1); }),

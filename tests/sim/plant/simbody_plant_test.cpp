@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <random>
 #include <thread>
@@ -206,6 +207,32 @@ TEST(SimbodyPlant, ATorqueThatIsNotFiniteShowsInTheState) {
     }
     plant->step(torque, 2e-3);
     EXPECT_FALSE(plant->q().allFinite() && plant->qd().allFinite()) << value;
+  }
+}
+
+TEST(SimbodyPlant, TheReferenceGivesUpAtATorqueThatIsNotFinite) {
+  const RobotModel model = test::ur10();
+  const auto plant = make_simbody_plant(model, Stepper::kReference);
+  const auto fresh = make_simbody_plant(model, Stepper::kReference);
+  const JointVector zero = JointVector::Zero(model.n());
+  const JointVector start = JointVector::LinSpaced(model.n(), -1.0, 1.0);
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    SCOPED_TRACE(value);
+    plant->set_state(start, zero);
+    JointVector torque = zero;
+    torque[2] = value;
+    EXPECT_THROW(plant->step(torque, 2e-3), std::exception);
+    EXPECT_EQ(plant->q(), start) << "no numbers of a step that was not made";
+    EXPECT_EQ(plant->qd(), zero);
+    // It is of use for what comes next: to the reference's accuracy, 1e-10.
+    plant->set_state(start, zero);
+    fresh->set_state(start, zero);
+    for (Plant* each : {plant.get(), fresh.get()}) {
+      for (int k = 0; k < 5; ++k) each->step(zero, 2e-3);
+    }
+    EXPECT_LT((plant->q() - fresh->q()).norm(), 1e-8);
+    EXPECT_LT((plant->qd() - fresh->qd()).norm(), 1e-8);
+    EXPECT_GT(fresh->qd().norm(), 1e-3) << "it fell";
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "sim/lanes/rollout_lanes.hpp"
 #include "tests/core/support/allocation_counter.hpp"
 #include "tests/sim/support/rollouts.hpp"
@@ -10,12 +12,19 @@
 namespace armtune {
 namespace {
 
+/// Two bundled gain sets of the scenario's arm.
+std::array<const char*, 2> sets_of(const Scenario& scenario) {
+  if (scenario.robot->n() == 7) return {"panda", "panda_tuned"};
+  if (scenario.robot->n() == 5) return {"youbot", "youbot_tuned"};
+  return {"published", "extended"};
+}
+
 class RolloutAllocation : public testing::TestWithParam<std::string> {};
 
 TEST_P(RolloutAllocation, NeverHappensInAPeriodOfTheNativeEngine) {
   if (!test::allocations_are_counted()) GTEST_SKIP() << "a sanitizer owns malloc";
   const Scenario scenario = test::scenario_of(GetParam());
-  for (const char* set : {"published", "extended"}) {
+  for (const char* set : sets_of(scenario)) {
     const Gains gains = load_gains(set, joint_names(*scenario.robot));
     for (const Stepper stepper : {Stepper::kMidpoint, Stepper::kRungeKutta4}) {
       Rollout rollout(scenario, stepper, Engine::kNative);
@@ -39,8 +48,9 @@ TEST_P(RolloutAllocation, NeverHappensInAPeriodOfArmsSideBySide) {
   const auto prepared = std::make_shared<const PreparedScenario>(test::scenario_of(GetParam()));
   const Scenario& scenario = prepared->scenario;
   RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, scenario.obstacles.size()), 2);
-  lanes.start(0, {prepared, load_gains("published", joint_names(*scenario.robot))});
-  lanes.start(1, {prepared, load_gains("extended", joint_names(*scenario.robot))});
+  const auto sets = sets_of(scenario);
+  lanes.start(0, {prepared, load_gains(sets[0], joint_names(*scenario.robot))});
+  lanes.start(1, {prepared, load_gains(sets[1], joint_names(*scenario.robot))});
   const RolloutLanes::Finished finished = [](int, RolloutResult&&) {};
   lanes.step(finished);
   const long first = test::allocations();
@@ -51,7 +61,8 @@ TEST_P(RolloutAllocation, NeverHappensInAPeriodOfArmsSideBySide) {
 
 INSTANTIATE_TEST_SUITE_P(Bundled, RolloutAllocation,
                          testing::Values("moving_target", "realistic_target_switch",
-                                         "realistic_obstacle_pass", "realistic_camera_target"),
+                                         "realistic_obstacle_pass", "realistic_camera_target",
+                                         "panda_target_switch", "youbot_target_switch"),
                          [](const auto& scenario) { return scenario.param; });
 
 }  // namespace

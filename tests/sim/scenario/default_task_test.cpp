@@ -5,6 +5,7 @@
 
 #include "core/control/starting_gains.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
@@ -50,7 +51,23 @@ TEST_P(BundledRobots, FirstTaskReadsBackAsItIs) {
   EXPECT_EQ(back.plant.velocity_noise, task.scenario.plant.velocity_noise);
 }
 
+TEST_P(BundledRobots, FirstTaskKnowsTheSmallestManipulabilityOnItsWay) {
+  const DefaultTask task = default_task(load_robot(GetParam()));
+  const PathWalk walk = walk_path(task.scenario, task.goal, 0.2);  // centred as its starting gains do
+  EXPECT_GT(task.manipulability, 0.0);
+  EXPECT_EQ(task.manipulability, walk.manipulability.value);
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, BundledRobots, testing::Values("ur10", "panda", "youbot"));
+
+TEST(DefaultTask, ARobotsNameMayLookLikeYaml) {
+  RobotModel named = *load_robot("ur10");
+  named.name = "arm: v2 #1";
+  const DefaultTask task = default_task(std::make_shared<const RobotModel>(named));
+  const test::TemporaryFolder folder;
+  const Scenario back = load_scenario(folder.write("task.yaml", default_task_yaml(task, "ur10")));
+  EXPECT_NE(back.description.find("where arm: v2 #1 moves well"), std::string::npos) << back.description;
+}
 
 TEST(DefaultTask, AnArmOfThreeJointsHoldsItsPositionOnly) {
   const DefaultTask task = default_task(std::make_shared<const RobotModel>(test::random_arm(3, 5, false)));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/control/pose_search.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tests/core/support/states.hpp"
@@ -13,6 +14,9 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+
+/// Of the UR10 [deg]: its fifth joint at zero, where the fourth and the sixth turn about one axis.
+const JointVector kWristInLine = (JointVector(6) << 20.0, -90.0, -90.0, -60.0, 0.0, 0.0).finished();
 
 Gains published(const Scenario& scenario) {
   return load_gains("published", joint_names(*scenario.robot));
@@ -46,15 +50,54 @@ TEST(PathWalk, SaysWhereThePathLeavesTheWorkspace) {
               AllOf(HasSubstr("cannot have its tool at (-3"), HasSubstr("move the path")));
 }
 
-TEST(PathWalk, SaysWhereASingularityIsPassed) {
-  // Down to where the forearm and the upper arm are in line: the UR10's outer singularity, just within reach.
+/// Out by `sway` and back through the place where the UR10's first and last wrist axis are in line, the gaze
+/// at a target ahead of it.
+Scenario through_the_wrist(const Vec3& sway, double frequency) {
   Scenario scenario = load_scenario("moving_target");
-  scenario.mask = TaskMask::kPosition;
-  const JointVector q = best_start_of_task(scenario);
-  PathWalk walk = walk_path(scenario, q, 0.0);
-  ASSERT_EQ(trouble(walk, scenario), "");
-  walk.manipulability.value = 0.019 * walk.largest_manipulability;
+  const Poses poses = test::poses_at(scenario.robot->chain, in_si(*scenario.robot, kWristInLine));
+  scenario.path = {poses.p_0T, frequency, 0.0, {{1, sway, Vec3::Zero()}}};
+  scenario.targets = {{"ahead", {poses.p_0T + 0.5 * poses.R_0T.col(2), 0.0, 0.0, {}}}};
+  return scenario;
+}
+
+/// From the pose of its beginning that is close to q.
+PathWalk walk_from(const Scenario& scenario, JointVector q) {
+  const ToolGoal begin{scenario.path.at(0.0).position, scenario.targets[0].path.at(0.0).position};
+  EXPECT_TRUE(reach_goal(*scenario.robot, begin, q));
+  return walk_path(scenario, q, 0.0);
+}
+
+TEST(PathWalk, SaysWhereASingularityIsPassed) {
+  const Scenario scenario = through_the_wrist(Vec3(0.0, 0.0, 0.1), 0.6);
+  JointVector q = in_si(*scenario.robot, kWristInLine);
+  q[4] += 0.3;
+  const PathWalk walk = walk_from(scenario, q);
+  EXPECT_LT(walk.error.value, 1e-3);
+  EXPECT_LT((walk.manipulability.tool - scenario.path.center).norm(), 2e-3);  // a step takes 1.2 mm there
+  EXPECT_FALSE(is_clear(walk));
   EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), HasSubstr("manipulability is")));
+}
+
+TEST(PathWalk, APathThatIsLostInASingularityHasNotLeftTheWorkspace) {
+  // Aside to the line on which the wrist could turn over in time.
+  const Scenario scenario = through_the_wrist(Vec3(0.15, 0.0, 0.0), 2.0);
+  JointVector q(6);
+  q << 0.44, -1.43, -1.39, -3.46, -0.16, 0.0;
+  const PathWalk walk = walk_from(scenario, q);
+  EXPECT_GT(walk.error.value, 1e-2);
+  EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), testing::Not(HasSubstr("workspace"))));
+}
+
+TEST(PathWalk, LongScenariosAreGoneAlongInABoundedNumberOfSteps) {
+  Scenario scenario = load_scenario("moving_target");  // 40 s; its target moves on
+  const JointVector q = in_si(*scenario.robot, published(scenario).joint_space_goal);
+  EXPECT_EQ(walk_from(scenario, q).steps, 2000);
+  for (const double duration : {800.0, 1e5}) {
+    scenario.duration = duration;
+    const PathWalk walk = walk_from(scenario, q);
+    EXPECT_EQ(walk.steps, 20000) << duration;
+    EXPECT_LT(walk.error.value, 1e-3) << duration << ": longer steps are short enough to follow the path";
+  }
 }
 
 TEST(PathWalk, SaysWhichJointLeavesItsLimits) {

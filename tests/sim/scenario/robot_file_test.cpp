@@ -127,6 +127,24 @@ TEST(RobotFile, WhatIsMissingIsAYamlThatLoadsOnceItIsFilledIn) {
   EXPECT_TRUE(missing_data(file.urdf, read_robot_file(path).options).empty());
 }
 
+TEST(RobotFile, MissingPositionLimitsAreAskedForToo) {
+  const test::TemporaryFolder folder;
+  const std::string urdf = folder.write(
+      "bare.urdf",
+      "<robot name='r'><link name='a'/><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+      "izz='1' ixy='0' ixz='0' iyz='0'/></inertial></link><joint name='j' type='revolute'><parent link='a'/>"
+      "<child link='b'/><axis xyz='0 0 1'/><limit velocity='2' effort='3'/></joint></robot>");
+  std::string text = missing_yaml(urdf, missing_data(urdf));
+  for (const auto& [key, value] : {std::pair("lower:", " -0.5"), std::pair("upper:", " 0.75")}) {
+    const auto at = text.find(key);
+    ASSERT_NE(at, std::string::npos) << text;
+    text.insert(at + std::string(key).size(), value);
+  }
+  const auto arm = load_robot(folder.write("arm.yaml", text));
+  EXPECT_EQ(arm->joints[0].limits.lower, -0.5);
+  EXPECT_EQ(arm->joints[0].limits.upper, 0.75);
+}
+
 TEST(RobotFile, WhatDoesNotFitIsRefusedInOneLine) {
   const test::TemporaryFolder folder;
   const auto refused = [&](const std::string& rest) {

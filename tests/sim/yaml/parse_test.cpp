@@ -96,7 +96,7 @@ TEST(Parse, DoesNotTakeABracketThatIsNeverClosedForAKey) {
 
 TEST(Parse, RefusesAQuoteThatIsNeverClosed) {
   EXPECT_EQ(parse_error("a: 1\nname: \"abc\nduration: 5\n"),
-            "in.yaml:2: key 'name': the quote \" opened here is never closed");
+            "in.yaml:2: key 'name': the quote \" opened here is never closed; close it");
   EXPECT_TRUE(
       contains(parse_error("name: 'it''s\nduration: 5\n"), "the quote ' opened here is never closed"));
   EXPECT_TRUE(contains(parse_error("name: \"abc\\\"\n"), "never closed"));
@@ -129,7 +129,8 @@ TEST(Parse, RefusesAnEmptyDocument) {
 TEST(ParseLimits, AcceptsTheGreatestDepthAndRefusesOneMore) {
   const auto nested = [](std::size_t n) { return std::string(n, '[') + std::string(n, ']'); };
   EXPECT_EQ(parse_error(nested(kMaxDepth)), "no error");
-  EXPECT_EQ(parse_error(nested(kMaxDepth + 1)), "in.yaml:1: nested more than 64 levels deep");
+  EXPECT_EQ(parse_error(nested(kMaxDepth + 1)),
+            "in.yaml:1: nested more than 64 levels deep; armtune's files need no more than 10");
   EXPECT_TRUE(contains(parse_error(repeat("- ", kMaxDepth + 1) + "x"), "nested more than 64"));
 }
 

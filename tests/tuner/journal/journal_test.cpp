@@ -208,6 +208,11 @@ TEST_F(JournalFile, ABitFlippedAnywhereIsFoundNeverTaken) {
   EXPECT_EQ(refused + recovered, 200);
 }
 
+TEST(RunHeader, ALineWithoutEndIsNotReadIntoTheMemory) {
+  EXPECT_THAT(test::refusal([] { read_run_header("/dev/zero"); }),
+              AllOf(HasSubstr("/dev/zero:1: a line of more than 64 MB"), HasSubstr("no journal of armtune")));
+}
+
 TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {
   std::string text = test::read_text(written());
   const std::size_t third = text.find("finished\t1\t");

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tests/sim/support/read_back.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/robustness/margin_report.hpp"
 
@@ -245,6 +246,48 @@ TEST_F(Margins, AreShownSideBySide) {
   EXPECT_THAT(table, AllOf(HasSubstr("start"), HasSubstr("tuned"), HasSubstr("control_rate [Hz]"),
                            HasSubstr(" ms)"), HasSubstr("tuned: gain_factor fails at ")));
   EXPECT_THAT(margins_by_scenario(found().scenarios, found().all), HasSubstr("\nrealistic_fixed_target "));
+}
+
+TEST(MarginsCsv, ReadsBackToTheBitAndIsEmptyWhereNothingStandsOrFails) {
+  std::vector<Scenario> scenarios(3);
+  scenarios[0].name = test::kAwkwardText;
+  scenarios[1].name = test::kFormula;
+  scenarios[2].name = "plain";
+  std::vector<Margin> all;
+  for (std::size_t k = 0; k < kMarginCount; ++k) {
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+      const std::size_t i = all.size();
+      Margin& m = all.emplace_back();
+      m.kind = static_cast<MarginKind>(k);
+      m.scenario = scenarios[s].name;
+      m.nominal = i % 4 == 3 ? test::no_figures()[k] : test::awkward(i);
+      if (i % 5 != 0) m.stands = test::awkward(i + 1);
+      if (i % 3 != 1) m.fails = test::awkward(i + 2);
+      if (m.fails) m.reason = i % 2 == 0 ? test::kAwkwardText : test::kFormula;
+    }
+  }
+  all.pop_back();  // of the last kind a scenario is missing
+  test::ReadBack read(margins_csv(scenarios, all));
+  std::size_t row = 0;
+  const auto expect_row = [&](const Margin& m, const std::string& scenario, const std::string& reason) {
+    read.text(row, "margin", name(m.kind));
+    read.text(row, "unit", field(m.kind).unit);
+    read.text(row, "scenario", scenario);
+    read.number(row, "nominal", m.nominal);
+    read.number(row, "stands", m.stands.value_or(NAN));
+    read.number(row, "fails", m.fails.value_or(NAN));
+    read.text(row++, "reason", reason);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    expect_row(all[i], all[i].scenario, all[i].reason);
+    if (i % scenarios.size() != scenarios.size() - 1) continue;
+    const auto smallest = least(scenarios, all, all[i].kind);
+    ASSERT_TRUE(smallest);
+    expect_row(*smallest, "all",
+               smallest->fails ? smallest->scenario + ": " + smallest->reason : std::string());
+  }
+  read.expect_all_seen(row);
+  EXPECT_EQ(row, kMarginCount * 4 - 2) << "no least of a margin that one scenario is without";
 }
 
 TEST(MarginFields, TheNominalValueChangesNothing) {

@@ -196,5 +196,26 @@ TEST(Solver, AnUnknownAlgorithmIsRefusedWithTheNearest) {
   for (const std::string& name : algorithm_names()) EXPECT_THAT(message, testing::HasSubstr(name));
 }
 
+TEST(Solver, DoesNotOfferWhatNLoptDoesBadly) {
+  // NEWUOA_BOUND, AGS, STOGO and PRAXIS, by NLopt's names with and without what it puts in front of them.
+  for (const char* name :
+       {"NEWUOA_BOUND", "LN_NEWUOA_BOUND", "NLOPT_LN_NEWUOA_BOUND", "AGS", "GN_AGS", "NLOPT_GN_AGS", "STOGO",
+        "GD_STOGO", "NLOPT_GD_STOGO", "PRAXIS", "LN_PRAXIS", "NLOPT_LN_PRAXIS"}) {
+    EXPECT_THAT(algorithm_names(), testing::Not(testing::Contains(name)));
+    const std::string message = test::refusal([&] { algorithm_from_name(name); });
+    EXPECT_THAT(message, testing::StartsWith(std::string("algorithm '") + name + "' is not offered"));
+    EXPECT_EQ(test::refusal([&] { algorithm_for(name, 2); }), message);
+    SolverProblem problem;
+    problem.start = {0.5, 0.5};
+    problem.evaluate = [](const std::vector<SolverPoint>&, std::vector<SolverValue>&) {
+      ADD_FAILURE() << "asked for a point";
+      return false;
+    };
+    SolverOptions options;
+    options.algorithm = name;
+    EXPECT_EQ(test::refusal([&] { minimize(problem, options); }), message);
+  }
+}
+
 }  // namespace
 }  // namespace armtune

@@ -114,6 +114,27 @@ TEST_F(WarmStudyFile, ReadsBackFromItsResolvedFormWithTheGainsKeptBesideIt) {
   EXPECT_FALSE(load_study(files_.write("cold.yaml", study_yaml(study, "gains.yaml"))).warm);
 }
 
+TEST_F(WarmStudyFile, ATunedGainThatTheWarmGainsLeaveOutIsRefusedUnlessOthersAreNamed) {
+  const Study study = load_study(files_.path());
+  ParameterSpace space = study.space;
+  for (const GainEntry& entry : gain_entries(joint_names(*study.scenarios[0].robot))) {
+    if (std::string(entry.field->name) == "joint_space_goal" && entry.component == 0)
+      space.free.push_back({entry, value(space.start, entry), -180.0, 180.0, Scale::kLinear});
+  }
+  ASSERT_EQ(space.free.size(), 3U);
+  WarmStart warm;
+  warm.source = "other.yaml";
+  warm.gains = space.start;
+  warm.gains.task_space_gains_p[3] = 40.0;
+  warm.gains.joint_space_goal.resize(0);
+  EXPECT_THAT(test::refusal([&] { warm_point(space, warm); }),
+              AllOf(HasSubstr("other.yaml: no joint_space_goal"), HasSubstr("name the gains")));
+  warm.parameters = {"task_space_gains_p"};
+  const WarmPoint point = warm_point(space, warm);
+  EXPECT_NEAR(space.gains_at(point.x).task_space_gains_p[3], 40.0, 1e-12);
+  EXPECT_EQ(point.x[2], space.start_point()[2]);
+}
+
 TEST_F(WarmStudyFile, WhatCannotBeBegunAtIsRefused) {
   gains("other.yaml", 40.0, 3.0);
   EXPECT_THAT(refusal("from: nowhere.yaml"), HasSubstr("nowhere.yaml"));

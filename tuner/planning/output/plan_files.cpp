@@ -1,5 +1,6 @@
 #include "tuner/planning/output/plan_files.hpp"
 
+#include "core/common/message_text.hpp"
 #include "sim/csv/cell.hpp"
 
 namespace armtune {
@@ -16,9 +17,9 @@ void add_row(const std::vector<PlanColumn>& columns, const PlanSample& at, std::
   text += '\n';
 }
 
-/// In quotes: names may hold commas.
+/// In quotes: names may hold commas. Behind an apostrophe where a spreadsheet would take it for a formula.
 std::string text_cell(const std::string& text) {
-  std::string out = "\"";
+  std::string out = is_formula(text) ? "\"'" : "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
 }

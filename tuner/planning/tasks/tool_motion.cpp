@@ -6,15 +6,25 @@
 
 #include "core/control/pose_search.hpp"
 #include "core/control/task_goal.hpp"
+#include "core/control/task_inverse.hpp"
 
 namespace armtune {
 namespace {
 
 constexpr double kInnerStep = 1e-3;  // s, of the inverse kinematics along a path
 
-double manipulability(const Jacobian& J) {
-  const Eigen::Matrix<double, 6, 6> A = J * J.transpose();
-  return std::sqrt(std::max(0.0, A.determinant()));
+/// Of the components that the joints can hold of a tool that looks, or does not. For six joints and more that
+/// is the whole pose, by a sum in another order than TaskInverse's: poses of equal worth stay where they
+/// were.
+double manipulability(const Jacobian& J, const Mat3& R_0T, bool looks) {
+  if (J.cols() >= 6) {
+    const Eigen::Matrix<double, 6, 6> A = J * J.transpose();
+    return std::sqrt(std::max(0.0, A.determinant()));
+  }
+  TaskInverse inverse;
+  inverse.compute(J, {0.0, 1.0, 0.0}, looks ? largest_mask(static_cast<int>(J.cols())) : TaskMask::kPosition,
+                  R_0T);
+  return inverse.manipulability();
 }
 
 }  // namespace
@@ -29,7 +39,7 @@ std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
     Jacobian J;
     forward_kinematics(robot.chain, q, poses);
     tool_jacobian(robot.chain, poses, J);
-    return manipulability(J);
+    return manipulability(J, poses.R_0T, target.has_value());
   });
 }
 

@@ -1,0 +1,173 @@
+#include "sim/scenario/path_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+
+#include "sim/scenario/random_targets.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr long kMostRandomTargets = 1000;
+constexpr long kHighestOrder = 1000;
+
+Vec3 read_vec3(const yaml::Node& node) {
+  return Vec3(node.as_numbers(3).data());
+}
+
+/// A vector that says a direction or an extent.
+Vec3 read_extent(const yaml::Node& node) {
+  const Vec3 extent = read_vec3(node);
+  if (extent.norm() == 0.0) node.fail("is zero; it must have a direction and a length");
+  return extent;
+}
+
+double read_positive(const yaml::Node& node, const char* unit) {
+  const double value = node.as_number();
+  if (!(value > 0.0)) node.fail(fmt::format("{} {}; it must be above zero", value, unit));
+  return value;
+}
+
+/// What all closed curves have.
+HarmonicPath read_turning(yaml::MapReader& map) {
+  HarmonicPath path;
+  path.center = read_vec3(map.required("center"));
+  path.frequency = 2.0 * kPi / read_positive(map.required("period"), "s");
+  path.phase = map.number("start_deg", 0.0) * kPi / 180.0;
+  return path;
+}
+
+/// Two unit vectors that span the plane with this normal, the first as near to the x axis as it can be; the
+/// second is a right-handed quarter turn on.
+std::array<Vec3, 2> plane_of(const Vec3& normal) {
+  const Vec3 n = normal.normalized();
+  constexpr double kAlmostOne = 0.99;
+  const Vec3 near = std::abs(n.x()) < kAlmostOne ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 first = (near - near.dot(n) * n).normalized();
+  return {first, n.cross(first)};
+}
+
+HarmonicPath read_circle(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  HarmonicPath path = read_turning(map);
+  const double radius = read_positive(map.required("radius"), "m");
+  const yaml::Node* normal = map.optional("normal");
+  const auto [first, second] = plane_of(normal == nullptr ? Vec3(Vec3::UnitZ()) : read_extent(*normal));
+  map.finish();
+  path.terms = {{1, radius * first, radius * second}};
+  return path;
+}
+
+HarmonicPath read_ellipse(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  HarmonicPath path = read_turning(map);
+  path.terms = {{1, read_extent(map.required("axis_1")), read_extent(map.required("axis_2"))}};
+  map.finish();
+  return path;
+}
+
+/// p = c + l sin(phi) + w sin(2 phi): both loops are gone through in one period.
+HarmonicPath read_figure_eight(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  HarmonicPath path = read_turning(map);
+  path.terms = {{1, Vec3::Zero(), read_extent(map.required("length"))},
+                {2, Vec3::Zero(), read_extent(map.required("width"))}};
+  map.finish();
+  return path;
+}
+
+HarmonicPath read_hold(const yaml::Node& node) {
+  HarmonicPath path;
+  path.center = read_vec3(node);
+  return path;
+}
+
+struct Curve {
+  const char* key;
+  HarmonicPath (*read)(const yaml::Node&);
+};
+constexpr std::array<Curve, 4> kCurves = {{{"circle", read_circle},
+                                           {"ellipse", read_ellipse},
+                                           {"figure_eight", read_figure_eight},
+                                           {"hold", read_hold}}};
+
+HarmonicTerm read_term(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  HarmonicTerm term;
+  const yaml::Node& order = map.required("order");
+  const long value = order.as_integer();
+  if (value < 0 || value > kHighestOrder)
+    order.fail(fmt::format("order is {}; it must lie in 0 .. {}", value, kHighestOrder));
+  term.order = static_cast<int>(value);
+  if (const yaml::Node* cosine = map.optional("cos")) term.cosine = read_vec3(*cosine);
+  if (const yaml::Node* sine = map.optional("sin")) term.sine = read_vec3(*sine);
+  map.finish();
+  return term;
+}
+
+}  // namespace
+
+HarmonicPath read_path(yaml::MapReader& map) {
+  const yaml::Node* chosen = nullptr;
+  HarmonicPath path;
+  for (const Curve& curve : kCurves) {
+    const yaml::Node* node = map.optional(curve.key);
+    if (node == nullptr) continue;
+    if (chosen != nullptr) node->fail("the path is another curve already; keep one of them");
+    chosen = node;
+    path = curve.read(*node);
+  }
+  for (const char* key : {"center", "frequency", "phase", "terms"}) {
+    if (map.has(key) && chosen != nullptr)
+      chosen->fail(fmt::format("stands beside '{}', which is of a sum of harmonics; keep one of them", key));
+  }
+  if (chosen != nullptr) return path;
+  path.center = read_vec3(map.required("center"));
+  path.frequency = map.number("frequency", 0.0);
+  path.phase = map.number("phase", 0.0);
+  if (const yaml::Node* terms = map.optional("terms")) {
+    for (const yaml::Node& item : terms->items()) path.terms.push_back(read_term(item));
+  }
+  return path;
+}
+
+std::vector<NamedPath> read_named_paths(const yaml::Node& node) {
+  std::vector<NamedPath> paths;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    NamedPath& added = paths.emplace_back();
+    added.name = map.required("name").as_string();
+    added.path = read_path(map);
+    map.finish();
+  }
+  return paths;
+}
+
+std::vector<NamedPath> read_targets(const yaml::Node& node) {
+  if (node.kind() != yaml::Node::Kind::kMap) return read_named_paths(node);
+  yaml::MapReader outer(node);
+  const yaml::Node& random = outer.required("random");
+  outer.finish();
+  yaml::MapReader map(random);
+  const yaml::Node& count_node = map.required("count");
+  const long count = count_node.as_integer();
+  if (count < 1 || count > kMostRandomTargets) {
+    count_node.fail(fmt::format("{} targets; it must lie in 1 .. {}", count, kMostRandomTargets));
+  }
+  const Vec3 low = read_vec3(map.required("low"));
+  const yaml::Node& high_node = map.required("high");
+  const Vec3 high = read_vec3(high_node);
+  if (!(high.array() >= low.array()).all()) high_node.fail("a coordinate is below that of low");
+  const long seed = map.integer("seed", 1);
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  map.finish();
+  return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
+}
+
+}  // namespace armtune

@@ -1,0 +1,101 @@
+// Gains beyond use under the reference stepper, whose error control could be busy with them for ever: the
+// rollout ends, with a status that says when, where and why.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <ostream>
+
+#include "sim/rollout/rollout.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+struct Beyond {
+  const char* name;
+  const char* scenario;
+  std::function<void(Gains&)> change;
+  bool diverges;  ///< for sure: a torque is no number
+};
+
+std::ostream& operator<<(std::ostream& out, const Beyond& beyond) {
+  return out << beyond.name;
+}
+
+/// In a second of a scenario the Cartesian law comes to act only if leaving the start pose takes less.
+void leave_soon(Gains& gains) {
+  gains.joint_trajectory_duration = 0.25;
+}
+
+const std::vector<Beyond> kBeyond = {
+    {"JointKdNaN", "moving_target", [](Gains& g) { g.joint_space_gains_d[3] = NAN; }, true},
+    {"JointKpNaN", "moving_target", [](Gains& g) { g.joint_space_gains_p[0] = NAN; }, true},
+    {"CartesianKpNaN", "moving_target",
+     [](Gains& g) {
+       leave_soon(g);
+       g.task_space_gains_p[0] = NAN;
+     },
+     true},
+    {"CartesianKdNaN", "realistic_moving_target",
+     [](Gains& g) {
+       leave_soon(g);
+       g.task_space_gains_d[5] = NAN;
+     },
+     true},
+    {"KdChatters", "realistic_moving_target",
+     [](Gains& g) {
+       leave_soon(g);
+       g.task_space_gains_d *= 1e4;
+     },
+     false},
+    {"KdChattersFromTheStart", "realistic_moving_target",
+     [](Gains& g) {
+       g.joint_space_gains_d *= 1e4;
+       g.task_space_gains_d *= 1e4;
+     },
+     false},
+};
+
+class ReferenceExtremes : public testing::TestWithParam<Beyond> {};
+
+TEST_P(ReferenceExtremes, EndWithAStatusBeforeTheDeadline) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::seconds kDeadline(60);  // the release build needs a few
+  const Scenario scenario = test::scenario_of(GetParam().scenario, 1.0);
+  Gains gains = test::quick_gains(scenario);
+  GetParam().change(gains);
+  const Clock::time_point begin = Clock::now();
+  const RolloutResult result = Rollout(scenario, Stepper::kReference).run(gains, [&](const Observation&) {
+    return Clock::now() - begin < kDeadline;
+  });
+  EXPECT_NE(result.status, RolloutStatus::kInterrupted) << "not done after 60 s: " << result.reason;
+  EXPECT_LE(result.end_time, scenario.duration + 1e-9);
+  for (const Metric metric : all_metrics()) EXPECT_FALSE(std::isinf(result.metrics[metric])) << name(metric);
+  switch (result.status) {
+    case RolloutStatus::kDiverged:
+      EXPECT_THAT(result.reason, testing::MatchesRegex("diverged at [0-9.]+ s in [a-zA-Z]+: .*"));
+      break;
+    case RolloutStatus::kCompleted:
+      EXPECT_EQ(result.reason, "");
+      break;
+    default:
+      EXPECT_EQ(result.status, RolloutStatus::kNoSamples) << result.reason;
+      EXPECT_NE(result.reason, "");
+  }
+  if (GetParam().diverges) {
+    EXPECT_EQ(result.status, RolloutStatus::kDiverged);
+    EXPECT_LE(result.end_time, gains.joint_trajectory_duration + 0.01);
+  }
+  RecordProperty("ended_as", name(result.status));
+  RecordProperty("reason", result.reason);
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ReferenceExtremes, testing::ValuesIn(kBeyond),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace armtune

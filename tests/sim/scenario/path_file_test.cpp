@@ -1,0 +1,115 @@
+// Named curves are the harmonics that a textbook writes for them, and mistakes in them are named.
+
+#include "sim/scenario/path_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/yaml/document.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+constexpr double kPi = std::numbers::pi;
+constexpr double kRounding = 1e-12;
+
+HarmonicPath path_of(const std::string& text) {
+  const yaml::Node node = yaml::parse_text(text, "path.yaml");
+  yaml::MapReader map(node);
+  HarmonicPath path = read_path(map);
+  map.finish();
+  return path;
+}
+
+TEST(PathFile, ACircleKeepsItsRadiusAndPlaneAndTurnsRightHandedlyAboutItsNormal) {
+  const Vec3 center(0.5, -0.2, 0.7), normal(1.0, 2.0, -0.5);
+  const HarmonicPath path =
+      path_of("circle: {center: [0.5, -0.2, 0.7], radius: 0.12, period: 8, normal: [1, 2, -0.5]}\n");
+  const Vec3 n = normal.normalized();
+  for (double t = 0.0; t < 20.0; t += 0.31) {
+    const MotionPoint<Vec3> at = path.at(t);
+    EXPECT_NEAR((at.position - center).norm(), 0.12, kRounding);
+    EXPECT_NEAR((at.position - center).dot(n), 0.0, kRounding);
+    // v = w n x r, with 2 pi in 8 s.
+    EXPECT_LT((at.velocity - 2.0 * kPi / 8.0 * n.cross(at.position - center)).norm(), kRounding);
+  }
+  EXPECT_LT((path.at(8.0).position - path.at(0.0).position).norm(), kRounding);
+}
+
+TEST(PathFile, ACircleIsHorizontalAndBeginsOnXUnlessSaidOtherwise) {
+  const HarmonicPath plain = path_of("circle: {center: [1, 2, 3], radius: 0.5, period: 4}\n");
+  EXPECT_LT((plain.at(0.0).position - Vec3(1.5, 2.0, 3.0)).norm(), kRounding);
+  EXPECT_LT((plain.at(1.0).position - Vec3(1.0, 2.5, 3.0)).norm(), kRounding);
+  const HarmonicPath later = path_of("circle: {center: [1, 2, 3], radius: 0.5, period: 4, start_deg: 90}\n");
+  EXPECT_LT((later.at(0.0).position - Vec3(1.0, 2.5, 3.0)).norm(), kRounding);
+  const HarmonicPath about_x =
+      path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [3, 0, 0]}\n");
+  EXPECT_NEAR(about_x.at(0.7).position.x(), 0.0, kRounding);
+  EXPECT_NEAR(about_x.at(0.7).position.norm(), 1.0, kRounding);
+}
+
+TEST(PathFile, AnEllipseIsTheAffineImageOfTheUnitCircle) {
+  const HarmonicPath path = path_of(
+      "ellipse: {center: [1, 0, 0], axis_1: [0.2, 0, 0.1], axis_2: [0, 0.05, 0], period: 6, start_deg: "
+      "30}\n");
+  const Vec3 a(0.2, 0.0, 0.1), b(0.0, 0.05, 0.0);
+  for (double t = 0.0; t < 12.0; t += 0.37) {
+    const Vec3 r = path.at(t).position - Vec3(1.0, 0.0, 0.0);
+    const double u = r.dot(a) / a.squaredNorm(), v = r.dot(b) / b.squaredNorm();
+    EXPECT_NEAR(u * u + v * v, 1.0, kRounding);
+    EXPECT_NEAR(std::remainder(std::atan2(v, u) - (kPi / 6.0 + 2.0 * kPi * t / 6.0), 2.0 * kPi), 0.0, 1e-9);
+  }
+}
+
+TEST(PathFile, AFigureEightCrossesItsMiddleTwiceAPeriodAndIsSymmetric) {
+  const HarmonicPath path =
+      path_of("figure_eight: {center: [0, 1, 2], length: [0.3, 0, 0], width: [0, 0, 0.1], period: 10}\n");
+  const Vec3 center(0.0, 1.0, 2.0);
+  for (const double t : {0.0, 5.0, 10.0}) EXPECT_LT((path.at(t).position - center).norm(), kRounding);
+  EXPECT_NEAR(path.at(2.5).position.x(), 0.3, kRounding) << "as long as it was said to be";
+  EXPECT_NEAR(path.at(1.25).position.z(), 2.1, kRounding) << "and as wide";
+  for (double t = 0.0; t < 10.0; t += 0.41) {
+    const Vec3 r = path.at(t).position - center, half_on = path.at(t + 5.0).position - center;
+    // x = L sin a, z = W sin 2a: z^2 / W^2 = 4 s^2 (1 - s^2) with s = x / L.
+    const double s = r.x() / 0.3;
+    EXPECT_NEAR(r.z() * r.z() / 0.01, 4.0 * s * s * (1.0 - s * s), 1e-9);
+    EXPECT_LT((half_on - Vec3(-r.x(), r.y(), r.z())).norm(), 1e-9) << "the other loop is its mirror image";
+  }
+}
+
+TEST(PathFile, AHeldPointRests) {
+  const HarmonicPath path = path_of("hold: [0.1, 0.2, 0.3]\n");
+  for (const double t : {0.0, 1.7, 1e4}) {
+    EXPECT_EQ(path.at(t).position, Vec3(0.1, 0.2, 0.3));
+    EXPECT_EQ(path.at(t).velocity, Vec3(0.0, 0.0, 0.0));
+  }
+}
+
+TEST(PathFile, MistakesAreNamedWithLineAndKey) {
+  const auto said = [](const std::string& text) { return test::refusal([&] { path_of(text); }); };
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 0, period: 4}\n"),
+              AllOf(HasSubstr("path.yaml:1"), HasSubstr("circle/radius"), HasSubstr("above zero")));
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: -4}\n"),
+              AllOf(HasSubstr("circle/period"), HasSubstr("-4 s; it must be above zero")));
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1}\n"), HasSubstr("period"));
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [0, 0, 0]}\n"),
+              AllOf(HasSubstr("circle/normal"), HasSubstr("is zero")));
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: 4, phase: 1}\n"),
+              AllOf(HasSubstr("phase"), HasSubstr("start_deg")));
+  EXPECT_THAT(said("ellipse: {center: [0, 0, 0], axis_1: [1, 0, 0], period: 4}\n"), HasSubstr("axis_2"));
+  EXPECT_THAT(said("hold: [0, 0]\n"), HasSubstr("hold"));
+  EXPECT_THAT(said("hold: [0, 0, 1]\nfrequency: 2\n"),
+              AllOf(HasSubstr("hold"), HasSubstr("beside 'frequency'")));
+  EXPECT_THAT(said("hold: [0, 0, 1]\ncircle: {center: [0, 0, 0], radius: 1, period: 4}\n"),
+              HasSubstr("another curve already"));
+  EXPECT_THAT(said("circel: {center: [0, 0, 0]}\n"), HasSubstr("center"));
+}
+
+}  // namespace
+}  // namespace armtune
