@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/control/axis_error.hpp"
 #include "core/control/obstacle_impedance.hpp"
 #include "core/control/velocity_barrier.hpp"
 #include "core/control/velocity_governor.hpp"
@@ -168,11 +169,16 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   if (gaze.slerping) integral_.setZero();
   CartesianErrors& x = out_.errors;
   // Outside a slerp the way to the desired orientation is the turn onto the target itself.
-  x.pose << arm.p_0T - out_.desired.position,
-      gaze.slerping ? Vec3(-rotation_log(gaze.desired.orientation * Q_0T.conjugate())) : Vec3(-gaze.turn);
+  const bool turns_freely = mask_ == TaskMask::kPositionAndAxis;
+  x.pose << arm.p_0T - out_.desired.position, Vec3(-gaze.turn);
+  if (gaze.slerping) {
+    x.pose.tail<3>() = turns_freely ? axis_error(arm.R_0T, gaze.desired.orientation)
+                                    : Vec3(-rotation_log(gaze.desired.orientation * Q_0T.conjugate()));
+  }
   x.desired_rate << out_.desired.velocity, gaze.desired.angular_velocity;
   x.desired_accel << out_.desired.acceleration, gaze.desired.angular_acceleration;
   x.rate = arm.twist - x.desired_rate;
+  if (turns_freely) x.rate.tail<3>() = axis_rate(arm.R_0T, x.rate.tail<3>());
   x.integral = integral_;
   // No position control while avoiding, so that the repulsion meets damping only.
   if (avoiding) x.rate.head<3>().setZero();

@@ -78,8 +78,7 @@ void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
   const std::size_t most = count_separators(text_) + 1;
   // A user's file is small enough whatever is in it.
   if (origin == CsvOrigin::kArmtune && most > kMaxCells) {
-    throw InputError(
-        fmt::format("{}: more than {} cells; record fewer rows (simulate --record-every)", name_, kMaxCells));
+    throw InputError(fmt::format("{}: more than {} cells; expected a smaller file", name_, kMaxCells));
   }
   begin_.reserve(most);
   end_.reserve(most);
@@ -93,8 +92,8 @@ void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
     if (origin == CsvOrigin::kArmtune && !cell.has_line_end) break;
     if (cells.open_quote_line() > 0) refuse_open_quote(cells, name_);
     if (in_row != width) {
-      throw InputError(
-          fmt::format("{}:{}: {} cells where the header has {}", name_, rows_ + 2, in_row, width));
+      throw InputError(fmt::format("{}:{}: {} cells where the header has {}; every row needs as many", name_,
+                                   rows_ + 2, in_row, width));
     }
     ++rows_;
     in_row = 0;

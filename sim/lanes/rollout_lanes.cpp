@@ -220,7 +220,7 @@ void RolloutLanes::move() {
     arms_->get_observed(l, {pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, o.obstacle_distance,
                         o.compensation_error);
     o.poses = &pose;
-    see_errors(lane->running.sees_exactly(), o);
+    see_errors(lane->running.sees_exactly(), kind_.mask, o);
     if (lane->running.judge({})) {
       arms_->put_torque(l, o.applied->data());
       moving[static_cast<std::size_t>(l)] = true;

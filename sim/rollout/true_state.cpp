@@ -1,5 +1,6 @@
 #include "sim/rollout/true_state.hpp"
 
+#include "core/control/axis_error.hpp"
 #include "core/control/obstacle_impedance.hpp"
 #include "core/trajectory/gaze.hpp"
 
@@ -23,10 +24,10 @@ void TrueState::observe(const RunningRollout& running, const Controller& control
   theta_error_ = *o.theta - theta_true_;
   slotine_li_torque(chain_, *o.poses, exact ? controller.motion() : motion_, theta_error_, torque_error_);
   o.compensation_error = norm(torque_error_);
-  see_errors(running.sees_exactly(), o);
+  see_errors(running.sees_exactly(), running.scenario().mask, o);
 }
 
-void see_errors(bool exact, Observation& o) {
+void see_errors(bool exact, TaskMask mask, Observation& o) {
   const ControlOutput& control = *o.control;
   const Poses& poses = *o.poses;
   const Vec3 turn = exact && !tracks_joints(control.state)
@@ -41,11 +42,16 @@ void see_errors(bool exact, Observation& o) {
     o.error_rate.head<3>() = o.twist.head<3>() - control.desired.velocity;
   }
   // Outside a slerp the desired orientation is where the true tool should look; inside, the slerp's.
-  o.error.tail<3>() =
-      control.slerping
-          ? Vec3(-rotation_log(control.desired_gaze.orientation * Eigen::Quaterniond(poses.R_0T).conjugate()))
-          : Vec3(-turn);
-  o.error_rate.tail<3>() = o.twist.tail<3>() - control.desired_gaze.angular_velocity;
+  const bool turns_freely = mask == TaskMask::kPositionAndAxis;
+  const Eigen::Quaterniond& desired = control.desired_gaze.orientation;
+  o.error.tail<3>() = -turn;
+  if (control.slerping) {
+    o.error.tail<3>() = turns_freely
+                            ? axis_error(poses.R_0T, desired)
+                            : Vec3(-rotation_log(desired * Eigen::Quaterniond(poses.R_0T).conjugate()));
+  }
+  const Vec3 rate = o.twist.tail<3>() - control.desired_gaze.angular_velocity;
+  o.error_rate.tail<3>() = turns_freely ? axis_rate(poses.R_0T, rate) : rate;
 }
 
 }  // namespace armtune

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,9 +24,24 @@ Vec3 read_vec3(const yaml::Node& node) {
 
 /// A vector that says a direction or an extent.
 Vec3 read_extent(const yaml::Node& node) {
-  const Vec3 extent = read_vec3(node);
-  if (extent.norm() == 0.0) node.fail("is zero; it must have a direction and a length");
+  Vec3 extent = read_vec3(node);
+  if (extent.isZero(0.0)) node.fail("is zero; it must have a direction and a length");
   return extent;
+}
+
+/// Beyond these a double does not tell one period from the next; what moves so fast is no motion of an arm.
+constexpr double kFastest = 1e6;    // rad/s
+constexpr double kMostTurns = 1e6;  // rad
+
+/// Throws InputError at `node` for a path whose highest harmonic or phase is none that can be followed.
+void require_sensible(const HarmonicPath& path, const yaml::Node& node) {
+  int highest = 1;
+  for (const HarmonicTerm& term : path.terms) highest = std::max(highest, term.order);
+  const double fastest = std::abs(path.frequency) * highest;
+  if (!(fastest <= kFastest))
+    node.fail(fmt::format("its fastest harmonic has {} rad/s; it may have {:.0e}", fastest, kFastest));
+  if (!(std::abs(path.phase) <= kMostTurns))
+    node.fail(fmt::format("it begins at {} rad; it may at {:.0e}", path.phase, kMostTurns));
 }
 
 double read_positive(const yaml::Node& node, const char* unit) {
@@ -46,7 +62,7 @@ HarmonicPath read_turning(yaml::MapReader& map) {
 /// Two unit vectors that span the plane with this normal, the first as near to the x axis as it can be; the
 /// second is a right-handed quarter turn on.
 std::array<Vec3, 2> plane_of(const Vec3& normal) {
-  const Vec3 n = normal.normalized();
+  const Vec3 n = normal.stableNormalized();
   constexpr double kAlmostOne = 0.99;
   const Vec3 near = std::abs(n.x()) < kAlmostOne ? Vec3::UnitX() : Vec3::UnitY();
   const Vec3 first = (near - near.dot(n) * n).normalized();
@@ -122,6 +138,7 @@ HarmonicPath read_path(yaml::MapReader& map) {
     if (chosen != nullptr) node->fail("the path is another curve already; keep one of them");
     chosen = node;
     path = curve.read(*node);
+    require_sensible(path, *node);
   }
   for (const char* key : {"center", "frequency", "phase", "terms"}) {
     if (map.has(key) && chosen != nullptr)
@@ -133,6 +150,9 @@ HarmonicPath read_path(yaml::MapReader& map) {
   path.phase = map.number("phase", 0.0);
   if (const yaml::Node* terms = map.optional("terms")) {
     for (const yaml::Node& item : terms->items()) path.terms.push_back(read_term(item));
+  }
+  for (const char* key : {"phase", "frequency"}) {
+    if (const yaml::Node* node = map.optional(key)) require_sensible(path, *node);
   }
   return path;
 }

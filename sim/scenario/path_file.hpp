@@ -8,13 +8,17 @@
 
 namespace armtune {
 
+// clang-format off
 /// One of these, in the base frame:
+///
 ///   circle: {center, radius, period, normal: [0, 0, 1], start_deg: 0}
-///   ellipse: {center, axis_1, axis_2, period, start_deg: 0}    semi-axes as vectors, from the first to the
-///   second figure_eight: {center, length, width, period, start_deg: 0}   half of either as vectors, begun in
-///   the middle hold: [x, y, z] center, frequency, phase, terms: [{order, cos, sin}]    a sum of harmonics
-///   (core/trajectory/harmonic_path.hpp)
+///   ellipse: {center, axis_1, axis_2, period, start_deg: 0}       semi-axes as vectors, from the first to the second
+///   figure_eight: {center, length, width, period, start_deg: 0}   half of either as vectors, begun in the middle
+///   hold: [x, y, z]
+///   center, frequency, phase, terms: [{order, cos, sin}]          a sum of harmonics (harmonic_path.hpp)
+///
 /// start_deg is where on the curve it begins, of 360. Throws InputError with file, line and key.
+// clang-format on
 HarmonicPath read_path(yaml::MapReader& map);
 
 /// A list of paths with names.

@@ -12,6 +12,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/run/comparison.hpp"
@@ -31,6 +32,7 @@ struct Arguments {
   std::string folder;
   int workers = default_workers();
   bool all_metrics = false;
+  double deadline = 0.0;
 };
 
 /// Short and unique: the folder's or file's name.
@@ -89,6 +91,7 @@ int run(const Arguments& args) {
   SimulateOptions options;
   options.stepper = stepper_from_name(args.stepper);
   options.workers = args.workers;
+  options.deadline = args.deadline;
   ProgressLine line;
   std::vector<ComparedSet> sets;
   for (const std::string& set : args.sets) {
@@ -152,6 +155,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_option("--workers", args->workers, "threads")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
+      ->check(CLI::PositiveNumber);
   command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
   command->add_option("--out", args->folder,
                       "new folder for comparison.csv, errors_<set>.csv and report.html");

@@ -32,5 +32,10 @@ inline constexpr const char* kResumeHelp =
 inline constexpr const char* kDeadlineHelp =
     "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
     "simulated second)";
+/// Of commands whose scenarios stand each for itself.
+inline constexpr const char* kScenarioDeadlineHelp =
+    "wall clock seconds one scenario may take before it is called interrupted (default: 20, and 2 per "
+    "simulated "
+    "second)";
 
 }  // namespace armtune::cli

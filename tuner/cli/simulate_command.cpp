@@ -146,7 +146,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
+  command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
+      ->check(CLI::PositiveNumber);
   add_yardstick_option(*command, args->yardstick);
   command->footer([] {
     return fmt::format("Bundled scenarios: {}\nBundled gains: {}\n",

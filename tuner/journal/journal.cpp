@@ -82,7 +82,23 @@ class Lines {
     place_ += static_cast<long>(line_.size()) + (whole_ ? 1 : 0);
     whole_ = false;
     line_.clear();
-    // std::getline would fill the memory with a line that never ends.
+    try {
+      read_line();
+    } catch (const std::ios_base::failure& e) {
+      throw InputError(fmt::format("{}: cannot read it: {}", path_, e.what()));
+    }
+    if (!whole_ && line_.empty()) return false;
+    ++number_;
+    return true;
+  }
+  const std::string& line() const { return line_; }
+  bool whole() const { return whole_; }
+  long place() const { return place_; }
+  long number() const { return number_; }
+
+ private:
+  /// std::getline would fill the memory with a line that never ends.
+  void read_line() {
     std::streambuf& bytes = *file_.rdbuf();
     for (int byte = bytes.sbumpc(); byte != std::char_traits<char>::eof(); byte = bytes.sbumpc()) {
       if (byte == '\n') {
@@ -96,16 +112,8 @@ class Lines {
       }
       line_ += static_cast<char>(byte);
     }
-    if (!whole_ && line_.empty()) return false;
-    ++number_;
-    return true;
   }
-  const std::string& line() const { return line_; }
-  bool whole() const { return whole_; }
-  long place() const { return place_; }
-  long number() const { return number_; }
 
- private:
   std::string path_;
   std::ifstream file_;
   std::string line_;

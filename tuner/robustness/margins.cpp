@@ -6,8 +6,11 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 
 #include "tuner/workers/parallel.hpp"
+#include "tuner/workers/patience.hpp"
+#include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune {
 namespace {
@@ -56,8 +59,17 @@ class Watch {
 std::optional<std::string> failure(Engine engine, const Scenario& scenario, const Gains& gains,
                                    const MarginOptions& options, const std::atomic<bool>& stop) {
   Watch watch(scenario, options.limits);
+  const double deadline = deadline_of(0.0, scenario);
+  RunningTime time;
   const RolloutResult result =
       Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
+        // Not that it does not stand: what a clock says must not become a margin.
+        if (time.look() > deadline) {
+          throw std::runtime_error(
+              fmt::format("{}: looking for margins, a rollout came to {:.3f} s of {} s simulated within its "
+                          "deadline of {} s; find out what slows it down",
+                          scenario.name, o.time, scenario.duration, deadline));
+        }
         return !stop && watch.goes_on(o);
       });
   if (!watch.failure().empty()) return watch.failure();

@@ -81,8 +81,7 @@ void AppendFile::append(const std::string& text, bool sync) {
   // What goes to a file that nobody can find again is lost: better said at once than in the morning.
   struct stat now {};
   if (::fstat(file_, &now) == 0 && now.st_nlink == 0) {
-    throw std::runtime_error(fmt::format(
-        "{}: was deleted while the run went on, and with it what was finished; begin it anew", path_));
+    throw std::runtime_error(fmt::format("{}: was deleted while the run went on", path_));
   }
   const char* data = text.data();
   std::size_t left = text.size();

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ struct SimulateOptions {
   int workers = 1;
   std::string folder;     ///< rollout_<scenario>.csv go here; empty: none are written
   int record_stride = 5;  ///< every k-th control period is written
-  double deadline = 0.0;  ///< of one scenario, wall clock [s]; 0: by its duration (deadline_of)
+  /// Of one scenario, wall clock [s]; 0: by its duration (deadline_of). None unless given: what has kept one
+  /// in a search already is simulated to its end.
+  double deadline = std::numeric_limits<double>::infinity();
   std::function<void(std::size_t done)> progress;  ///< one call at a time
 };
 

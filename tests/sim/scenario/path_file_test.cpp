@@ -51,6 +51,10 @@ TEST(PathFile, ACircleIsHorizontalAndBeginsOnXUnlessSaidOtherwise) {
   const HarmonicPath about_x =
       path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [3, 0, 0]}\n");
   EXPECT_NEAR(about_x.at(0.7).position.x(), 0.0, kRounding);
+  const HarmonicPath tiny =
+      path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [1.0e-200, 0, 0]}\n");
+  EXPECT_LT((tiny.at(0.7).position - about_x.at(0.7).position).norm(), kRounding)
+      << "a direction has no size";
   EXPECT_NEAR(about_x.at(0.7).position.norm(), 1.0, kRounding);
 }
 
@@ -108,6 +112,14 @@ TEST(PathFile, MistakesAreNamedWithLineAndKey) {
               AllOf(HasSubstr("hold"), HasSubstr("beside 'frequency'")));
   EXPECT_THAT(said("hold: [0, 0, 1]\ncircle: {center: [0, 0, 0], radius: 1, period: 4}\n"),
               HasSubstr("another curve already"));
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: 1.0e-320}\n"),
+              AllOf(HasSubstr("circle"), HasSubstr("fastest harmonic has inf rad/s")));
+  EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: 4, start_deg: 1.0e308}\n"),
+              AllOf(HasSubstr("circle"), HasSubstr("begins at")));
+  EXPECT_THAT(said("center: [0, 0, 0]\nfrequency: 1.0e308\nterms: [{order: 1000, cos: [1, 0, 0]}]\n"),
+              AllOf(HasSubstr("path.yaml:2"), HasSubstr("frequency"), HasSubstr("fastest harmonic")));
+  EXPECT_THAT(said("center: [0, 0, 0]\nfrequency: 1\nphase: 1.0e9\n"),
+              AllOf(HasSubstr("phase"), HasSubstr("begins at 1000000000 rad")));
   EXPECT_THAT(said("circel: {center: [0, 0, 0]}\n"), HasSubstr("center"));
 }
 
