@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kMaxColumns = 10'000;
 
-/// Two places of four bytes each: with the largest of files they stay below 500 MB.
+/// Two places of four bytes each: with the largest of files they stay below 500 MB. A user's file has no more
+/// of them where there is a digit in each.
 constexpr std::size_t kMaxCells = 24'000'000;
 
 std::size_t max_bytes(CsvOrigin origin) {
@@ -76,8 +77,7 @@ CsvTable CsvTable::parse(std::string text, std::string name, CsvOrigin origin) {
 void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
   const std::size_t width = header_.size();
   const std::size_t most = count_separators(text_) + 1;
-  // A user's file is small enough whatever is in it.
-  if (origin == CsvOrigin::kArmtune && most > kMaxCells) {
+  if (most > kMaxCells) {
     throw InputError(fmt::format("{}: more than {} cells; expected a smaller file", name_, kMaxCells));
   }
   begin_.reserve(most);

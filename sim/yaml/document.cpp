@@ -205,6 +205,10 @@ class TreeBuilder final : public YAML::EventHandler {
       fail_at(*file_, line_of(mark), parent_path(),
               fmt::format("key {} has {} bytes; expected at most {}", shown(key), key.size(), kMaxKeyBytes));
     }
+    if (map.key_lines.size() == kMaxKeys) {
+      fail_at(*file_, line_of(mark), parent_path(),
+              fmt::format("more than {} keys in one map; expected fewer", kMaxKeys));
+    }
     const auto [first, is_new] = map.key_lines.emplace(key, line_of(mark));
     map.key = key;
     map.key_line = line_of(mark);

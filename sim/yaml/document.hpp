@@ -13,6 +13,7 @@ namespace armtune::yaml {
 
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
 inline constexpr std::size_t kMaxItems = 200'000;  ///< most values in one document, containers included
+inline constexpr std::size_t kMaxKeys = 100'000;   ///< most keys of one map
 inline constexpr std::size_t kMaxDepth = 64;       ///< most containers inside one another
 inline constexpr std::size_t kMaxKeyBytes =
     1024;  ///< longest key [byte], as YAML has it; run.yaml has paths as keys

@@ -177,6 +177,8 @@ TEST(ParseLimits, ReadsALargeMapInReasonableTime) {
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(parse_text(text, "in.yaml").entries().size(), 100'000u);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  EXPECT_EQ(parse_error(text + "one_more: 1\n"),
+            "in.yaml:100001: more than 100000 keys in one map; expected fewer");
 }
 
 TEST(ParseFile, ReadsAFileAndNamesItInErrors) {

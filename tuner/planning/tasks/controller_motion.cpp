@@ -65,7 +65,7 @@ std::optional<double> time_to_end(const PlanTask& task, const CsvTable& table,
 }  // namespace
 
 ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot) {
-  const auto table = CsvTable::read(task.start.rollout);
+  const auto table = CsvTable::read(task.start.rollout, CsvOrigin::kUser);
   const std::vector<double> time = table.numbers(table.column("time"));
   const std::size_t first = nearest_row(time, task);
   ControllerMotion found;
