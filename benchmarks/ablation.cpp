@@ -46,7 +46,11 @@ const std::vector<Option>& options() {
 Gains with_option(Gains to, const Gains& from, const Option& option) {
   for (const GainField& field : gain_fields()) {
     if (std::find(option.fields.begin(), option.fields.end(), field.name) == option.fields.end()) continue;
-    std::visit([&](auto member) { to.*member = from.*member; }, field.member);
+    std::visit(
+        [&](auto member) {
+          if constexpr (!std::is_same_v<decltype(member), OwnGain>) to.*member = from.*member;
+        },
+        field.member);
   }
   return to;
 }

@@ -15,6 +15,9 @@ if(ARMTUNE_SUITESPARSE)
   install(EXPORT armtune_suitesparse NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
     FILE armtuneSuiteSparseTargets.cmake)
 endif()
+install(TARGETS armtune_cli EXPORT armtune_cli ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT armtune_cli NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
+  FILE armtuneCliTargets.cmake)
 install(EXPORT armtune NAMESPACE armtune:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/armtune
   FILE armtuneTargets.cmake)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/armtuneConfig.cmake.in

@@ -184,7 +184,8 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   if (avoiding) x.rate.head<3>().setZero();
 
   Vec6 Kp = gains_.task_space_gains_p;
-  Kd_ = gains_.task_space_gains_d;
+  // A law without a Kd of the task's has that of the joint space law, which the barrier is a multiple of.
+  Kd_ = gains_.task_space_gains_d.size() > 0 ? gains_.task_space_gains_d : gains_.joint_space_gains_d;
   if (gaze.slerping) {
     Kp.tail<3>() *= gains_.interpolation_gain_scale;
     Kd_.tail(std::min<Eigen::Index>(kWristJoints, Kd_.size())) *= gains_.interpolation_gain_scale;

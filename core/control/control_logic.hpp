@@ -47,9 +47,9 @@ class ControlLogic {
   /// Of the active law (n) [N m s/rad].
   const JointVector& Kd() const { return Kd_; }
 
-  /// Then, with Y theta - Kd S as the commanded torque in the output: repulsion, barrier, effort limits.
+  /// Then, with the law's torque as the commanded one in the output: repulsion, barrier, effort limits.
   void limit_torque(const JointState& measured, const ArmView& arm, const Scene& scene);
-  /// Last: the integral goes on. True: so does theta.
+  /// Last: the integral goes on. True: so does what the law learns.
   bool conclude();
 
   const ControlOutput& output() const { return out_; }

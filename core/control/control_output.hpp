@@ -6,8 +6,8 @@
 #include "core/control/cartesian_law.hpp"
 #include "core/control/joint_space_law.hpp"
 #include "core/control/state_machine.hpp"
-#include "core/trajectory/harmonic_path.hpp"
 #include "core/trajectory/joint_spline.hpp"
+#include "core/trajectory/path.hpp"
 #include "core/trajectory/slerp.hpp"
 
 namespace armtune {
@@ -20,7 +20,7 @@ struct JointState {
 
 /// What the controller knows of its surroundings in one period, base frame.
 struct Scene {
-  const HarmonicPath* path = nullptr;  ///< the tool's path, on the simulation's own time
+  const Path* path = nullptr;  ///< the tool's path, on the simulation's own time
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< the active gaze target [m]
   std::span<const Vec3> obstacles;                                     ///< obstacle centres [m]
   /// Joint motion to begin with, on the simulation's own time; null: leaveSingularity. The same in every

@@ -1,5 +1,6 @@
 #include "core/control/controller.hpp"
 
+#include "core/control/laws/controller_kind.hpp"
 #include "core/control/obstacle_impedance.hpp"
 #include "core/control/task_resolution.hpp"
 
@@ -7,7 +8,8 @@ namespace armtune {
 
 Controller::Controller(std::shared_ptr<const RobotModel> model, const Gains& gains,
                        const ParameterVector& theta, double period, TaskMask mask)
-    : logic_(std::move(model), gains, period, mask), adaptation_(theta) {}
+    : logic_(std::move(model), gains, period, mask),
+      law_(controller_kind(gains.controller).make({logic_.model(), logic_.gains(), theta, period, mask})) {}
 
 const ControlOutput& Controller::update(const JointState& measured, const Scene& scene, double time) {
   const Chain& chain = logic_.model().chain;
@@ -27,18 +29,9 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
   logic_.keep_pace(scene, time);
 
   out.S = measured.qd - out.reference.velocity;
-  slotine_li_forward(chain, arm_.poses, measured.qd, out.reference.velocity, out.reference.acceleration,
-                     motion_);
-  slotine_li_torque(chain, arm_.poses, motion_, adaptation_.theta(), out.commanded);
-  out.commanded -= logic_.Kd().cwiseProduct(out.S);
+  law_->torque({measured, arm_, out, logic_.Kd()}, out.commanded);
   logic_.limit_torque(measured, view, scene);
-
-  if (logic_.conclude()) {
-    const Gains& gains = logic_.gains();
-    adaptation_.step(motion_, gains.adaptation_gain, logic_.period());
-    if (gains.adaptation_leakage > 0.0) adaptation_.leak(gains.adaptation_leakage, logic_.period());
-    if (gains.adaptation_projection) adaptation_.project();
-  }
+  law_->conclude(logic_.conclude());
   return out;
 }
 

@@ -1,18 +1,18 @@
 #pragma once
-// The complete controller: state machine, references of the active state, adaptive torque law
-//   tau = -Kd S + Y theta (+ repulsion), saturated at the effort limits (equation 6).
+// The complete controller: state machine, references of the active state, the torque law that the gains name
+// (+ repulsion), saturated at the effort limits.
 
 #include <memory>
 
-#include "core/control/adaptation.hpp"
 #include "core/control/control_logic.hpp"
+#include "core/control/laws/torque_law.hpp"
 
 namespace armtune {
 
 class Controller {
  public:
-  /// gains must be valid for the model (see validate). theta (13 n): start of the adaptation. period: control
-  /// period [s].
+  /// gains must be valid for the model (see validate). theta (13 n): what it takes the arm for, to begin
+  /// with. period: control period [s].
   Controller(std::shared_ptr<const RobotModel> model, const Gains& gains, const ParameterVector& theta,
              double period, TaskMask mask = TaskMask::kPose);
   Controller(const Controller&) = delete;  // the inverse refers to this object's Jacobian
@@ -21,18 +21,18 @@ class Controller {
   /// One control period. Allocates nothing. The reference is valid until the next call.
   const ControlOutput& update(const JointState& measured, const Scene& scene, double time);
 
-  const ParameterVector& theta() const { return adaptation_.theta(); }
+  const ParameterVector& theta() const { return law_->theta(); }
   const Gains& gains() const { return logic_.gains(); }
 
   // Of the last period, for whoever looks at the same arm.
   const MeasuredArm& arm() const { return arm_; }
-  const SlotineLi& motion() const { return motion_; }
+  /// Y of q', qr', qr''; null: the law has none.
+  const SlotineLi* references_motion() const { return law_->references_motion(); }
 
  private:
   ControlLogic logic_;
   MeasuredArm arm_;
-  SlotineLi motion_;
-  Adaptation adaptation_;
+  std::unique_ptr<TorqueLaw> law_;
 };
 
 }  // namespace armtune

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
 
 namespace armtune {
 namespace {
@@ -17,6 +18,16 @@ GainField share(const char* name, const char* meaning, double Gains::*member) {
   return field;
 }
 
+GainField of_law(GainField field) {
+  field.of_law = true;
+  return field;
+}
+
+GainField in_loop(GainField field) {
+  field.in_loop = true;
+  return field;
+}
+
 std::vector<GainField> make_fields() {
   constexpr auto kFactor = SearchRange::kFactor;
   return {
@@ -24,12 +35,13 @@ std::vector<GainField> make_fields() {
        &Gains::joint_space_gains_p},
       {"joint_space_gains_d", "N m s/rad", "Kd of the joint space law, per joint",
        &Gains::joint_space_gains_d},
-      {"task_space_gains_p", "1/s", "Kp of the Cartesian law: x y z, then rotation about x y z",
-       &Gains::task_space_gains_p, true, false, kFactor, 1.0 / 6.0, 6.0},
-      {"task_space_gains_i", "1/s^2", "Ki of the Cartesian law, same order", &Gains::task_space_gains_i, true,
-       false, SearchRange::kCriticalDamping},
-      {"task_space_gains_d", "N m s/rad", "Kd on the joint space error S, per joint",
-       &Gains::task_space_gains_d, true, false, kFactor, 1.0 / 6.0, 6.0},
+      in_loop(
+          of_law({"task_space_gains_p", "1/s", "Kp of the Cartesian law: x y z, then rotation about x y z",
+                  &Gains::task_space_gains_p, true, false, kFactor, 1.0 / 6.0, 6.0})),
+      of_law({"task_space_gains_i", "1/s^2", "Ki of the Cartesian law, same order",
+              &Gains::task_space_gains_i, true, false, SearchRange::kCriticalDamping}),
+      in_loop(of_law({"task_space_gains_d", "N m s/rad", "Kd on the joint space error S, per joint",
+                      &Gains::task_space_gains_d, true, false, kFactor, 1.0 / 6.0, 6.0})),
       {"force_control_gains", "N", "repulsive force of an obstacle at zero distance, per joint origin",
        &Gains::force_control_gains},
       {"obstacleInfluenceRadius", "m", "an obstacle repels joint origins closer than this",
@@ -46,10 +58,11 @@ std::vector<GainField> make_fields() {
       {"slerpAngularErrorThreshold", "rad",
        "gaze errors above this are interpolated, below it tracked directly",
        &Gains::slerpAngularErrorThreshold, true, true},
-      {"interpolation_gain_scale", "1",
-       "factor on Kp of the rotations and Kd of the last three joints in a slerp",
-       &Gains::interpolation_gain_scale, false},
-      {"adaptation_gain", "1", "gamma of theta <- theta - gamma Y^T S dt", &Gains::adaptation_gain, false},
+      of_law({"interpolation_gain_scale", "1",
+              "factor on Kp of the rotations and Kd of the last three joints in a slerp",
+              &Gains::interpolation_gain_scale, false}),
+      of_law({"adaptation_gain", "1", "gamma of theta <- theta - gamma Y^T S dt", &Gains::adaptation_gain,
+              false}),
       {"manipulability_threshold", "m^3", "below this manipulability the damped inverse takes over",
        &Gains::manipulability_threshold, false},
       {"manipulability_damping", "m^2", "psi of the damped inverse J^T (J J^T + psi I)^-1",
@@ -63,8 +76,8 @@ std::vector<GainField> make_fields() {
        &Gains::release_radius, false},
       {"slerp_reference", "", "a slerp runs from the orientation at its 'start' or from the 'current' one",
        &Gains::slerp_reference, false},
-      {"adapt_while_avoiding", "", "whether theta adapts in avoidObstacles", &Gains::adapt_while_avoiding,
-       false},
+      of_law({"adapt_while_avoiding", "", "whether theta adapts in avoidObstacles",
+              &Gains::adapt_while_avoiding, false}),
       {"variable_damping", "",
        "whether psi grows from zero at the manipulability threshold instead of switching on as a whole",
        &Gains::variable_damping, false},
@@ -86,12 +99,12 @@ std::vector<GainField> make_fields() {
       {"velocity_barrier_gain", "1",
        "damping of that barrier beyond its start, as a multiple of Kd, whole from the limit on; 0: none",
        &Gains::velocity_barrier_gain, false},
-      {"adaptation_leakage", "1/s", "rate at which theta falls back to where it started",
-       &Gains::adaptation_leakage, false},
-      {"adaptation_projection", "",
-       "whether theta is kept physically valid: masses and inertias of bodies that can be, no negative "
-       "friction",
-       &Gains::adaptation_projection, false},
+      of_law({"adaptation_leakage", "1/s", "rate at which theta falls back to where it started",
+              &Gains::adaptation_leakage, false}),
+      of_law({"adaptation_projection", "",
+              "whether theta is kept physically valid: masses and inertias of bodies that can be, no "
+              "negative friction",
+              &Gains::adaptation_projection, false}),
   };
 }
 
@@ -100,13 +113,19 @@ auto numbers_of(G& gains, const GainField& field) {
   using Number = std::conditional_t<std::is_const_v<G>, const double, double>;
   return std::visit(
       [&gains](auto member) -> std::span<Number> {
-        using Value = std::remove_cvref_t<decltype(gains.*member)>;
-        if constexpr (std::is_same_v<Value, double>) {
-          return {&(gains.*member), 1};
-        } else if constexpr (std::is_same_v<Value, Vec6> || std::is_same_v<Value, JointVector>) {
-          return {(gains.*member).data(), static_cast<std::size_t>((gains.*member).size())};
+        if constexpr (std::is_same_v<decltype(member), OwnGain>) {
+          if (member.place >= gains.own.size()) return {};
+          auto& own = gains.own[member.place];
+          return {own.data(), static_cast<std::size_t>(own.size())};
         } else {
-          return {};
+          using Value = std::remove_cvref_t<decltype(gains.*member)>;
+          if constexpr (std::is_same_v<Value, double>) {
+            return {&(gains.*member), 1};
+          } else if constexpr (std::is_same_v<Value, Vec6> || std::is_same_v<Value, JointVector>) {
+            return {(gains.*member).data(), static_cast<std::size_t>((gains.*member).size())};
+          } else {
+            return {};
+          }
         }
       },
       field.member);
@@ -126,17 +145,34 @@ std::span<const double> numbers(const Gains& gains, const GainField& field) {
   return numbers_of(gains, field);
 }
 
+Eigen::Index size_of(GainShape shape, int n) {
+  switch (shape) {
+    case GainShape::kTask:
+      return 6;
+    case GainShape::kJoints:
+      return n;
+    case GainShape::kScalar:
+      break;
+  }
+  return 1;
+}
+
 std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints) {
-  if (std::holds_alternative<Vec6 Gains::*>(field.member)) return {"x", "y", "z", "rx", "ry", "rz"};
-  if (std::holds_alternative<JointVector Gains::*>(field.member)) return joints;
+  const auto* own = std::get_if<OwnGain>(&field.member);
+  const auto is = [own](GainShape shape) { return own != nullptr && own->shape == shape; };
+  if (std::holds_alternative<Vec6 Gains::*>(field.member) || is(GainShape::kTask)) {
+    return {"x", "y", "z", "rx", "ry", "rz"};
+  }
+  if (std::holds_alternative<JointVector Gains::*>(field.member) || is(GainShape::kJoints)) return joints;
   return {""};
 }
 
 void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source) {
-  for (const GainField& field : gain_fields()) {
+  for (const GainField& field : fields_of(gains)) {
     const auto values = numbers(gains, field);
     const auto names = component_names(field, joints);
-    if (!field.required && field.is_number() && values.empty()) continue;
+    const bool own = std::holds_alternative<OwnGain>(field.member);
+    if (!field.required && !own && field.is_number() && values.empty()) continue;
     if (field.is_number() && values.size() != names.size()) {
       throw InputError(fmt::format("{}: {} has {} values, the arm needs {}: {}", source, field.name,
                                    values.size(), names.size(), fmt::join(names, " ")));

@@ -1,5 +1,6 @@
 #pragma once
-// The one declaration of every gain: name, unit, valid range, search range, meaning.
+// The one declaration of every gain: name, unit, valid range, search range, meaning. Those of a controller's
+// own are declared with it, in the same words (core/control/laws/controller_kind.hpp).
 
 #include <limits>
 #include <span>
@@ -19,11 +20,21 @@ enum class SearchRange {
   kCriticalDamping
 };
 
+/// How many numbers a controller's own gain has: one, six of the task (x y z rx ry rz), or one per joint.
+enum class GainShape { kScalar, kTask, kJoints };
+
+/// A controller's own gain: Gains::own[place].
+struct OwnGain {
+  GainShape shape = GainShape::kScalar;
+  std::size_t place = 0;
+};
+
 struct GainField {
   const char* name;
   const char* unit;
   const char* meaning;
-  std::variant<double Gains::*, Vec6 Gains::*, JointVector Gains::*, bool Gains::*, SlerpReference Gains::*>
+  std::variant<double Gains::*, Vec6 Gains::*, JointVector Gains::*, OwnGain, bool Gains::*,
+               SlerpReference Gains::*>
       member;
   bool required = true;            ///< must stand in a gains file; joint vectors that need not may be empty
   bool strictly_positive = false;  ///< otherwise numbers must be >= 0 (the joint goal: any)
@@ -33,21 +44,32 @@ struct GainField {
   double upper_factor = 5.0;
   /// Numbers must be below this.
   double below = std::numeric_limits<double>::infinity();
+  /// Not of states, references and limits, which every controller has: only controllers that name it have it.
+  bool of_law = false;
+  /// A factor on it is one on the loop's gain.
+  bool in_loop = false;
+  /// Of an own gain: each of its numbers where a gains file has none.
+  double otherwise = 0.0;
 
-  bool is_number() const { return member.index() <= 2; }
+  bool is_number() const { return member.index() <= 3; }
 };
 
-/// All fields, in the order files are written.
+/// The members of Gains, in the order files are written. What one controller has: fields_of
+/// (core/control/laws/controller_kind.hpp).
 const std::vector<GainField>& gain_fields();
 
 /// The numbers of a field: 1, 6 or n of them; empty for switches.
 std::span<double> numbers(Gains& gains, const GainField& field);
 std::span<const double> numbers(const Gains& gains, const GainField& field);
 
+/// How many numbers a field of this shape has on an arm of n joints.
+Eigen::Index size_of(GainShape shape, int n);
+
 /// Names of a field's numbers: "" for a scalar, "x".."rz" for six, the joints' names for joint vectors.
 std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints);
 
-/// Throws InputError naming the gain, its value and the limit; `source` stands in front of the message.
+/// All gains that the controller of `gains` has. Throws InputError naming the gain, its value and the limit;
+/// `source` stands in front of the message.
 void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source);
 
 }  // namespace armtune

@@ -1,6 +1,9 @@
 #pragma once
 // Everything a person tunes in the controller, under the names of the published ROS parameters.
 
+#include <string>
+#include <vector>
+
 #include "core/common/types.hpp"
 #include "core/control/inverse_damping.hpp"
 
@@ -12,6 +15,8 @@ enum class SlerpReference { kStart, kCurrent };
 /// Units and meaning of every field stand in core/control/gain_fields.cpp, the one declaration that files,
 /// help and search spaces are made from. Six-vectors are (x y z rx ry rz); joint vectors have n entries.
 struct Gains {
+  std::string controller = "adaptive";  ///< a kind's name (core/control/laws/controller_kind.hpp)
+  std::vector<JointVector> own;         ///< the gains that this kind alone has, in the order it declares them
   JointVector joint_space_gains_p;
   JointVector joint_space_gains_d;
   Vec6 task_space_gains_p = Vec6::Zero();

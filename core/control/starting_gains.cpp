@@ -1,16 +1,13 @@
 #include "core/control/starting_gains.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "core/robot/dynamics.hpp"
+#include "core/control/laws/first_gains.hpp"
 
 namespace armtune {
 namespace {
 
-constexpr double kRate = 25.0;               // 1/s, of S
-constexpr double kTaskRate = 15.0;           // 1/s, of the task's errors
 constexpr double kJointRate = 5.0;           // 1/s
 constexpr double kShareOfVelocity = 0.4;     // of the limits, at most, on the way to the goal
 constexpr double kShortest = 3.0;            // s, of that way
@@ -21,20 +18,13 @@ constexpr double kQuinticPeak = 15.0 / 8.0;  // of a rest-to-rest quintic's velo
 Gains starting_gains(const RobotModel& robot, const JointVector& start, const JointVector& goal,
                      double manipulability) {
   const int n = robot.n();
-  Poses poses;
-  forward_kinematics(robot.chain, goal, poses);
-  JointMatrix M;
-  mass_matrix(robot.chain, poses, M);
-  M.diagonal() += robot.chain.rotor_inertia;
-  const JointVector felt = JointMatrix(M.inverse()).diagonal().cwiseInverse();
   const double size = reach(robot);
 
   Gains gains;
   gains.joint_space_goal = in_degrees(robot, goal);
   gains.joint_space_gains_p = JointVector::Constant(n, kJointRate);
-  gains.joint_space_gains_d = kRate * felt;
-  gains.task_space_gains_p.setConstant(kTaskRate);
-  gains.task_space_gains_i.setConstant(0.1);
+  gains.joint_space_gains_d = kFirstRate * joint_inertia(robot, goal);
+  first_references(gains);
   gains.task_space_gains_d = gains.joint_space_gains_d;
   const double slowest = ((goal - start).array().abs() / robot.velocity_limits().array()).maxCoeff();
   gains.joint_trajectory_duration = std::max(kShortest, std::ceil(kQuinticPeak * slowest / kShareOfVelocity));

@@ -71,6 +71,9 @@ class TaskInverseT {
     return give(L);
   }
 
+  /// E^T E b: what of b is the task.
+  Vec6T<T> of_task(const Vec6T<T>& b) const { return give(take(b)); }
+
   /// Six joints for six components.
   bool is_square() const { return mask_ == TaskMask::kPose && J_->cols() == 6; }
   TaskMask mask() const { return mask_; }

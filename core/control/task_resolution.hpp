@@ -17,7 +17,8 @@
 
 namespace armtune {
 
-/// (0, w x L_angular): E'^T of multipliers, for a task whose components turn with the tool.
+/// (0, w x L_angular): E'^T of multipliers, and -E' of motions, for a task whose components turn with the
+/// tool.
 template <typename T>
 Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   Vec6T<T> turned = Vec6T<T>::Zero();

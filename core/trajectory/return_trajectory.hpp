@@ -2,20 +2,20 @@
 // The way back to a moving point on the path (equation 8): first a naive duration from the distance to where
 // the path is now, then the duration from the distance to where the path will be by then.
 
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 #include "core/trajectory/quintic.hpp"
 
 namespace armtune {
 
 /// dt = k_t |p - pc(t0)|, then dt* = k_t |p - pc(t0 + dt)|; never shorter than kShortestInterpolation.
 /// k_t: trajectoryDurationErrorGain [s/m].
-inline double return_duration(const Vec3& p_0T, const HarmonicPath& path, double t0, double k_t) {
+inline double return_duration(const Vec3& p_0T, const Path& path, double t0, double k_t) {
   const double naive = k_t * (p_0T - path.at(t0).position).norm();
   return std::max(kShortestInterpolation, k_t * (p_0T - path.at(t0 + naive).position).norm());
 }
 
 /// Quintic from `start` at t0 to the path's own motion at t0 + dt*.
-inline Quintic<Vec3> return_trajectory(const MotionPoint<Vec3>& start, const HarmonicPath& path, double t0,
+inline Quintic<Vec3> return_trajectory(const MotionPoint<Vec3>& start, const Path& path, double t0,
                                        double k_t) {
   const double duration = return_duration(start.position, path, t0, k_t);
   return {start, path.at(t0 + duration), duration};

@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 #include "sim/plant/flush_denormals.hpp"
 #include "sim/rollout/running_rollout.hpp"
@@ -26,6 +27,10 @@ const double* numbers_of(std::span<const Vec3> points) {
 }
 
 }  // namespace
+
+bool has_lanes(const Gains& gains) {
+  return gains.controller == Gains().controller;
+}
 
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles) {
   if (stepper == Stepper::kReference) {
@@ -94,6 +99,7 @@ void RolloutLanes::start(int lane, LaneJob job) {
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw std::invalid_argument("the lane for " + own.name + " is busy");
+  if (!has_lanes(job.gains)) throw std::invalid_argument(job.gains.controller + " has no lanes");
   const FlushDenormals flush;  // as the rollout alone is begun
   const bool first = busy_ == 0;
   place = std::make_unique<Lane>(std::move(job));

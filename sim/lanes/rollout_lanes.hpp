@@ -20,6 +20,9 @@ namespace armtune {
 /// the stepper kReference.
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles);
 
+/// Whether the controller of these gains can be simulated here: the adaptive one; others run alone.
+bool has_lanes(const Gains& gains);
+
 struct LaneJob {
   std::shared_ptr<const PreparedScenario> scenario;
   Gains gains;
@@ -45,8 +48,8 @@ class RolloutLanes {
   /// A lane that is not busy; -1: none.
   int free_lane() const;
 
-  /// In a lane that is not busy. Throws std::invalid_argument if it is, or if the job's scenario is not of
-  /// this kind.
+  /// In a lane that is not busy. Throws std::invalid_argument if it is, if the job's scenario is not of
+  /// this kind, or if its controller has no lanes.
   void start(int lane, LaneJob job);
   /// From now on the rollout in a busy lane ends by this cost.
   void end_by(int lane, EndCost cost);

@@ -70,7 +70,7 @@ class RunningRollout {
   JointVector diverged_velocity_;  ///< beyond which a joint will not come back
   std::optional<StimulusResponse> response_;
   JointState measured_;
-  HarmonicPath path_;
+  Path path_;
   Scene scene_;
   Observation observation_;
   RolloutResult result_;

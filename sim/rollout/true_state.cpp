@@ -8,6 +8,7 @@ namespace armtune {
 
 void TrueState::observe(const RunningRollout& running, const Controller& controller, Observation& o) {
   const bool exact = running.measures_exactly();
+  const SlotineLi* motion = exact ? controller.references_motion() : nullptr;
   if (exact) {
     o.poses = &controller.arm().poses;
     o.twist = controller.arm().twist;
@@ -18,11 +19,14 @@ void TrueState::observe(const RunningRollout& running, const Controller& control
     o.poses = &poses_;
     o.twist = times(J_, *o.qd);
     o.obstacle_distance = obstacle_distance(poses_, running.scene().obstacles);
-    slotine_li_forward(chain_, poses_, *o.qd, o.control->reference.velocity,
+  }
+  if (motion == nullptr) {
+    slotine_li_forward(chain_, *o.poses, *o.qd, o.control->reference.velocity,
                        o.control->reference.acceleration, motion_);
+    motion = &motion_;
   }
   theta_error_ = *o.theta - theta_true_;
-  slotine_li_torque(chain_, *o.poses, exact ? controller.motion() : motion_, theta_error_, torque_error_);
+  slotine_li_torque(chain_, *o.poses, *motion, theta_error_, torque_error_);
   o.compensation_error = norm(torque_error_);
   see_errors(running.sees_exactly(), running.scenario().mask, o);
 }

@@ -22,6 +22,11 @@ bool looks_like_path(const std::string& text) {
 
 }  // namespace
 
+std::string file_beside(const std::string& path, const std::string& named_in) {
+  if (path.starts_with('/')) return path;
+  return (std::filesystem::path(folder_of(named_in)) / path).lexically_normal().string();
+}
+
 std::string stem(const std::string& path) {
   return fs::path(path).stem().string();
 }

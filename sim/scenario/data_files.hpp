@@ -25,6 +25,9 @@ std::string portable_reference(const std::string& path);
 /// The path for a person to read: bundled files without the folder they happen to be installed in.
 std::string shown_path(const std::string& path);
 
+/// A file's path, from the folder of the file that names it.
+std::string file_beside(const std::string& path, const std::string& named_in);
+
 /// File name without folder and extension.
 std::string stem(const std::string& path);
 /// Folder part of a path, "." if it has none.

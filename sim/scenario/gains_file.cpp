@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/control/gain_fields.hpp"
+#include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
@@ -12,46 +13,50 @@ namespace armtune {
 namespace {
 
 constexpr const char* kNamespace = "simple_effort_ctrl";
+constexpr const char* kController = "controller";
+
+JointVector own_values(const yaml::Node& node, GainShape shape, const std::vector<std::string>& joints) {
+  if (shape == GainShape::kJoints) return yaml::joint_values(node, joints);
+  if (shape == GainShape::kTask) return JointVector(Vec6(node.as_numbers(6).data()));
+  return JointVector::Constant(1, node.as_number());
+}
 
 void read_field(const yaml::Node& node, const GainField& field, const std::vector<std::string>& joints,
                 Gains& gains) {
   std::visit(
       [&](auto member) {
-        auto& value = gains.*member;
-        using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, double>) {
-          value = node.as_number();
-        } else if constexpr (std::is_same_v<Value, Vec6>) {
-          value = Vec6(node.as_numbers(6).data());
-        } else if constexpr (std::is_same_v<Value, JointVector>) {
-          value = yaml::joint_values(node, joints);
-        } else if constexpr (std::is_same_v<Value, bool>) {
-          value = node.as_boolean();
+        if constexpr (std::is_same_v<decltype(member), OwnGain>) {
+          gains.own[member.place] = own_values(node, member.shape, joints);
         } else {
-          const std::string text = node.as_string();
-          if (text != "start" && text != "current") node.fail("'" + text + "' is not one of: start, current");
-          value = text == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
+          auto& value = gains.*member;
+          using Value = std::remove_cvref_t<decltype(value)>;
+          if constexpr (std::is_same_v<Value, double>) {
+            value = node.as_number();
+          } else if constexpr (std::is_same_v<Value, Vec6>) {
+            value = Vec6(node.as_numbers(6).data());
+          } else if constexpr (std::is_same_v<Value, JointVector>) {
+            value = yaml::joint_values(node, joints);
+          } else if constexpr (std::is_same_v<Value, bool>) {
+            value = node.as_boolean();
+          } else {
+            const std::string text = node.as_string();
+            if (text != "start" && text != "current")
+              node.fail("'" + text + "' is not one of: start, current");
+            value = text == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
+          }
         }
       },
       field.member);
 }
 
 std::string field_text(const Gains& gains, const GainField& field) {
-  return std::visit(
-      [&](auto member) -> std::string {
-        const auto& value = gains.*member;
-        using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, double>) {
-          return fmt::format("{}", value);
-        } else if constexpr (std::is_same_v<Value, Vec6> || std::is_same_v<Value, JointVector>) {
-          return fmt::format("[{}]", fmt::join(value.data(), value.data() + value.size(), ", "));
-        } else if constexpr (std::is_same_v<Value, bool>) {
-          return value ? "true" : "false";
-        } else {
-          return value == SlerpReference::kStart ? "start" : "current";
-        }
-      },
-      field.member);
+  if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) return gains.**flag ? "true" : "false";
+  if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
+    return gains.**reference == SlerpReference::kStart ? "start" : "current";
+  }
+  const auto values = numbers(gains, field);
+  return component_names(field, {}).size() == 1 ? fmt::format("{}", values[0])
+                                                : fmt::format("[{}]", fmt::join(values, ", "));
 }
 
 }  // namespace
@@ -64,7 +69,14 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
       root.entries().size() == 1 && root.entries()[0].second.kind() == yaml::Node::Kind::kMap;
   yaml::MapReader map(wrapped ? root.entries()[0].second : root);
   Gains gains;
-  for (const GainField& field : gain_fields()) {
+  if (const yaml::Node* node = map.optional(kController)) {
+    try {
+      become(gains, node->as_string(), static_cast<int>(joints.size()));
+    } catch (const InputError& e) {
+      node->fail(e.what());
+    }
+  }
+  for (const GainField& field : fields_of(gains)) {
     const yaml::Node* node = field.required ? &map.required(field.name) : map.optional(field.name);
     if (node != nullptr) read_field(*node, field, joints, gains);
   }
@@ -81,7 +93,10 @@ std::string gains_yaml(const Gains& gains, const std::vector<std::string>& heade
   std::string text;
   for (const std::string& line : header) text += fmt::format("# {}\n", line);
   text += fmt::format("{}:\n", kNamespace);
-  for (const GainField& field : gain_fields()) {
+  // Files of the published controller do not name one.
+  if (gains.controller != Gains().controller)
+    text += fmt::format("  {}: {}\n", kController, gains.controller);
+  for (const GainField& field : fields_of(gains)) {
     if (field.is_number() && numbers(gains, field).empty()) continue;
     text += fmt::format("  # {}{}{}{}\n  {}: {}\n", field.meaning, *field.unit ? " [" : "", field.unit,
                         *field.unit ? "]" : "", field.name, field_text(gains, field));

@@ -9,7 +9,12 @@
 #include <numbers>
 #include <string>
 
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+#include "core/trajectory/polyline.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/random_targets.hpp"
+#include "sim/scenario/waypoints_file.hpp"
 
 namespace armtune {
 namespace {
@@ -17,6 +22,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr long kMostRandomTargets = 1000;
 constexpr long kHighestOrder = 1000;
+constexpr std::size_t kMostCorners = 5000;
 
 Vec3 read_vec3(const yaml::Node& node) {
   return Vec3(node.as_numbers(3).data());
@@ -34,7 +40,7 @@ constexpr double kFastest = 1e6;    // rad/s
 constexpr double kMostTurns = 1e6;  // rad
 
 /// Throws InputError at `node` for a path whose highest harmonic or phase is none that can be followed.
-void require_sensible(const HarmonicPath& path, const yaml::Node& node) {
+void require_sensible(const Path& path, const yaml::Node& node) {
   int highest = 1;
   for (const HarmonicTerm& term : path.terms) highest = std::max(highest, term.order);
   const double fastest = std::abs(path.frequency) * highest;
@@ -51,8 +57,8 @@ double read_positive(const yaml::Node& node, const char* unit) {
 }
 
 /// What all closed curves have.
-HarmonicPath read_turning(yaml::MapReader& map) {
-  HarmonicPath path;
+Path read_turning(yaml::MapReader& map) {
+  Path path;
   path.center = read_vec3(map.required("center"));
   path.frequency = 2.0 * kPi / read_positive(map.required("period"), "s");
   path.phase = map.number("start_deg", 0.0) * kPi / 180.0;
@@ -69,9 +75,9 @@ std::array<Vec3, 2> plane_of(const Vec3& normal) {
   return {first, n.cross(first)};
 }
 
-HarmonicPath read_circle(const yaml::Node& node) {
+Path read_circle(const yaml::Node& node, std::vector<std::string>&) {
   yaml::MapReader map(node);
-  HarmonicPath path = read_turning(map);
+  Path path = read_turning(map);
   const double radius = read_positive(map.required("radius"), "m");
   const yaml::Node* normal = map.optional("normal");
   const auto [first, second] = plane_of(normal == nullptr ? Vec3(Vec3::UnitZ()) : read_extent(*normal));
@@ -80,38 +86,69 @@ HarmonicPath read_circle(const yaml::Node& node) {
   return path;
 }
 
-HarmonicPath read_ellipse(const yaml::Node& node) {
+Path read_ellipse(const yaml::Node& node, std::vector<std::string>&) {
   yaml::MapReader map(node);
-  HarmonicPath path = read_turning(map);
+  Path path = read_turning(map);
   path.terms = {{1, read_extent(map.required("axis_1")), read_extent(map.required("axis_2"))}};
   map.finish();
   return path;
 }
 
 /// p = c + l sin(phi) + w sin(2 phi): both loops are gone through in one period.
-HarmonicPath read_figure_eight(const yaml::Node& node) {
+Path read_figure_eight(const yaml::Node& node, std::vector<std::string>&) {
   yaml::MapReader map(node);
-  HarmonicPath path = read_turning(map);
+  Path path = read_turning(map);
   path.terms = {{1, Vec3::Zero(), read_extent(map.required("length"))},
                 {2, Vec3::Zero(), read_extent(map.required("width"))}};
   map.finish();
   return path;
 }
 
-HarmonicPath read_hold(const yaml::Node& node) {
-  HarmonicPath path;
+Path read_hold(const yaml::Node& node, std::vector<std::string>&) {
+  Path path;
   path.center = read_vec3(node);
+  return path;
+}
+
+Path read_polyline(const yaml::Node& node, std::vector<std::string>&) {
+  yaml::MapReader map(node);
+  const yaml::Node& corners_node = map.required("corners");
+  std::vector<Vec3> corners;
+  for (const yaml::Node& item : corners_node.items()) {
+    if (corners.size() == kMostCorners) corners_node.fail(fmt::format("more than {} corners", kMostCorners));
+    corners.push_back(read_vec3(item));
+  }
+  const double speed = read_positive(map.required("speed"), "m/s");
+  const double blend = read_positive(map.required("blend"), "m");
+  const bool closed = map.boolean("closed", false);
+  map.finish();
+  Path path;
+  try {
+    path.spline = std::make_shared<const PositionSpline>(polyline(corners, speed, blend, closed));
+  } catch (const InputError& e) {
+    corners_node.fail(e.what());
+  }
+  return path;
+}
+
+Path read_waypoints(const yaml::Node& node, std::vector<std::string>& inputs) {
+  const std::string file = file_beside(node.as_string(), node.file());
+  inputs.push_back(file);
+  Path path;
+  path.spline = std::make_shared<const PositionSpline>(load_waypoints(file));
   return path;
 }
 
 struct Curve {
   const char* key;
-  HarmonicPath (*read)(const yaml::Node&);
+  Path (*read)(const yaml::Node&, std::vector<std::string>& inputs);
 };
-constexpr std::array<Curve, 4> kCurves = {{{"circle", read_circle},
+constexpr std::array<Curve, 6> kCurves = {{{"circle", read_circle},
                                            {"ellipse", read_ellipse},
                                            {"figure_eight", read_figure_eight},
-                                           {"hold", read_hold}}};
+                                           {"hold", read_hold},
+                                           {"polyline", read_polyline},
+                                           {"waypoints", read_waypoints}}};
 
 HarmonicTerm read_term(const yaml::Node& node) {
   yaml::MapReader map(node);
@@ -129,15 +166,15 @@ HarmonicTerm read_term(const yaml::Node& node) {
 
 }  // namespace
 
-HarmonicPath read_path(yaml::MapReader& map) {
+Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
   const yaml::Node* chosen = nullptr;
-  HarmonicPath path;
+  Path path;
   for (const Curve& curve : kCurves) {
     const yaml::Node* node = map.optional(curve.key);
     if (node == nullptr) continue;
     if (chosen != nullptr) node->fail("the path is another curve already; keep one of them");
     chosen = node;
-    path = curve.read(*node);
+    path = curve.read(*node, inputs);
     require_sensible(path, *node);
   }
   for (const char* key : {"center", "frequency", "phase", "terms"}) {
@@ -157,20 +194,20 @@ HarmonicPath read_path(yaml::MapReader& map) {
   return path;
 }
 
-std::vector<NamedPath> read_named_paths(const yaml::Node& node) {
+std::vector<NamedPath> read_named_paths(const yaml::Node& node, std::vector<std::string>& inputs) {
   std::vector<NamedPath> paths;
   for (const yaml::Node& item : node.items()) {
     yaml::MapReader map(item);
     NamedPath& added = paths.emplace_back();
     added.name = map.required("name").as_string();
-    added.path = read_path(map);
+    added.path = read_path(map, inputs);
     map.finish();
   }
   return paths;
 }
 
-std::vector<NamedPath> read_targets(const yaml::Node& node) {
-  if (node.kind() != yaml::Node::Kind::kMap) return read_named_paths(node);
+std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::string>& inputs) {
+  if (node.kind() != yaml::Node::Kind::kMap) return read_named_paths(node, inputs);
   yaml::MapReader outer(node);
   const yaml::Node& random = outer.required("random");
   outer.finish();
@@ -188,6 +225,31 @@ std::vector<NamedPath> read_targets(const yaml::Node& node) {
   if (seed < 0) map.required("seed").fail("must not be negative");
   map.finish();
   return random_targets(static_cast<int>(count), low, high, static_cast<std::uint64_t>(seed));
+}
+
+std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<NamedPath>& targets) {
+  std::vector<TargetTurn> schedule;
+  std::size_t before = 0;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    const yaml::Node& at = map.required("at");
+    const yaml::Node& target = map.required("target");
+    map.finish();
+    const std::string name = target.as_string();
+    std::vector<std::string> names;
+    TargetTurn turn{at.as_number(), targets.size()};
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      names.push_back(targets[i].name);
+      if (targets[i].name == name && turn.target == targets.size()) turn.target = i;
+    }
+    if (turn.target == targets.size()) target.fail("'" + name + "' is no target" + suggestion(name, names));
+    if (!(turn.at > (schedule.empty() ? 0.0 : schedule.back().at)))
+      at.fail(fmt::format("{} s; the times of a schedule begin above zero and rise", turn.at));
+    if (turn.target == before) target.fail(fmt::format("the gaze is at {} already", name));
+    before = turn.target;
+    schedule.push_back(turn);
+  }
+  return schedule;
 }
 
 }  // namespace armtune

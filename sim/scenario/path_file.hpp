@@ -1,6 +1,7 @@
 #pragma once
 // Paths in scenario files: named curves, or a sum of harmonics as it is.
 
+#include <string>
 #include <vector>
 
 #include "sim/scenario/scenario.hpp"
@@ -15,17 +16,25 @@ namespace armtune {
 ///   ellipse: {center, axis_1, axis_2, period, start_deg: 0}       semi-axes as vectors, from the first to the second
 ///   figure_eight: {center, length, width, period, start_deg: 0}   half of either as vectors, begun in the middle
 ///   hold: [x, y, z]
-///   center, frequency, phase, terms: [{order, cos, sin}]          a sum of harmonics (harmonic_path.hpp)
+///   polyline: {corners: [[x, y, z], ...], speed, blend, closed: false}   straight ways, corners rounded from `blend` before
+///                                                                   to `blend` behind them (polyline.hpp)
+///   waypoints: FILE.csv             columns time, x, y, z: the cubic spline through them, at rest at both ends (waypoints_file.hpp)
+///   center, frequency, phase, terms: [{order, cos, sin}]          a sum of harmonics (path.hpp)
 ///
-/// start_deg is where on the curve it begins, of 360. Throws InputError with file, line and key.
+/// start_deg is where on the curve it begins, of 360. Files are named from the folder of the file that names them, and
+/// added to `inputs`. Throws InputError with file, line and key.
 // clang-format on
-HarmonicPath read_path(yaml::MapReader& map);
+Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs);
 
 /// A list of paths with names.
-std::vector<NamedPath> read_named_paths(const yaml::Node& node);
+std::vector<NamedPath> read_named_paths(const yaml::Node& node, std::vector<std::string>& inputs);
 
 /// A list of targets, or {random: {count, low, high, seed}}. One key for both, so that either stands whole
 /// over a base's.
-std::vector<NamedPath> read_targets(const yaml::Node& node);
+std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::string>& inputs);
+
+/// [{at, target}, ...]: from `at` [s] on the gaze is at the target of that name. Times rise, and each turn is
+/// another target's; [] over a base's is none.
+std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<NamedPath>& targets);
 
 }  // namespace armtune

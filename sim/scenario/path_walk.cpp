@@ -29,14 +29,13 @@ constexpr unsigned kPlacesTried = 30;
 
 /// One turn is as good as many where nothing else moves.
 double walked_time(const Scenario& scenario) {
-  const double frequency = std::abs(scenario.path.frequency);
-  const bool targets_rest = std::all_of(
-      scenario.targets.begin(), scenario.targets.end(),
-      [](const NamedPath& target) { return target.path.frequency == 0.0 || target.path.terms.empty(); });
-  const double rest = scenario.targets.size() > 1 && scenario.switch_every > 0.0 ? scenario.duration : 1.0;
+  const bool targets_rest = std::all_of(scenario.targets.begin(), scenario.targets.end(),
+                                        [](const NamedPath& target) { return target.path.rests(); });
+  const double rest = scenario.next_switch(0.0) < scenario.duration ? scenario.duration : 1.0;
   if (!targets_rest) return scenario.duration;
-  if (frequency == 0.0 || scenario.path.terms.empty()) return std::min(scenario.duration, rest);
-  return std::min(scenario.duration, std::max(rest, 2.0 * M_PI / frequency));
+  if (scenario.path.rests()) return std::min(scenario.duration, rest);
+  const double turn = scenario.path.period();
+  return turn > 0.0 ? std::min(scenario.duration, std::max(rest, turn)) : scenario.duration;
 }
 
 ToolGoal goal_at(const Scenario& scenario, double time) {

@@ -116,12 +116,19 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   plant.velocity_noise *= noise;
   multiply(result.theta.factors, more.factors(n, perturbation.theta));
   for (NamedPath& target : result.targets) {
-    target.path.frequency *= more.between(1.0 - perturbation.target_speed, 1.0 + perturbation.target_speed);
+    const double speed = more.between(1.0 - perturbation.target_speed, 1.0 + perturbation.target_speed);
+    target.path.frequency *= speed;
+    target.path.spline_rate *= speed;
   }
   for (auto* paths : {&result.targets, &result.obstacles}) {
     for (NamedPath& named : *paths) {
       const double phase = draw.between(0.0, 2.0 * M_PI);
-      if (perturbation.phases) named.path.phase = phase;
+      if (!perturbation.phases) continue;
+      named.path.phase = phase;
+      // One that does not come round has a beginning, which stays.
+      const auto& spline = named.path.spline;
+      if (spline && spline->loops())
+        named.path.spline_lead = phase / (2.0 * M_PI) * (spline->end() - spline->begin());
     }
   }
   return result;

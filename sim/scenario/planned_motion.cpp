@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "core/trajectory/cubic_spline.hpp"
 #include "core/trajectory/linear_acceleration.hpp"
 #include "sim/csv/csv_table.hpp"
+#include "sim/scenario/motion_rows.hpp"
 
 namespace armtune {
 namespace {
@@ -18,47 +21,31 @@ constexpr double kVelocityJump = 1e-4;
 /// A planner's limits hold but for its own tolerance [rad, m].
 constexpr double kBeyondLimit = 1e-6;
 
-/// Line of the file that a row of the table stands in.
-std::size_t line_of(std::size_t row) {
-  return row + 2;
+std::string name_of(const JointInfo& joint, const char* what) {
+  return "joint/" + joint.name + "/" + what;
 }
 
-double finite(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path) {
-  const double value = table.number(row, column);
-  if (std::isfinite(value)) return value;
-  throw InputError(fmt::format("{}:{}: {} in column {} is no finite number; a plan has one in every row",
-                               path, line_of(row), shown(table.text(row, column)), table.header()[column]));
+/// A column for each joint.
+std::vector<std::size_t> columns_of(const CsvTable& table, const RobotModel& robot, const char* what) {
+  std::vector<std::size_t> columns;
+  columns.reserve(robot.joints.size());
+  for (const JointInfo& joint : robot.joints) columns.push_back(table.column(name_of(joint, what)));
+  return columns;
 }
 
-std::vector<double> read_times(const CsvTable& table, const std::string& path) {
-  const std::size_t column = table.column("time");
-  std::vector<double> time;
-  time.reserve(table.rows());
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    time.push_back(finite(table, row, column, path));
-    if (row == 0 && time[0] < 0.0) {
-      throw InputError(
-          fmt::format("{}:{}: time is {} s; a scenario's clock has nothing before 0 s: shift the plan", path,
-                      line_of(row), time[0]));
-    }
-    if (row == 0 || time[row] > time[row - 1]) continue;
-    throw InputError(fmt::format("{}:{}: time {} s does not rise after {} s; each row must be later", path,
-                                 line_of(row), time[row], time[row - 1]));
-  }
-  if (time.size() < 2) {
-    throw InputError(fmt::format("{}: {} rows; a motion needs at least two", path, time.size()));
-  }
-  return time;
+JointVector numbers_of(const CsvTable& table, std::size_t row, const std::vector<std::size_t>& columns,
+                       const std::string& path) {
+  JointVector numbers(static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    numbers[static_cast<Eigen::Index>(i)] = finite_cell(table, row, columns[i], path);
+  return numbers;
 }
 
-struct JointColumns {
-  std::size_t position, velocity, acceleration;
-};
-
-JointColumns columns_of(const CsvTable& table, const std::string& joint) {
-  const std::string tree = "joint/" + joint + "/";
-  return {table.column(tree + "position"), table.column(tree + "velocity"),
-          table.column(tree + "acceleration")};
+/// Whether the file has no column but positions of any of the joints.
+bool has_positions_only(const CsvTable& table, const RobotModel& robot) {
+  return std::none_of(robot.joints.begin(), robot.joints.end(), [&table](const JointInfo& joint) {
+    return table.find(name_of(joint, "velocity")) || table.find(name_of(joint, "acceleration"));
+  });
 }
 
 void check_position(const JointInfo& joint, double q, const std::string& where) {
@@ -68,6 +55,22 @@ void check_position(const JointInfo& joint, double q, const std::string& where) 
       fmt::format("{}: joint/{}/position is {:.9g}, outside the joint's limits {:.6g} .. {:.6g}; plan "
                   "for this robot",
                   where, joint.name, q, joint.limits.lower, joint.limits.upper));
+}
+
+/// Where each joint turns round between two knots, h [s] apart, its position is within its limits.
+void check_between(const RobotModel& robot, const MotionPoint<JointVector>& knot,
+                   const JointVector& next_acceleration, double h, const std::string& where) {
+  for (int i = 0; i < robot.n(); ++i) {
+    // v + a s + j s^2 / 2 = 0, in the form that divides by no small number.
+    const double v = knot.velocity[i], a = knot.acceleration[i], j = (next_acceleration[i] - a) / h;
+    const double root = std::sqrt(std::max(0.0, a * a - 2.0 * j * v));
+    const double q = -(a + std::copysign(root, a));
+    for (const double s : {q / j, 2.0 * v / q}) {
+      if (!(s > 0.0 && s < h)) continue;
+      check_position(robot.joints[static_cast<std::size_t>(i)],
+                     knot.position[i] + s * (v + s * (a / 2.0 + s * j / 6.0)), where + ", between them");
+    }
+  }
 }
 
 /// The row against the motion from the row before it.
@@ -93,24 +96,31 @@ void check_step(const RobotModel& robot, const MotionPoint<JointVector>& before,
 
 JointSpline load_planned_motion(const std::string& path, const RobotModel& robot) {
   const CsvTable table = CsvTable::read(path, CsvOrigin::kUser);
-  std::vector<double> time = read_times(table, path);
-  const int n = robot.n();
-  std::vector<JointColumns> columns;
-  columns.reserve(robot.joints.size());
-  for (const JointInfo& joint : robot.joints) columns.push_back(columns_of(table, joint.name));
+  std::vector<double> time = rising_times(table, path);
+  const auto where = [&path](std::size_t row) { return fmt::format("{}:{}", path, line_of(row)); };
+  std::vector<JointVector> positions;
+  positions.reserve(table.rows());
+  const auto columns = columns_of(table, robot, "position");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    positions.push_back(numbers_of(table, row, columns, path));
+    for (int i = 0; i < robot.n(); ++i)
+      check_position(robot.joints[static_cast<std::size_t>(i)], positions[row][i], where(row));
+  }
+  if (has_positions_only(table, robot)) {
+    auto knots = cubic_spline(time, positions);
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+      check_between(robot, knots[k], knots[k + 1].acceleration, time[k + 1] - time[k],
+                    fmt::format("{} and {}", where(k), line_of(k + 1)));
+    return {std::move(time), std::move(knots)};
+  }
+  const auto velocities = columns_of(table, robot, "velocity");
+  const auto accelerations = columns_of(table, robot, "acceleration");
   std::vector<MotionPoint<JointVector>> knots;
   knots.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string where = fmt::format("{}:{}", path, line_of(row));
-    MotionPoint<JointVector> knot{JointVector(n), JointVector(n), JointVector(n)};
-    for (int i = 0; i < n; ++i) {
-      const JointColumns& joint = columns[static_cast<std::size_t>(i)];
-      knot.position[i] = finite(table, row, joint.position, path);
-      knot.velocity[i] = finite(table, row, joint.velocity, path);
-      knot.acceleration[i] = finite(table, row, joint.acceleration, path);
-      check_position(robot.joints[static_cast<std::size_t>(i)], knot.position[i], where);
-    }
-    if (row > 0) check_step(robot, knots.back(), knot, time[row] - time[row - 1], where);
+    MotionPoint<JointVector> knot{positions[row], numbers_of(table, row, velocities, path),
+                                  numbers_of(table, row, accelerations, path)};
+    if (row > 0) check_step(robot, knots.back(), knot, time[row] - time[row - 1], where(row));
     knots.push_back(std::move(knot));
   }
   return {std::move(time), std::move(knots)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/common/error.hpp"
 #include "core/robot/theta.hpp"
@@ -70,10 +71,26 @@ bool Scenario::switches_target() const {
 }
 
 std::size_t Scenario::active_target(double t) const {
-  if (switch_every <= 0.0 || targets.size() < 2) return 0;
   // Half a period's grace, so that rounding of k * dt does not decide on which side of a switch t lies.
-  const auto turns = static_cast<std::size_t>((t + 0.5 * control_period) / switch_every);
-  return turns % targets.size();
+  const double now = t + 0.5 * control_period;
+  if (!schedule.empty()) {
+    const auto next = std::upper_bound(schedule.begin(), schedule.end(), now,
+                                       [](double time, const TargetTurn& turn) { return time < turn.at; });
+    return next == schedule.begin() ? 0 : std::prev(next)->target;
+  }
+  if (switch_every <= 0.0 || targets.size() < 2) return 0;
+  return static_cast<std::size_t>(now / switch_every) % targets.size();
+}
+
+double Scenario::next_switch(double t) const {
+  const double now = t + 0.5 * control_period;
+  if (!schedule.empty()) {
+    const auto next = std::upper_bound(schedule.begin(), schedule.end(), now,
+                                       [](double time, const TargetTurn& turn) { return time < turn.at; });
+    return next == schedule.end() ? std::numeric_limits<double>::infinity() : next->at;
+  }
+  if (switch_every <= 0.0 || targets.size() < 2) return std::numeric_limits<double>::infinity();
+  return (std::floor(now / switch_every) + 1.0) * switch_every;
 }
 
 RobotModel plant_model(const Scenario& scenario) {

@@ -11,15 +11,21 @@
 #include "core/control/gains.hpp"
 #include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"
-#include "core/trajectory/harmonic_path.hpp"
 #include "core/trajectory/joint_spline.hpp"
+#include "core/trajectory/path.hpp"
 #include "sim/scenario/stimulus.hpp"
 
 namespace armtune {
 
 struct NamedPath {
   std::string name;
-  HarmonicPath path;
+  Path path;
+};
+
+/// From `at` [s] on the gaze is at a target.
+struct TargetTurn {
+  double at = 0.0;
+  std::size_t target = 0;  ///< index
 };
 
 /// What theta starts from: scale * the controller's model (0: nothing known, 1: the model), or given values.
@@ -62,11 +68,12 @@ struct Scenario {
   JointVector goal_position;    ///< on the task, of leaveSingularity where gains have none; empty: they must
   JointVector start_velocity;   ///< the planned motion's; empty: at rest
   std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
-  HarmonicPath path;                           ///< of the tool, base frame
+  Path path;                                   ///< of the tool, base frame
   TaskMask mask = TaskMask::kPose;             ///< which part of path and gaze the arm is to hold
   std::vector<NamedPath> targets;
-  double switch_every = 0.0;     ///< targets take turns [s]; 0: always the first
-  std::optional<Camera> camera;  ///< none: the controller knows the targets' motion
+  double switch_every = 0.0;         ///< targets take turns [s]; 0: always the first, or as `schedule` says
+  std::vector<TargetTurn> schedule;  ///< rising; the first target before it; empty: `switch_every` counts
+  std::optional<Camera> camera;      ///< none: the controller knows the targets' motion
   std::vector<NamedPath> obstacles;
   std::optional<Stimulus> stimulus;  ///< added to path or target, unknown to the controller
   ThetaStart theta;
@@ -80,6 +87,8 @@ struct Scenario {
   bool switches_target() const;
   /// Index of the target that is active at t [s].
   std::size_t active_target(double t) const;
+  /// When another target's turn comes after t [s]; infinite if none does.
+  double next_switch(double t) const;
 };
 
 /// Reads a bundled scenario by name, or a file by path. `base: NAME` (or a list) takes every top-level key

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "core/common/error.hpp"
@@ -48,9 +47,7 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
 
 /// A file's path, from the folder of the file that names it, which may be a base of the scenario's.
 std::string path_in(const yaml::Node& node) {
-  std::string path = node.as_string();
-  if (path.starts_with('/')) return path;
-  return (std::filesystem::path(folder_of(node.file())) / path).lexically_normal().string();
+  return file_beside(node.as_string(), node.file());
 }
 
 ThetaStart read_theta_start(const yaml::Node& node) {
@@ -164,13 +161,18 @@ Scenario load_scenario(const std::string& name_or_path) {
     scenario.duration = read_duration(&map.required("duration"), scenario);
   }
   yaml::MapReader tool_path(map.required("path"));
-  scenario.path = read_path(tool_path);
+  scenario.path = read_path(tool_path, scenario.inputs);
   tool_path.finish();
   const yaml::Node& targets = map.required("targets");
-  scenario.targets = read_targets(targets);
+  scenario.targets = read_targets(targets, scenario.inputs);
   if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
   scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
+  if (const yaml::Node* schedule = map.optional("schedule")) {
+    scenario.schedule = read_schedule(*schedule, scenario.targets);
+    if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
+      schedule->fail("stands beside 'switch_every', by which targets take turns; set that to 0");
+  }
   // A plan has a start of its own, over a base's.
   if (const yaml::Node* start = map.optional("start_position_deg"); start != nullptr && !scenario.planned) {
     read_start(*start, scenario);
@@ -180,15 +182,15 @@ Scenario load_scenario(const std::string& name_or_path) {
   }
   if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
   if (const yaml::Node* obstacles = map.optional("obstacles"))
-    scenario.obstacles = read_named_paths(*obstacles);
+    scenario.obstacles = read_named_paths(*obstacles, scenario.inputs);
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
     if (scenario.planned)
       stimulus->fail(
           "a planned trajectory is followed first, and answers to no stimulus; take one of them away");
     scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
-    if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.size() > 1 &&
-        scenario.switch_every > 0.0) {
-      stimulus->fail("shifts a target, but targets take turns (switch_every): the response would be to both");
+    if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.next_switch(0.0) < HUGE_VAL) {
+      stimulus->fail(
+          "shifts a target, but targets take turns (switch_every, schedule): the response would be to both");
     }
   }
   scenario.theta = read_theta_start(map.required("theta_start"));

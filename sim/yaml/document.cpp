@@ -32,8 +32,8 @@ constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
 class TreeBuilder final : public YAML::EventHandler {
  public:
   /// `text` outlives the builder; it is what yaml-cpp's marks point into.
-  TreeBuilder(std::string_view text, std::shared_ptr<const std::string> file)
-      : text_(text), file_(std::move(file)) {}
+  TreeBuilder(std::string_view text, std::shared_ptr<const std::string> file, std::size_t max_items)
+      : text_(text), file_(std::move(file)), max_items_(max_items) {}
 
   std::optional<Node> take_root() { return std::move(root_); }
 
@@ -141,9 +141,9 @@ class TreeBuilder final : public YAML::EventHandler {
     node.key_path_ = next_path();
     node.line_ = !open_.empty() && open_.back().key ? open_.back().key_line : line_of(mark);
     check_path(node);
-    if (++item_count_ > kMaxItems) {
+    if (++item_count_ > max_items_) {
       fail_at(*file_, node.line_, {},
-              fmt::format("more than {} values; expected fewer in one file", kMaxItems));
+              fmt::format("more than {} values; expected fewer in one file", max_items_));
     }
     return node;
   }
@@ -265,6 +265,7 @@ class TreeBuilder final : public YAML::EventHandler {
   /// Line and parent of the first key that is a list or a map. Refused only at the end of the document: a
   /// bracket that is never closed looks like one until then, and deserves its own message.
   std::optional<std::pair<int, std::string>> container_key_;
+  std::size_t max_items_;
   std::size_t item_count_ = 0;
   std::size_t path_bytes_ = 0;
   int documents_ = 0;
@@ -277,7 +278,8 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   std::string body = text.substr(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   // yaml-cpp reads the version with the global locale, and refuses 1.2 where the decimal point is a comma.
   if (body.starts_with("%YAML 1.")) body[0] = '#';
-  TreeBuilder builder(body, std::make_shared<const std::string>(file_name));
+  const std::size_t max_items = kMaxItems * std::max<std::size_t>(1, max_bytes / kMaxBytes);
+  TreeBuilder builder(body, std::make_shared<const std::string>(file_name), max_items);
   try {
     std::istringstream stream(body);
     YAML::Parser parser(stream);

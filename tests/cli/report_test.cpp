@@ -132,10 +132,12 @@ TEST_F(Report, ThatCannotBeWrittenDoesNotMakeTheRunFail) {
   Program running(
       {"simulate", files_ / "short.yaml", "--gains", files_ / "gains.yaml", "--out", files_ / "run"},
       files_ / "");
-  // The program makes its folder, then simulates; a folder where the page is to go is in its way.
+  // The program makes its folder, looks whether it is empty, then simulates; a folder where the page is to go
+  // is in its way.
   for (int i = 0; i < 6000 && !fs::exists(files_ / "run"); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
   fs::create_directory(files_ / "run/report.html");
   const Finished finished = running.wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.err;

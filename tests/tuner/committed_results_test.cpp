@@ -117,7 +117,7 @@ TEST_F(CommittedResults, LoseLittleWithTheLessImportantHalfOfTheGainsFixed) {
   EXPECT_EQ(reduced.space.free.size(), study_->space.free.size() / 2);
   const auto joints = joint_names(*study_->scenarios.front().robot);
   const Gains gains = load_gains(ARMTUNE_SOURCE_DIR "/results/ur10_gaze_reduced/gains.yaml", joints);
-  for (const GainEntry& entry : gain_entries(joints)) {
+  for (const GainEntry& entry : gain_entries(gain_fields(), joints)) {
     const auto tuned = [&entry](const Parameter& p) { return p.entry.name == entry.name; };
     if (std::none_of(reduced.space.free.begin(), reduced.space.free.end(), tuned)) {
       EXPECT_EQ(value(gains, entry), value(study_->space.start, entry)) << entry.name;

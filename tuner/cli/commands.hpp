@@ -23,6 +23,7 @@ void add_compare_command(CLI::App& app, int& exit_code);
 void add_robustness_command(CLI::App& app, int& exit_code);
 void add_margins_command(CLI::App& app, int& exit_code);
 void add_report_command(CLI::App& app, int& exit_code);
+void add_controllers_command(CLI::App& app, int& exit_code);
 void add_excite_command(CLI::App& app, int& exit_code);
 void add_identify_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/path_walk.hpp"
 
 namespace armtune::cli {
@@ -11,6 +12,14 @@ namespace armtune::cli {
 void warn_of_task(const Scenario& scenario, const Gains& gains) {
   const std::string trouble = task_trouble(scenario, gains);
   if (!trouble.empty()) fmt::print(stderr, "armtune: warning: {}: {}\n", scenario.name, trouble);
+  if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
+    fmt::print(
+        stderr,
+        "armtune: warning: {}: the controller {} learns nothing, and the scenario tells it nothing of the "
+        "arm, not "
+        "even its weight; give it 'theta_start: {{model_scale: 1}}', or a theta from armtune identify\n",
+        scenario.name, gains.controller);
+  }
 }
 
 }  // namespace armtune::cli

@@ -1,5 +1,5 @@
 #pragma once
-// A word about tasks that no gains can do, before anything is simulated.
+// A word about tasks that no gains, or none of their controller, can do, before anything is simulated.
 
 #include "core/control/gains.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -7,7 +7,7 @@
 namespace armtune::cli {
 
 /// A line to stderr if the scenario's path leaves the workspace, a joint's limits, or runs through a
-/// singularity.
+/// singularity; another if the controller would have to learn what it cannot.
 void warn_of_task(const Scenario& scenario, const Gains& gains);
 
 }  // namespace armtune::cli

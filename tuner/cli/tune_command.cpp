@@ -39,6 +39,7 @@ double seconds_since(Clock::time_point began) {
 
 struct Arguments {
   std::string study = "ur10_gaze";
+  std::string controller;  ///< in place of the study's; empty: its own
   std::string folder;
   std::string resume;  ///< the folder of the run to go on with
   int workers = default_workers();
@@ -52,7 +53,7 @@ struct Arguments {
 };
 
 Study load(const Arguments& args) {
-  Study study = load_study(args.study);
+  Study study = load_study(args.study, args.controller);
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   WarmArguments warm = args.warm;
@@ -264,6 +265,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
+  command->add_option(
+      "--controller", args->controller,
+      "tune another controller on the study's task, all of its gains that are tuned by default; "
+      "armtune controllers lists them");
   command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)

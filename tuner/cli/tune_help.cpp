@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/control/gain_fields.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/search/solver.hpp"
@@ -40,16 +40,26 @@ in armtune's own dynamics, several times faster than Simbody's and equal to it b
 verify_share of the evaluations and of max_minutes to Simbody, whose figures are reported; margins are
 looked for in the same engine then, and confirmed by Simbody on either side of the edge; of the sensitivities
 Simbody confirms the importance of the eight gains that matter most.
+controller: NAME tunes another controller's gains than the file's, from a start that the arm's inertia gives.
 max_minutes is wall time from start to last evaluation, of all sessions of a resumed run together: evaluations
 under way when it is over are finished; Simbody's last steps are within it (time for the best few is kept from
 what the start took, and they are simulated even if that was too little); fresh rollouts, report and analysis
 (--no-analysis) come after it. warm_start: from, parameters, box, step, as the options above.
 )";
+  const auto add_gains = [&text](const std::vector<GainField>& fields) {
+    for (const GainField& field : fields) {
+      if (!field.is_number()) continue;
+      text += fmt::format("{} {:<30} {}{}\n", field.search != SearchRange::kNone ? "*" : " ", field.name,
+                          field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
+    }
+  };
   text += "\nGains (study file, parameters; * tuned by default):\n";
-  for (const GainField& field : gain_fields()) {
-    if (!field.is_number()) continue;
-    text += fmt::format("{} {:<30} {}{}\n", field.search != SearchRange::kNone ? "*" : " ", field.name,
-                        field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
+  add_gains(gain_fields());
+  for (const ControllerKind* kind : controller_kinds()) {
+    if (kind->own.empty()) continue;
+    text += fmt::format("\nOf the controller {} (--controller, or in a gains file): {}\n", kind->name,
+                        kind->meaning);
+    add_gains(kind->own);
   }
   text += "\nMetrics (study file, objective and constraints):\n";
   for (const MetricField& field : metric_fields()) {

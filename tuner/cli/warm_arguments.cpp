@@ -40,7 +40,8 @@ void apply(const WarmArguments& args, Study& study) {
                     study.source));
   }
   WarmStart warm = study.warm.value_or(WarmStart{});
-  if (!args.from.empty()) load_warm_gains(warm, args.from, joint_names(*study.scenarios.front().robot));
+  if (!args.from.empty())
+    load_warm_gains(warm, args.from, study.space, joint_names(*study.scenarios.front().robot));
   if (!args.parameters.empty()) warm.parameters = args.parameters;
   if (args.box > 0.0) warm.box = args.box;
   if (args.step > 0.0) warm.step = args.step;

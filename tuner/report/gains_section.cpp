@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/study/parameter.hpp"
@@ -12,7 +13,6 @@ namespace armtune::report {
 
 std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vector<std::string>& joints,
                            const std::vector<std::string>& paths) {
-  const auto entries = gain_entries(joints);
   std::vector<std::optional<Gains>> sets;
   sets.reserve(paths.size());
   for (const std::string& path : paths) {
@@ -20,6 +20,10 @@ std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vecto
     const bool there = std::filesystem::exists(path, ignored);
     sets.push_back(there ? std::optional(load_gains(path, joints)) : std::nullopt);
   }
+  // The sets of a run have one controller.
+  const auto first = std::find_if(sets.begin(), sets.end(), [](const auto& set) { return set.has_value(); });
+  if (first == sets.end()) return {};
+  const auto entries = gain_entries(fields_of(**first), joints);
   std::vector<Gain> gains;
   for (const StudyGain& g : tuned) {
     const auto found =

@@ -93,7 +93,7 @@ class PlanAssembly {
     shown.arm = static_cast<long>(scene.arm);
     shown.influence_radius = scene.influence_radius;
     shown.obstacles = scene.obstacles.size();
-    if (!scene.path.terms.empty()) shown.path = closed_polyline(scene.path);
+    if (!scene.path.rests()) shown.path = drawn_path(scene.path);
   }
 
   void read_motion(ReportScenario& shown) {

@@ -67,7 +67,7 @@ Series error_norm(const CsvTable& rollout, const std::vector<std::size_t>& rows)
   return quantize(norms);
 }
 
-std::vector<Series> center_of(const HarmonicPath& obstacle, const std::vector<double>& times) {
+std::vector<Series> center_of(const Path& obstacle, const std::vector<double>& times) {
   std::vector<Series> axes;
   axes.reserve(3);
   for (int axis = 0; axis < 3; ++axis) {
@@ -112,8 +112,7 @@ Replay replay_of(const CsvTable& rollout, const SceneScenario& scenario, const A
   replay.tool = vector_series(rollout, "tool/position", rows);
   replay.error = error_norm(rollout, rows);
   const std::vector<double> times = picked(time, rows);
-  for (const HarmonicPath& obstacle : scenario.obstacles)
-    replay.obstacles.push_back(center_of(obstacle, times));
+  for (const Path& obstacle : scenario.obstacles) replay.obstacles.push_back(center_of(obstacle, times));
   return replay;
 }
 

@@ -198,7 +198,7 @@ class Assembly {
       shown.duration = s->duration;
       shown.influence_radius = s->influence_radius;
       shown.obstacles = s->obstacles.size();
-      shown.path = closed_polyline(s->path);
+      shown.path = drawn_path(s->path);
     }
     for (std::size_t set = 0; set < scene_.sets.size(); ++set) {
       const std::string path = file(scene_.sets[set], "rollout_" + name + ".csv");

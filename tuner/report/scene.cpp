@@ -1,8 +1,5 @@
 #include "tuner/report/scene.hpp"
 
-#include <cmath>
-#include <numbers>
-
 #include "sim/csv/csv_table.hpp"
 #include "tuner/report/arm_json.hpp"
 #include "tuner/report/json.hpp"
@@ -10,7 +7,7 @@
 namespace armtune::report {
 namespace {
 
-void write_path(Json& json, const HarmonicPath& path) {
+void write_path(Json& json, const Path& path) {
   json.begin_object();
   json.numbers("center", {path.center.x(), path.center.y(), path.center.z()});
   json.number("frequency", path.frequency);
@@ -25,6 +22,19 @@ void write_path(Json& json, const HarmonicPath& path) {
     json.end_object();
   }
   json.end_array();
+  if (path.spline) {
+    json.key("knots");
+    json.begin_array();
+    for (std::size_t k = 0; k < path.spline->time().size(); ++k) {
+      const MotionPoint<Vec3>& knot = path.spline->knots()[k];
+      std::vector<double> row = {path.spline->time()[k]};
+      for (const Vec3* v : {&knot.position, &knot.velocity, &knot.acceleration})
+        row.insert(row.end(), v->begin(), v->end());
+      json.numbers(row);
+    }
+    json.end_array();
+    json.boolean("loops", path.spline->loops());
+  }
   json.end_object();
 }
 
@@ -80,13 +90,20 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
   return scene;
 }
 
-std::vector<Vec3> closed_polyline(const HarmonicPath& path) {
+std::vector<Vec3> drawn_path(const Path& path) {
   constexpr int kPoints = 180;
-  if (path.frequency == 0.0 || path.terms.empty()) return {path.at(0.0).position};
-  const double period = 2.0 * std::numbers::pi / std::abs(path.frequency);
+  constexpr int kPointsOfKnots = 720;  // corners
+  if (path.rests()) return {path.at(0.0).position};
+  const int count = path.spline ? kPointsOfKnots : kPoints;
+  const double turn = path.period();
+  const double from = path.spline ? path.spline->begin() : 0.0;
+  const double length = turn > 0.0 ? turn : path.spline->end() - from;
   std::vector<Vec3> points;
-  points.reserve(kPoints);
-  for (int i = 0; i < kPoints; ++i) points.push_back(path.at(period * i / kPoints).position);
+  points.reserve(2 * static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) points.push_back(path.at(from + length * i / count).position);
+  if (turn > 0.0) return points;
+  // Drawn closed: one that does not close goes back the way it came.
+  for (int i = count; i > 0; --i) points.push_back(path.at(from + length * i / count).position);
   return points;
 }
 
@@ -114,7 +131,7 @@ std::string scene_json(const Scene& scene) {
     write_path(json, s.path);
     json.key("obstacles");
     json.begin_array();
-    for (const HarmonicPath& obstacle : s.obstacles) write_path(json, obstacle);
+    for (const Path& obstacle : s.obstacles) write_path(json, obstacle);
     json.end_array();
     json.number("influence_radius", s.influence_radius);
     json.end_object();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tuner/report/arm.hpp"
 #include "tuner/report/run_kind.hpp"
@@ -22,8 +22,8 @@ struct SceneScenario {
   std::string name;
   double duration = 0.0;  ///< [s]
   std::size_t arm = 0;    ///< index into Scene::arms
-  HarmonicPath path;      ///< of the tool
-  std::vector<HarmonicPath> obstacles;
+  Path path;              ///< of the tool
+  std::vector<Path> obstacles;
   double influence_radius = 0.0;  ///< [m], of the first set's gains; 0 without obstacles
 };
 
@@ -40,8 +40,9 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 /// influence_radius: of the reference gains [m].
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);
 
-/// One period of a path [m], to be drawn closed; a single point where it is at rest.
-std::vector<Vec3> closed_polyline(const HarmonicPath& path);
+/// A path [m] to be drawn closed: one period of it, there and back where it has none; a single point where it
+/// is at rest.
+std::vector<Vec3> drawn_path(const Path& path);
 
 /// Text of scene.json.
 std::string scene_json(const Scene& scene);

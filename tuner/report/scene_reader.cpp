@@ -1,3 +1,4 @@
+#include "core/common/error.hpp"
 #include "sim/yaml/map_reader.hpp"
 #include "tuner/report/arm_json.hpp"
 #include "tuner/report/scene.hpp"
@@ -13,9 +14,24 @@ Vec3 read_vec3(const yaml::Node& node) {
   return {v[0], v[1], v[2]};
 }
 
-HarmonicPath read_path(const yaml::Node& node) {
+std::shared_ptr<const PositionSpline> read_knots(const yaml::Node& node, bool loops) {
+  std::vector<double> time;
+  std::vector<MotionPoint<Vec3>> knots;
+  for (const yaml::Node& item : node.items()) {
+    const auto row = item.as_numbers(10);
+    time.push_back(row[0]);
+    knots.push_back({Vec3(&row[1]), Vec3(&row[4]), Vec3(&row[7])});
+  }
+  try {
+    return std::make_shared<const PositionSpline>(time, knots, loops);
+  } catch (const InputError& e) {
+    node.fail(e.what());
+  }
+}
+
+Path read_path(const yaml::Node& node) {
   yaml::MapReader map(node);
-  HarmonicPath path;
+  Path path;
   path.center = read_vec3(map.required("center"));
   path.frequency = map.number("frequency");
   path.phase = map.number("phase");
@@ -28,6 +44,8 @@ HarmonicPath read_path(const yaml::Node& node) {
     term_map.finish();
     path.terms.push_back(term);
   }
+  if (const yaml::Node* knots = map.optional("knots"))
+    path.spline = read_knots(*knots, map.boolean("loops", false));
   map.finish();
   return path;
 }

@@ -1,5 +1,7 @@
 #include "tuner/robustness/margin_kind.hpp"
 
+#include "core/control/laws/controller_kind.hpp"
+
 namespace armtune {
 namespace {
 
@@ -32,8 +34,10 @@ void delay_more(double value, Scenario& scenario, Gains&) {
 }
 
 void scale_gains(double value, Scenario&, Gains& gains) {
-  gains.task_space_gains_p *= value;
-  gains.task_space_gains_d *= value;
+  for (const GainField& field : fields_of(gains)) {
+    if (!field.in_loop) continue;
+    for (double& number : numbers(gains, field)) number *= value;
+  }
 }
 
 }  // namespace
@@ -45,7 +49,8 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
       {"torque_delay", "periods", "largest torque delay on top of the scenario's own, in control periods",
        [](const Scenario&) { return 0.0; }, delay_more,
        EdgeSearch{.first = 1.0, .stride = 2.0, .last = 1000.0, .whole = true}},
-      {"gain_factor", "1", "largest common factor on task_space_gains_p and task_space_gains_d",
+      {"gain_factor", "1",
+       "largest common factor on task_space_gains_p, task_space_gains_d and a controller's own gains",
        [](const Scenario&) { return 1.0; }, scale_gains, EdgeSearch{.stride = 1.25, .last = 100.0}},
       {"control_rate", "Hz", "smallest rate of the control periods, their torque delay as many as before",
        rate, set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},

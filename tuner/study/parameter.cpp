@@ -26,9 +26,10 @@ double from_coordinate(const Parameter& p, double coordinate) {
 
 }  // namespace
 
-std::vector<GainEntry> gain_entries(const std::vector<std::string>& joints) {
+std::vector<GainEntry> gain_entries(const std::vector<GainField>& fields,
+                                    const std::vector<std::string>& joints) {
   std::vector<GainEntry> entries;
-  for (const GainField& field : gain_fields()) {
+  for (const GainField& field : fields) {
     if (!field.is_number()) continue;
     const auto components = component_names(field, joints);
     for (std::size_t i = 0; i < components.size(); ++i) {

@@ -17,8 +17,9 @@ struct GainEntry {
   std::string name;  ///< "task_space_gains_p/rx", "slerpDurationErrorGain"
 };
 
-/// All numbers of all fields of an arm with these joints, in the order of the fields.
-std::vector<GainEntry> gain_entries(const std::vector<std::string>& joints);
+/// All numbers of the fields on an arm with these joints, in the order of the fields, which outlive them.
+std::vector<GainEntry> gain_entries(const std::vector<GainField>& fields,
+                                    const std::vector<std::string>& joints);
 
 /// Whether a gain set has that number: fields that a file may leave out can be empty.
 bool has(const Gains& gains, const GainEntry& entry);

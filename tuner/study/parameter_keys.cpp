@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/common/nearest.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune {
@@ -94,11 +95,14 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start,
                           const std::vector<std::string>& joints) {
   ParameterSpace space;
   space.start = start;
-  auto all = gain_entries(joints);
+  auto all = gain_entries(fields_of(start), joints);
   std::erase_if(all, [&start](const GainEntry& entry) { return !has(start, entry); });
   if (node == nullptr) {
     for (const GainEntry& entry : all) {
-      if (entry.field->search != SearchRange::kNone) space.free.push_back(default_parameter(entry, start));
+      // Factors on a gain that is zero, and so switched off, are none.
+      const bool off = entry.field->search == SearchRange::kFactor && value(start, entry) == 0.0;
+      if (entry.field->search != SearchRange::kNone && !off)
+        space.free.push_back(default_parameter(entry, start));
     }
     return space;
   }

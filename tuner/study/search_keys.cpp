@@ -124,7 +124,7 @@ void read_warm_start(const yaml::Node& node, Study& study) {
   if (map.has("step")) warm.step = map.number_in("step", 0.0, 1e-6, 0.5);
   map.finish();
   try {
-    load_warm_gains(warm, from.as_string(), joint_names(*study.scenarios.front().robot),
+    load_warm_gains(warm, from.as_string(), study.space, joint_names(*study.scenarios.front().robot),
                     folder_of(study.source));
   } catch (const InputError& e) {
     from.fail(e.what());

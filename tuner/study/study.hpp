@@ -58,8 +58,10 @@ inline std::string global_of(const Study& study) {
   return study.warm && study.global_by_default ? std::string() : study.global_algorithm;
 }
 
-/// Reads a bundled study by name, or a file by path. Throws InputError.
-Study load_study(const std::string& name_or_path);
+/// Reads a bundled study by name, or a file by path. controller: of another kind than its gains are (empty:
+/// as the study says), which begins with what controlled_by makes of them, and of which all gains are tuned
+/// that are by default. Throws InputError.
+Study load_study(const std::string& name_or_path, const std::string& controller = {});
 
 /// The study with every default written out, as YAML that load_study reads. `gains_file`, `warm_file`: where
 /// the gains of start and warm start are kept beside it; an empty one leaves the warm start out.

@@ -7,6 +7,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/map_reader.hpp"
@@ -146,9 +147,24 @@ SampleSet read_samples(const yaml::Node& node) {
   return set;
 }
 
+/// The start gains, of the controller that the study's file or the caller names.
+Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& asked,
+                 const Scenario& first) {
+  if (node == nullptr && asked.empty()) return gains;
+  try {
+    const ControllerKind& kind = controller_kind(asked.empty() ? node->as_string() : asked);
+    if (kind.name == gains.controller) return gains;
+    const RobotModel& robot = *first.robot;
+    return controlled_by(kind, gains, robot, in_si(robot, with_goal(gains, first).joint_space_goal));
+  } catch (const InputError& e) {
+    if (!asked.empty()) throw;
+    node->fail(e.what());
+  }
+}
+
 }  // namespace
 
-Study load_study(const std::string& name_or_path) {
+Study load_study(const std::string& name_or_path, const std::string& controller) {
   const std::string path = find_data_file("studies", name_or_path);
   const yaml::Node root = yaml::parse_file(path);
   yaml::MapReader map(root);
@@ -159,8 +175,14 @@ Study load_study(const std::string& name_or_path) {
   study.scenarios = read_scenarios(map.required("scenarios"), folder_of(path));
   const auto joints = joint_names(*study.scenarios.front().robot);
   study.gains = find_data_file("gains", map.required("gains").as_string(), folder_of(path));
-  const Gains start = load_gains(study.gains, joints);
-  study.space = read_space(map.optional("parameters"), start, joints);
+  const Gains read = load_gains(study.gains, joints);
+  const yaml::Node* named = map.optional("controller");
+  const Gains start = controlled(read, named, controller, study.scenarios.front());
+  // What the file says of gains is about those of another controller.
+  const std::string& meant = named != nullptr ? named->as_string() : read.controller;
+  const bool another = start.controller != meant;
+  const yaml::Node* parameters = map.optional("parameters");
+  study.space = read_space(another ? nullptr : parameters, start, joints);
   validate(study.space, path);
   const std::size_t n = study.space.free.size();
   for (const auto& corner :
@@ -172,8 +194,8 @@ Study load_study(const std::string& name_or_path) {
   if (const yaml::Node* node = map.optional("constraints")) {
     study.constraints = read_constraints(*node, study.scenarios);
   }
-  if (const yaml::Node* node = map.optional("sweep")) {
-    study.sweep = read_sweep(*node, gain_entries(joints), study.space);
+  if (const yaml::Node* node = map.optional("sweep"); node != nullptr && !another) {
+    study.sweep = read_sweep(*node, gain_entries(fields_of(start), joints), study.space);
   }
   if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node);
   if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {

@@ -36,7 +36,7 @@ std::vector<bool> given(const ParameterSpace& space, const std::vector<std::stri
 
 }  // namespace
 
-void load_warm_gains(WarmStart& warm, const std::string& folder_or_file,
+void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const ParameterSpace& space,
                      const std::vector<std::string>& joints, const std::string& relative_to) {
   namespace fs = std::filesystem;
   std::string file = folder_or_file;
@@ -48,6 +48,11 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file,
   }
   warm.source = find_data_file("gains", file, relative_to);
   warm.gains = load_gains(warm.source, joints);
+  if (warm.gains.controller != space.start.controller) {
+    throw InputError(fmt::format(
+        "{}: gains of the controller {}, while the study tunes those of {}; take a warm start of the same",
+        warm.source, warm.gains.controller, space.start.controller));
+  }
 }
 
 WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {

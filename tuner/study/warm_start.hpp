@@ -26,8 +26,9 @@ struct WarmPoint {
   std::vector<std::string> clamped;  ///< one line for each gain that lies outside the study's bounds
 };
 
-/// Reads source and gains: of a run folder, or of a gains file as load_gains finds it. Throws InputError.
-void load_warm_gains(WarmStart& warm, const std::string& folder_or_file,
+/// Reads source and gains: of a run folder, or of a gains file as load_gains finds it. Throws InputError,
+/// also if they are those of another controller than the space's.
+void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const ParameterSpace& space,
                      const std::vector<std::string>& joints, const std::string& relative_to = {});
 
 /// Throws InputError if a name is none of a tuned gain or field, or if the gains leave one out that is taken

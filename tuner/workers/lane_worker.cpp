@@ -139,7 +139,8 @@ class SideBySide {
     while (has_room()) {
       std::optional<GivenJob> one = jobs_.next();
       if (!one) return;
-      if (one->job.engine != Engine::kNative || jobs_.share() == 1) {
+      const bool in_lanes = one->job.engine == Engine::kNative && has_lanes(one->job.gains);
+      if (!in_lanes || jobs_.share() == 1) {
         jobs_.finished(one->number, alone_.run(one->job, [this] { return jobs_.stopped(); }));
         continue;
       }

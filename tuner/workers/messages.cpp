@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "core/control/gain_fields.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "tuner/workers/bytes.hpp"
 
 namespace armtune {
@@ -29,7 +29,8 @@ ByteReader opened(const std::string& message, MessageKind kind) {
 
 /// Every field of a gain set, switches too, each with how many numbers it has.
 void add_gains(ByteWriter& writer, const Gains& gains) {
-  for (const GainField& field : gain_fields()) {
+  writer.add(std::string_view(gains.controller));
+  for (const GainField& field : fields_of(gains)) {
     if (field.is_number()) {
       const auto values = numbers(gains, field);
       writer.add(std::uint64_t{values.size()});
@@ -44,7 +45,9 @@ void add_gains(ByteWriter& writer, const Gains& gains) {
 
 Gains read_gains(ByteReader& reader) {
   Gains gains;
-  for (const GainField& field : gain_fields()) {
+  become(gains, reader.text(), 0);
+  gains.own.clear();
+  for (const GainField& field : fields_of(gains)) {
     const std::uint64_t first = reader.integer();
     if (!field.is_number()) {
       if (first > 1) throw std::runtime_error(fmt::format("a message's {} is {}", field.name, first));
@@ -55,11 +58,14 @@ Gains read_gains(ByteReader& reader) {
       }
       continue;
     }
-    if (const auto* joints = std::get_if<JointVector Gains::*>(&field.member)) {
+    const auto* joints = std::get_if<JointVector Gains::*>(&field.member);
+    const bool own = std::holds_alternative<OwnGain>(field.member);
+    if (joints != nullptr || own) {
       if (first > static_cast<std::uint64_t>(kMaxJoints)) {
         throw std::runtime_error(fmt::format("a message's {} has {} numbers", field.name, first));
       }
-      (gains.**joints).resize(static_cast<Eigen::Index>(first));
+      JointVector& sized = own ? gains.own.emplace_back() : gains.**joints;
+      sized.resize(static_cast<Eigen::Index>(first));
     }
     const auto values = numbers(gains, field);
     if (values.size() != first) {

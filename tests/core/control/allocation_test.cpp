@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/allocation_counter.hpp"
@@ -112,6 +113,16 @@ TEST_F(Allocation, NeverHappensWithEveryOptionOn) {
     const Drive drive(rig, nothing, fast);
     expect_none_anywhere(drive);
     EXPECT_GT(drive.slowed, 50);
+  }
+}
+
+TEST_F(Allocation, NeverHappensUnderAnyController) {
+  for (const ControllerKind* kind : controller_kinds()) {
+    test::Rig rig = moving_rig();
+    rig.gains = controlled_by(*kind, rig.gains, *rig.model, rig.goal().q);
+    const Drive drive(rig, theta_of(rig.model->chain), 0.0);
+    EXPECT_EQ(drive.allocations, 0) << kind->name;
+    for (const int visits : drive.visits) EXPECT_GT(visits, 50) << kind->name;
   }
 }
 

@@ -63,7 +63,7 @@ TEST_P(FreeTurn, ChangesNoReferenceOfTheTask) {
   std::mt19937 generator(5);
   const JointState measured{test::random_configuration(generator, *arm),
                             random_vector(generator, arm->n(), 0.3)};
-  HarmonicPath path;
+  Path path;
   path.center = Vec3(0.4, 0.1, 0.5);
   Scene scene;
   scene.path = &path;

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/control/adaptation.hpp"
 #include "core/control/controller.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/controller_rig.hpp"

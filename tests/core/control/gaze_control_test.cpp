@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/trajectory/gaze_motion.hpp"
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/sight.hpp"
 #include "tests/core/support/states.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/control/gaze_control.hpp"
 #include "core/trajectory/gaze_motion.hpp"
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 #include "tests/core/support/sight.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
@@ -23,7 +23,7 @@ using test::WorstError;
 
 /// Tool and target that move, and a slerp between them that began at t = 0.
 struct MovingSlerp {
-  HarmonicPath tool, target;
+  Path tool, target;
   Mat3 R_0T;
   Eigen::Quaterniond Q_0T;
   GazeControl control;

@@ -5,7 +5,7 @@
 #include <array>
 #include <random>
 
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
@@ -24,7 +24,7 @@ constexpr double kDuration = 6.0;
 /// A circle beside the goal and a target that wanders.
 struct Task {
   test::Rig rig;
-  HarmonicPath path, target;
+  Path path, target;
 
   Task() {
     path = {rig.path.center + Vec3(0.02, 0.08, -0.05), 0.6, 0.0, {{1, Vec3(0, -0.1, 0), Vec3(-0.1, 0, 0)}}};

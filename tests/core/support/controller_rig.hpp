@@ -19,7 +19,7 @@ struct Rig {
   std::shared_ptr<const RobotModel> model;
   Gains gains;
   double period = 0.002;
-  HarmonicPath path;
+  Path path;
   Vec3 p_0G;
   std::vector<Vec3> obstacles;
 

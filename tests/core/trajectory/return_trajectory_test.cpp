@@ -15,14 +15,14 @@ using test::WorstError;
 
 constexpr double kTimeGain = 7.0;  // s/m
 
-HarmonicPath circle() {
+Path circle() {
   const double r = 0.15;
   return {Vec3(0.5, -0.2 - r, 0.8), 0.6, 0.3, {{1, Vec3(0.0, r, 0.0), Vec3(r, 0.0, 0.0)}}};
 }
 
 TEST(ReturnDuration, IsTheDistanceToWhereThePathWillBeByANaiveDuration) {
   std::mt19937 generator(451);
-  const HarmonicPath path = circle();
+  const Path path = circle();
   WorstError worst("duration", 1e-14);  // rounding
   for (int sample = 0; sample < 50; ++sample) {
     const Vec3 p = random_vec3(generator, 1.0);
@@ -38,7 +38,7 @@ TEST(ReturnDuration, IsTheDistanceToWhereThePathWillBeByANaiveDuration) {
 }
 
 TEST(ReturnDuration, IsNeverShorterThanATwentiethOfASecond) {
-  const HarmonicPath point{Vec3(0.5, 0.0, 0.8), 0.0, 0.0, {}};
+  const Path point{Vec3(0.5, 0.0, 0.8), 0.0, 0.0, {}};
   EXPECT_EQ(return_duration(point.center, point, 3.0, kTimeGain), 0.05);
   EXPECT_EQ(return_duration(point.center + Vec3(0.007, 0, 0), point, 3.0, kTimeGain), 0.05);  // 0.049 s
   EXPECT_NEAR(return_duration(point.center + Vec3(0.008, 0, 0), point, 3.0, kTimeGain), 0.056, 1e-15);
@@ -46,7 +46,7 @@ TEST(ReturnDuration, IsNeverShorterThanATwentiethOfASecond) {
 
 TEST(ReturnTrajectory, LeavesWithTheToolsMotionAndJoinsThePathsOwn) {
   std::mt19937 generator(452);
-  const HarmonicPath path = circle();
+  const Path path = circle();
   WorstError worst("ends", 1e-11);  // as the quintic's
   for (int sample = 0; sample < 50; ++sample) {
     const MotionPoint<Vec3> start{random_vec3(generator, 1.0), random_vec3(generator, 0.5),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
@@ -184,6 +185,10 @@ TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   lanes.start(1, job_of(scenario, quick_gains(scenario)));
   EXPECT_EQ(lanes.busy(), 1);
   EXPECT_EQ(lanes.free_lane(), 0);
+  Gains without_lanes = quick_gains(scenario);
+  become(without_lanes, "joint_pd", scenario.robot->n());
+  EXPECT_FALSE(has_lanes(without_lanes));
+  EXPECT_THROW(lanes.start(lanes.free_lane(), job_of(scenario, without_lanes)), std::invalid_argument);
   EXPECT_THROW(lanes.start(1, job_of(scenario, quick_gains(scenario))), std::invalid_argument);
   EXPECT_EQ(lanes.busy(), 1);
 }

@@ -41,8 +41,8 @@ Vec3 origin_of_joint(const Scenario& scenario, std::size_t joint) {
   return poses.p_0B[joint];
 }
 
-HarmonicPath standing_at(const Vec3& point) {
-  HarmonicPath path;
+Path standing_at(const Vec3& point) {
+  Path path;
   path.center = point;
   return path;
 }

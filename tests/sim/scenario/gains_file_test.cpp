@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/control/gain_fields.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
@@ -99,6 +99,46 @@ TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
     EXPECT_EQ(back.adapt_while_avoiding, gains.adapt_while_avoiding);
     EXPECT_EQ(back.gaze_feedforward, gains.gaze_feedforward);
   }
+}
+
+TEST_F(GainsFile, GainsOfEveryControllerReadBackToTheBit) {
+  for (const ControllerKind* kind : controller_kinds()) {
+    Gains gains = load_gains("published", kJoints);
+    const RobotModel& robot = *test::scenario_of("moving_target").robot;
+    gains = controlled_by(*kind, gains, robot, in_si(robot, gains.joint_space_goal));
+    double next = 0.7;
+    for (JointVector& own : gains.own) {
+      for (double& value : own) value = next += 1.0 / 3.0;
+    }
+    const std::string text = gains_yaml(gains, {});
+    const Gains back = load(text);
+    EXPECT_EQ(back.controller, kind->name);
+    EXPECT_EQ(back.own, gains.own);
+    EXPECT_EQ(gains_yaml(back, {}), text);
+    EXPECT_EQ(text.find("controller:") == std::string::npos, kind->name == "adaptive")
+        << "the published file names none";
+  }
+}
+
+TEST_F(GainsFile, AnOwnGainThatTheFileLeavesOutIsWhatItsDeclarationSays) {
+  std::string text = gains_yaml(load_gains("published", kJoints), {});
+  text.replace(text.find("simple_effort_ctrl:\n"), 20, "simple_effort_ctrl:\n  controller: joint_pd\n");
+  // What the kind does not have stands in the way, by name and line.
+  EXPECT_THAT(test::refusal([&] { load(text); }),
+              AllOf(HasSubstr("gains.yaml:"), HasSubstr("task_space_gains_d")));
+  for (const char* key : {"task_space_gains_d", "adaptation_gain", "adapt_while_avoiding",
+                          "adaptation_leakage", "adaptation_projection"}) {
+    const auto at = text.find(std::string("  ") + key);
+    ASSERT_NE(at, std::string::npos) << key;
+    text.erase(at, text.find('\n', at) + 1 - at);
+  }
+  EXPECT_EQ(own(load(text), "joint_pd_p"), JointVector::Constant(6, 100.0));
+}
+
+TEST_F(GainsFile, AControllerThatThereIsNotIsNamedWithThoseThereAre) {
+  EXPECT_THAT(
+      refused("simple_effort_ctrl:", "simple_effort_ctrl:\n  controller: impedence"),
+      AllOf(HasSubstr(":3"), HasSubstr("'impedence'"), HasSubstr("did you mean"), HasSubstr("joint_pd")));
 }
 
 TEST_F(GainsFile, JointGainsMayStandByJointName) {

@@ -19,17 +19,18 @@ using testing::HasSubstr;
 constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 1e-12;
 
-HarmonicPath path_of(const std::string& text) {
+Path path_of(const std::string& text) {
   const yaml::Node node = yaml::parse_text(text, "path.yaml");
   yaml::MapReader map(node);
-  HarmonicPath path = read_path(map);
+  std::vector<std::string> inputs;
+  Path path = read_path(map, inputs);
   map.finish();
   return path;
 }
 
 TEST(PathFile, ACircleKeepsItsRadiusAndPlaneAndTurnsRightHandedlyAboutItsNormal) {
   const Vec3 center(0.5, -0.2, 0.7), normal(1.0, 2.0, -0.5);
-  const HarmonicPath path =
+  const Path path =
       path_of("circle: {center: [0.5, -0.2, 0.7], radius: 0.12, period: 8, normal: [1, 2, -0.5]}\n");
   const Vec3 n = normal.normalized();
   for (double t = 0.0; t < 20.0; t += 0.31) {
@@ -43,23 +44,21 @@ TEST(PathFile, ACircleKeepsItsRadiusAndPlaneAndTurnsRightHandedlyAboutItsNormal)
 }
 
 TEST(PathFile, ACircleIsHorizontalAndBeginsOnXUnlessSaidOtherwise) {
-  const HarmonicPath plain = path_of("circle: {center: [1, 2, 3], radius: 0.5, period: 4}\n");
+  const Path plain = path_of("circle: {center: [1, 2, 3], radius: 0.5, period: 4}\n");
   EXPECT_LT((plain.at(0.0).position - Vec3(1.5, 2.0, 3.0)).norm(), kRounding);
   EXPECT_LT((plain.at(1.0).position - Vec3(1.0, 2.5, 3.0)).norm(), kRounding);
-  const HarmonicPath later = path_of("circle: {center: [1, 2, 3], radius: 0.5, period: 4, start_deg: 90}\n");
+  const Path later = path_of("circle: {center: [1, 2, 3], radius: 0.5, period: 4, start_deg: 90}\n");
   EXPECT_LT((later.at(0.0).position - Vec3(1.0, 2.5, 3.0)).norm(), kRounding);
-  const HarmonicPath about_x =
-      path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [3, 0, 0]}\n");
+  const Path about_x = path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [3, 0, 0]}\n");
   EXPECT_NEAR(about_x.at(0.7).position.x(), 0.0, kRounding);
-  const HarmonicPath tiny =
-      path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [1.0e-200, 0, 0]}\n");
+  const Path tiny = path_of("circle: {center: [0, 0, 0], radius: 1, period: 4, normal: [1.0e-200, 0, 0]}\n");
   EXPECT_LT((tiny.at(0.7).position - about_x.at(0.7).position).norm(), kRounding)
       << "a direction has no size";
   EXPECT_NEAR(about_x.at(0.7).position.norm(), 1.0, kRounding);
 }
 
 TEST(PathFile, AnEllipseIsTheAffineImageOfTheUnitCircle) {
-  const HarmonicPath path = path_of(
+  const Path path = path_of(
       "ellipse: {center: [1, 0, 0], axis_1: [0.2, 0, 0.1], axis_2: [0, 0.05, 0], period: 6, start_deg: "
       "30}\n");
   const Vec3 a(0.2, 0.0, 0.1), b(0.0, 0.05, 0.0);
@@ -72,7 +71,7 @@ TEST(PathFile, AnEllipseIsTheAffineImageOfTheUnitCircle) {
 }
 
 TEST(PathFile, AFigureEightCrossesItsMiddleTwiceAPeriodAndIsSymmetric) {
-  const HarmonicPath path =
+  const Path path =
       path_of("figure_eight: {center: [0, 1, 2], length: [0.3, 0, 0], width: [0, 0, 0.1], period: 10}\n");
   const Vec3 center(0.0, 1.0, 2.0);
   for (const double t : {0.0, 5.0, 10.0}) EXPECT_LT((path.at(t).position - center).norm(), kRounding);
@@ -88,7 +87,7 @@ TEST(PathFile, AFigureEightCrossesItsMiddleTwiceAPeriodAndIsSymmetric) {
 }
 
 TEST(PathFile, AHeldPointRests) {
-  const HarmonicPath path = path_of("hold: [0.1, 0.2, 0.3]\n");
+  const Path path = path_of("hold: [0.1, 0.2, 0.3]\n");
   for (const double t : {0.0, 1.7, 1e4}) {
     EXPECT_EQ(path.at(t).position, Vec3(0.1, 0.2, 0.3));
     EXPECT_EQ(path.at(t).velocity, Vec3(0.0, 0.0, 0.0));
@@ -121,6 +120,68 @@ TEST(PathFile, MistakesAreNamedWithLineAndKey) {
   EXPECT_THAT(said("center: [0, 0, 0]\nfrequency: 1\nphase: 1.0e9\n"),
               AllOf(HasSubstr("phase"), HasSubstr("begins at 1000000000 rad")));
   EXPECT_THAT(said("circel: {center: [0, 0, 0]}\n"), HasSubstr("center"));
+}
+
+TEST(PathFile, APolylineGoesThroughItsSidesAtItsSpeed) {
+  const Path path =
+      path_of("polyline: {corners: [[0, 0, 0], [1, 0, 0], [1, 1, 0]], speed: 0.5, blend: 0.1}\n");
+  ASSERT_NE(path.spline, nullptr);
+  EXPECT_FALSE(path.spline->loops());
+  EXPECT_LT((path.at(0.4 + 0.8).position - Vec3(0.5, 0.0, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.at(0.4 + 0.8).velocity - Vec3(0.5, 0.0, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.at(1e3).position - Vec3(1.0, 1.0, 0.0)).norm(), kRounding);
+  EXPECT_TRUE(
+      path_of(
+          "polyline: {corners: [[0, 0, 0], [1, 0, 0], [1, 1, 0]], speed: 0.5, blend: 0.1, closed: true}\n")
+          .spline->loops());
+}
+
+TEST(PathFile, APolylineThatCannotBeIsRefusedWithItsCorners) {
+  const auto refused = [](const std::string& text) { return test::refusal([&] { path_of(text); }); };
+  EXPECT_THAT(refused("polyline: {corners: [[0, 0, 0], [0.1, 0, 0]], speed: 1, blend: 0.06}\n"),
+              AllOf(HasSubstr("path.yaml:1"), HasSubstr("corners 1 and 2 are 0.1 m apart")));
+  EXPECT_THAT(refused("polyline: {corners: [[0, 0, 0]], speed: 1, blend: 0.06}\n"), HasSubstr("1 corners"));
+  EXPECT_THAT(refused("polyline: {corners: [[0, 0, 0], [1, 0, 0]], speed: 1, blend: 0.06, closed: true}\n"),
+              HasSubstr("at least 3"));
+  EXPECT_THAT(refused("polyline: {corners: [[0, 0, 0], [1, 0, 0]], speed: 0, blend: 0.06}\n"),
+              HasSubstr("above zero"));
+}
+
+TEST(PathFile, WaypointsAreFoundBesideTheFileThatNamesThemAndAreInputsOfTheRun) {
+  const test::TemporaryFolder folder;
+  folder.write("points.csv", "time,x,y,z\n1,0,0,0\n2,0.1,0.2,0.3\n4,0,0.1,0\n");
+  const yaml::Node node = yaml::parse_file(folder.write("path.yaml", "waypoints: points.csv\n"));
+  yaml::MapReader map(node);
+  std::vector<std::string> inputs;
+  const Path path = read_path(map, inputs);
+  map.finish();
+  EXPECT_THAT(inputs, testing::ElementsAre(folder / "points.csv"));
+  EXPECT_LT((path.at(2.0).position - Vec3(0.1, 0.2, 0.3)).norm(), kRounding);
+  EXPECT_LT((path.at(0.0).position - Vec3(0.0, 0.0, 0.0)).norm(), kRounding);
+  EXPECT_LT((path.at(9.0).position - Vec3(0.0, 0.1, 0.0)).norm(), kRounding);
+}
+
+TEST(PathFile, WaypointsThatCannotBeAreRefusedWithFileLineAndColumn) {
+  const test::TemporaryFolder folder;
+  const auto refused = [&](const std::string& csv) {
+    folder.write("points.csv", csv);
+    const std::string file = folder.write("path.yaml", "waypoints: points.csv\n");
+    return test::refusal([&] {
+      const yaml::Node node = yaml::parse_file(file);
+      yaml::MapReader map(node);
+      std::vector<std::string> inputs;
+      read_path(map, inputs);
+    });
+  };
+  EXPECT_THAT(refused("time,x,y\n0,0,0\n1,1,1\n"), AllOf(HasSubstr("points.csv"), HasSubstr("z")));
+  EXPECT_THAT(refused("time,x,y,z\n0,0,0,0\n0,1,1,1\n"), AllOf(HasSubstr("points.csv:3"), HasSubstr("rise")));
+  EXPECT_THAT(refused("time,x,y,z\n0,0,nan,0\n1,1,1,1\n"),
+              AllOf(HasSubstr("points.csv:2"), HasSubstr("column y")));
+  EXPECT_THAT(refused("time,x,y,z\n0,0,0,0\n"), HasSubstr("at least two"));
+  EXPECT_THAT(refused("time,x,y,z,qw\n0,0,0,0,1\n1,1,1,1,1\n"),
+              AllOf(HasSubstr("column 'qw'"), HasSubstr("take it out")));
+  EXPECT_THAT(refused("time,x,y,z\n0,0,0,0\n1e-9,1,1,1\n1,1,1,1\n"),
+              AllOf(HasSubstr("points.csv:"), HasSubstr("more time")));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/robot/theta.hpp"
+#include "core/trajectory/polyline.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune {
@@ -161,6 +162,39 @@ TEST(Perturbed, MovesCentersDelayNoiseThetaAndTargetsWithinTheirRangesAndFillsTh
   EXPECT_GT(loud, 1.47);  // 300 draws miss the outer 3 % with probability 1e-4
   EXPECT_GT(fast, 1.19);
   EXPECT_GT(sure, 1.099);
+}
+
+TEST(Perturbed, PathsThroughKnotsVaryTheirSpeedAndThoseThatComeRoundTheirBeginning) {
+  Scenario scenario = load_scenario("obstacle_pass");
+  const std::vector<Vec3> corners = {{0, 0, 0}, {0.4, 0, 0.1}, {0.4, 0.5, 0}};
+  scenario.targets.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    scenario.targets[i].path = {};
+    scenario.targets[i].path.spline =
+        std::make_shared<const PositionSpline>(polyline(corners, 0.2, 0.03, i == 0));
+  }
+  Perturbation perturbation;
+  perturbation.target_speed = 0.2;
+  const double turn = scenario.targets[0].path.period();
+  double slowest = 1.0, fastest = 1.0, earliest = turn, latest = 0.0;
+  for (std::uint64_t sample = 1; sample <= 200; ++sample) {
+    const Scenario other = perturbed(scenario, perturbation, 7, sample);
+    const Path& round = other.targets[0].path;
+    slowest = std::min(slowest, round.spline_rate);
+    fastest = std::max(fastest, round.spline_rate);
+    earliest = std::min(earliest, round.spline_lead);
+    latest = std::max(latest, round.spline_lead);
+    EXPECT_NE(other.targets[1].path.spline_rate, 1.0);
+    EXPECT_EQ(other.targets[1].path.spline_lead, 0.0) << "what does not come round begins where it does";
+  }
+  EXPECT_GE(slowest, 0.8);
+  EXPECT_LE(fastest, 1.2);
+  EXPECT_LT(slowest, 0.82);
+  EXPECT_GT(fastest, 1.18);
+  EXPECT_GE(earliest, 0.0);
+  EXPECT_LE(latest, turn);
+  EXPECT_LT(earliest, 0.05 * turn);
+  EXPECT_GT(latest, 0.95 * turn);
 }
 
 TEST(Perturbed, RefusesRangesThatLeaveNoArm) {

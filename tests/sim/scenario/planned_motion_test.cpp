@@ -74,6 +74,32 @@ TEST_F(PlannedMotion, ReadsEveryKnotToTheBitWhereverItsColumnsStand) {
   }
 }
 
+TEST_F(PlannedMotion, OfWaypointsGoesThroughThemAtRestAtBothEnds) {
+  std::string text = "time";
+  for (const JointInfo& joint : robot_->joints) text += ",joint/" + joint.name + "/position";
+  text += "\n8,0,0,0,0,0,0\n9,0.1,0.2,0.3,-0.1,-0.2,-0.3\n11,0.5,0,0,0,0,0\n";
+  const JointSpline plan = load_planned_motion(write(text), *robot_);
+  EXPECT_EQ(plan.begin(), 8.0);
+  EXPECT_EQ(plan.end(), 11.0);
+  EXPECT_NEAR(plan.at(9.0).position[2], 0.3, 1e-12);
+  EXPECT_NEAR(plan.at(11.0).position[0], 0.5, 1e-12);
+  EXPECT_EQ(plan.at(8.0).velocity, JointVector(JointVector::Zero(6)));
+  EXPECT_LT(plan.at(11.0).velocity.norm(), 1e-12);
+  // From piece to piece without a jump.
+  EXPECT_LT((plan.at(9.0 - 1e-9).velocity - plan.at(9.0 + 1e-9).velocity).norm(), 1e-6);
+  EXPECT_LT((plan.at(9.0 - 1e-9).acceleration - plan.at(9.0 + 1e-9).acceleration).norm(), 1e-6);
+  // Between waypoints within its limits the elbow would swing beyond them.
+  std::string far = text;
+  far.replace(far.find("0.1,0.2,0.3"), 11, "0.1,0.2,3.1");
+  far.replace(far.find("11,0.5,0,0"), 10, "9.4,0.5,0,3.1");
+  EXPECT_THAT(
+      refusal([&] { load_planned_motion(write(far), *robot_); }),
+      AllOf(HasSubstr("plan.csv:3 and 4, between them"), HasSubstr("elbow_joint"), HasSubstr("3.14159")));
+  // A velocity for one joint alone is a plan with columns missing.
+  text.replace(text.find('\n'), 1, ",joint/elbow_joint/velocity\n");
+  EXPECT_THAT(refusal([&] { load_planned_motion(write(text), *robot_); }), HasSubstr("plan.csv"));
+}
+
 TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
   EXPECT_THAT(refused(1, 0, "8"), AllOf(HasSubstr("plan.csv:3: time 8 s does not rise"), HasSubstr("later")));
   EXPECT_THAT(refused(0, 0, "-1"), AllOf(HasSubstr("plan.csv:2: time is -1 s"), HasSubstr("shift")));

@@ -59,8 +59,7 @@ Vec3 obstacle_3(double t) {
 }
 
 /// The file's path against a formula, and its velocity against the formula's finite difference.
-void expect_path(const HarmonicPath& path, const std::function<Vec3(double)>& formula,
-                 const std::string& what) {
+void expect_path(const Path& path, const std::function<Vec3(double)>& formula, const std::string& what) {
   constexpr double h = 1e-5;
   for (double t = 0.0; t < 60.0; t += 0.37) {
     const MotionPoint<Vec3> point = path.at(t);
@@ -167,6 +166,47 @@ class ScenarioFile : public testing::Test {
 
   const test::TemporaryFolder folder_;
 };
+
+TEST(Scenario, TargetsFollowTheirSchedule) {
+  Scenario s;
+  s.control_period = 0.002;
+  s.duration = 20.0;
+  s.targets.resize(3);
+  s.schedule = {{2.0, 1}, {5.0, 2}, {9.0, 0}};
+  const std::vector<std::pair<double, std::size_t>> expected = {{0.0, 0}, {1.998, 0}, {2.0, 1}, {4.99, 1},
+                                                                {5.0, 2}, {8.99, 2},  {9.0, 0}, {100.0, 0}};
+  for (const auto& [t, target] : expected) EXPECT_EQ(s.active_target(t), target) << t;
+  EXPECT_EQ(s.next_switch(0.0), 2.0);
+  EXPECT_EQ(s.next_switch(2.0), 5.0);
+  EXPECT_EQ(s.next_switch(8.0), 9.0);
+  EXPECT_EQ(s.next_switch(9.0), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(s.switches_target());
+  s.schedule.clear();
+  EXPECT_EQ(s.next_switch(0.0), std::numeric_limits<double>::infinity());
+  s.switch_every = 4.0;
+  EXPECT_EQ(s.next_switch(0.0), 4.0);
+  EXPECT_EQ(s.next_switch(4.0), 8.0);
+  EXPECT_EQ(s.next_switch(7.9), 8.0);
+}
+
+TEST_F(ScenarioFile, AScheduleNamesItsTargets) {
+  const Scenario s = load(
+      "base: target_switch\nswitch_every: 0\nschedule: [{at: 3, target: green}, {at: 5, target: red}]\n");
+  ASSERT_EQ(s.schedule.size(), 2U);
+  EXPECT_EQ(s.targets[s.active_target(4.0)].name, "green");
+  EXPECT_EQ(s.targets[s.active_target(6.0)].name, "red");
+  const auto refused_schedule = [&](const std::string& schedule, const std::string& every = "0") {
+    return test::refusal(
+        [&] { load("base: target_switch\nswitch_every: " + every + "\nschedule: " + schedule + "\n"); });
+  };
+  EXPECT_THAT(refused_schedule("[{at: 3, target: gren}]"),
+              AllOf(HasSubstr("'gren' is no target"), HasSubstr("green")));
+  EXPECT_THAT(refused_schedule("[{at: 0, target: green}]"), HasSubstr("begin above zero"));
+  EXPECT_THAT(refused_schedule("[{at: 3, target: green}, {at: 3, target: red}]"), HasSubstr("rise"));
+  EXPECT_THAT(refused_schedule("[{at: 3, target: red}]"), HasSubstr("at red already"));
+  EXPECT_TRUE(load("base: target_switch\nschedule: []\n").schedule.empty()) << "over a base's";
+  EXPECT_THAT(refused_schedule("[{at: 3, target: green}]", "8"), HasSubstr("switch_every"));
+}
 
 TEST_F(ScenarioFile, ItsOwnKeysReplaceThoseOfItsBasesWhole) {
   folder_.write("first.yaml", "duration: 3\nseed: 5\nplant: {position_noise: 1}\n");

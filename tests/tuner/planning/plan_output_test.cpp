@@ -84,7 +84,7 @@ TEST(PlanLimits, OfASolvedPlanNoneIsBrokenAtAKnotAndThoseThatHoldItBackAreReache
 TEST(PlanLimits, BetweenTheKnotsTorquePathAndGazeAreWhatKinematicsAndDynamicsSay) {
   const Solved& plan = a_switch();
   const Scenario& scenario = plan.task.scenario;
-  const HarmonicPath target = scenario.targets[scenario.active_target(plan.task.at + 0.01)].path;
+  const Path target = scenario.targets[scenario.active_target(plan.task.at + 0.01)].path;
   int seen = 0;
   for (const LimitUse& use : plan.uses) {
     std::pair<double, double> expected;

@@ -20,8 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using test::WorstError;
 
-HarmonicPath circle(const Vec3& center, double radius, double frequency) {
-  HarmonicPath path;
+Path circle(const Vec3& center, double radius, double frequency) {
+  Path path;
   path.center = center;
   path.frequency = frequency;
   path.terms = {{1, Vec3(radius, 0.0, 0.1 * radius), Vec3(0.0, radius, 0.0)}};
@@ -51,8 +51,8 @@ TrajectoryTask everything(const RobotModel& arm) {
   s.least_velocity = 0.0;
   task.coordinates.push_back(s);
   const int last = task.grid.intervals();
-  const HarmonicPath path = circle(Vec3(0.4, 0.1, 0.5), 0.2, 1.1);
-  const HarmonicPath target = circle(Vec3(0.6, -0.3, 0.0), 0.3, 0.7);
+  const Path path = circle(Vec3(0.4, 0.1, 0.5), 0.2, 1.1);
+  const Path target = circle(Vec3(0.6, -0.3, 0.0), 0.3, 0.7);
   task.terms = {
       given_state("start", joint_names(arm), position_units(arm), 0,
                   {VectorXd::Constant(arm.n(), 0.1), VectorXd::Constant(arm.n(), 0.2), VectorXd()}),

@@ -168,7 +168,7 @@ TEST(Yardstick, AToolThatIsNearestToAnObstacleLeavesRoomForAPlan) {
   event.velocity = JointVector::Zero(robot.n());
   Poses poses;
   forward_kinematics(robot.chain, event.position, poses);
-  HarmonicPath before_the_tool;
+  Path before_the_tool;
   before_the_tool.center = poses.p_0T + 0.2 * poses.R_0T.col(2);
   scenario.obstacles = {{"before the tool", before_the_tool}};
   const std::vector<Vec3> centers{before_the_tool.center};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/robot/kinematics.hpp"
+#include "core/trajectory/polyline.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
@@ -58,6 +59,32 @@ TEST(Scene, ReadsBackAsItWasWritten) {
       EXPECT_EQ(read.scenarios[0].obstacles[i].at(t).position, obstacles[i].path.at(t).position);
     }
   }
+}
+
+TEST(Scene, PathsThroughKnotsReadBackAndAreDrawnWhole) {
+  const TemporaryFolder folder;
+  Scene scene = scene_of({test::scenario_of("moving_target")}, {}, 0.325);
+  for (const bool closed : {false, true}) {
+    const std::vector<Vec3> corners = {{0, 0, 0}, {0.4, 0, 0.1}, {0.4, 0.5, 0}};
+    Path& path = scene.scenarios[0].path;
+    path = {};
+    path.spline = std::make_shared<const PositionSpline>(polyline(corners, 0.2, 0.03, closed));
+    const std::string text = scene_json(scene);
+    const Scene read = read_scene(folder.write("scene.json", text));
+    EXPECT_EQ(scene_json(read), text);
+    for (const double t : {0.0, 1.7, 3.1, 41.0})
+      EXPECT_EQ(read.scenarios[0].path.at(t).position, path.at(t).position);
+    // No step of the drawing is longer than a hundredth of the way, back to its beginning included.
+    const auto drawn = drawn_path(path);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      EXPECT_LT((drawn[i] - drawn[(i + 1) % drawn.size()]).norm(), 0.015) << closed << ' ' << i;
+    double nearest = 1.0;
+    for (const Vec3& point : drawn) nearest = std::min(nearest, (point - corners[1]).norm());
+    EXPECT_LT(nearest, 0.03) << "it comes by the middle corner";
+  }
+  std::string text = scene_json(scene);
+  text.replace(text.find("\"loops\": true"), 13, "\"loops\": 7");
+  EXPECT_THAT(test::refusal([&] { read_scene(folder.write("scene.json", text)); }), HasSubstr("scene.json"));
 }
 
 TEST(Scene, NamesWhatIsWrongInAFile) {

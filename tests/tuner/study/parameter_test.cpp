@@ -25,7 +25,7 @@ class Parameters : public testing::Test {
   }
 
   GainEntry entry(const std::string& name) const {
-    for (const GainEntry& e : gain_entries(joints_)) {
+    for (const GainEntry& e : gain_entries(gain_fields(), joints_)) {
       if (e.name == name) return e;
     }
     ADD_FAILURE() << "no gain " << name;
@@ -48,7 +48,7 @@ class Parameters : public testing::Test {
 
 TEST_F(Parameters, EveryNumberOfEveryFieldHasAnEntryOfItsOwn) {
   Gains gains = space_.start;
-  const auto entries = gain_entries(joints_);
+  const auto entries = gain_entries(gain_fields(), joints_);
   for (std::size_t i = 0; i < entries.size(); ++i) value(gains, entries[i]) = 1000.0 + static_cast<double>(i);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     EXPECT_EQ(value(gains, entries[i]), 1000.0 + static_cast<double>(i)) << entries[i].name;

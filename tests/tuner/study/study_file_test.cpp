@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/study/study.hpp"
 
@@ -42,6 +43,41 @@ TEST(StudyFile, TheBundledStudyTunesTwentyGainsOverItsFourScenarios) {
   EXPECT_EQ(study.constraints[0].metric, Metric::kJointVelocityMaxRatio);
   EXPECT_EQ(study.constraints[0].limit, 0.9);
   EXPECT_EQ(study.sweep.size(), 2U);
+}
+
+TEST(StudyFile, OfAnotherControllerTunesThatOnesGainsFromTheirStart) {
+  const ShortStudy files;
+  const Study as_it_is = load_study(files.path());
+  for (const ControllerKind* kind : controller_kinds()) {
+    const Study study = load_study(files.path(), kind->name);
+    EXPECT_EQ(study.space.start.controller, kind->name);
+    if (kind->name == "adaptive") {
+      EXPECT_EQ(study_yaml(study, "gains.yaml"), study_yaml(as_it_is, "gains.yaml"));
+      continue;
+    }
+    std::vector<std::string> tuned;
+    for (const Parameter& p : study.space.free) tuned.emplace_back(p.entry.field->name);
+    for (const GainField& field : kind->own) EXPECT_THAT(tuned, testing::Contains(field.name)) << kind->name;
+    EXPECT_THAT(tuned, testing::Not(testing::Contains("task_space_gains_d")));
+    // Its resolved form names it by the gains it is kept beside.
+    files.write("start.yaml", gains_yaml(study.space.start, {}));
+    const std::string text = study_yaml(study, "start.yaml");
+    const Study again = load_study(files.write("resolved.yaml", text));
+    EXPECT_EQ(again.space.start.controller, kind->name);
+    EXPECT_EQ(study_yaml(again, "start.yaml"), text);
+  }
+}
+
+TEST(StudyFile, NamesItsController) {
+  const std::string named = "controller: impedance\nparameters: [{name: impedance_k/x}]\n";
+  const Study study = parameters_study(named);
+  ASSERT_EQ(study.space.free.size(), 1U);
+  EXPECT_EQ(study.space.free[0].entry.name, "impedance_k/x");
+  EXPECT_GT(study.space.free[0].start, 0.0);
+  EXPECT_THAT(refusal("controller: impedance\n" + test::kShortParameters),
+              AllOf(HasSubstr("task_space_gains_p/rx"), HasSubstr("is no gain")));
+  EXPECT_THAT(refusal("controller: pid\n"),
+              AllOf(HasSubstr(":4"), HasSubstr("'pid'"), HasSubstr("joint_pd")));
 }
 
 TEST(StudyFile, ReadsBackFromItsResolvedForm) {

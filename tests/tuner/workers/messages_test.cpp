@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/control/gain_fields.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/workers/bytes.hpp"
 
@@ -118,6 +118,27 @@ TEST(Messages, AJobComesBackWithEveryGain) {
   }
   EXPECT_EQ(got.job.cost.beyond, sent.job.cost.beyond);
   expect_only_the_whole_is_read(job_message(sent), read_job);
+}
+
+TEST(Messages, AJobOfEveryControllerComesBackWithItsOwnGains) {
+  for (const ControllerKind* kind : controller_kinds()) {
+    NumberedJob sent = some_job();
+    Gains& gains = sent.job.gains;
+    become(gains, kind->name, 6);
+    double next = 0.7;
+    for (JointVector& own : gains.own) {
+      for (double& value : own) value = next += 1.0 / 3.0;
+    }
+    const Gains got = read_job(job_message(sent)).job.gains;
+    EXPECT_EQ(got.controller, kind->name);
+    EXPECT_EQ(got.own, gains.own) << kind->name;
+    for (const GainField& field : fields_of(gains)) {
+      const auto a = numbers(gains, field);
+      const auto b = numbers(got, field);
+      EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end())) << field.name;
+    }
+    expect_only_the_whole_is_read(job_message(sent), read_job);
+  }
 }
 
 TEST(Messages, AResultComesBackBitByBit) {

@@ -44,7 +44,7 @@ std::optional<double> time_to_end(const PlanTask& task, const CsvTable& table,
                                   const std::vector<double>& time, std::size_t first) {
   if (task.kind == PlanKind::kSwitch) {
     const std::vector<double> gaze = table.numbers(table.column("gaze/angle"));
-    const double until = task.at + task.scenario.switch_every;
+    const double until = task.scenario.next_switch(task.at + task.scenario.control_period);
     std::optional<double> reached = 0.0;
     for (std::size_t i = first; i < time.size() && time[i] < until; ++i) {
       if (gaze[i] > task.gaze_threshold)

@@ -38,11 +38,12 @@ Trajectory along(const Trajectory& way, const Quintic<double>& coordinate, const
 
 PlanProblem fastest_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
-  if (scenario.path.frequency == 0.0)
-    throw InputError(fmt::format("{}: the tool path of {} stands still; there is no way along it",
-                                 shown_path(common.task.source), scenario.name));
   // One turn: the path's own time is the coordinate.
-  const double turn = 2.0 * M_PI / std::abs(scenario.path.frequency);
+  const double turn = scenario.path.period();
+  if (turn == 0.0)
+    throw InputError(
+        fmt::format("{}: the tool path of {} stands still or never closes; there is no way round it",
+                    shown_path(common.task.source), scenario.name));
   const double from = common.task.at;
   const ToolCurve curve = [path = scenario.path, from](double s) { return path.at(from + s); };
   PlanProblem problem;

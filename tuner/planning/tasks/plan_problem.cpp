@@ -98,12 +98,11 @@ PlanProblem track_problem(const PlanCommon& common) {
 
 PlanProblem switch_problem(const PlanCommon& common) {
   const Scenario& scenario = common.task.scenario;
-  const HarmonicPath from =
-      scenario.targets[scenario.active_target(common.task.at - scenario.control_period)].path;
-  const HarmonicPath to =
-      scenario.targets[scenario.active_target(common.task.at + scenario.control_period)].path;
+  const Path from = scenario.targets[scenario.active_target(common.task.at - scenario.control_period)].path;
+  const Path to = scenario.targets[scenario.active_target(common.task.at + scenario.control_period)].path;
   const double guess = common.first_duration(1.0);
-  const double until = next_switch(scenario, common.task.at);
+  // The task may begin shortly before its switch: the one meant is the next after that.
+  const double until = scenario.next_switch(common.task.at + scenario.control_period);
   const int holding = std::max(4, common.task.knots / 3);
   PlanProblem problem;
   problem.grid = common.task.least_error
@@ -160,9 +159,9 @@ PlanProblem return_problem(const PlanCommon& common) {
   }
   // The target that is likely to be active by then.
   const double ending = common.task.at + duration;
-  const HarmonicPath gazed = scenario.targets[scenario.active_target(ending)].path;
+  const Path gazed = scenario.targets[scenario.active_target(ending)].path;
   PlanProblem problem;
-  if (common.task.end_gaze) problem.target_until = next_switch(scenario, ending);
+  if (common.task.end_gaze) problem.target_until = scenario.next_switch(ending);
   problem.gaze_target = [gazed](double t) { return gazed.at(t); };
   problem.grid = common.grid({common.phase("return", common.task.knots, duration)});
   problem.task = [common, gazed](const TimeGrid& grid) {
@@ -183,14 +182,6 @@ PlanProblem return_problem(const PlanCommon& common) {
 }
 
 }  // namespace
-
-double next_switch(const Scenario& scenario, double t) {
-  if (scenario.switch_every <= 0.0 || scenario.targets.size() < 2)
-    return std::numeric_limits<double>::infinity();
-  // Half a period's grace, as where the active target is found.
-  const double turns = std::floor((t + 0.5 * scenario.control_period) / scenario.switch_every);
-  return (turns + 1.0) * scenario.switch_every;
-}
 
 MovingPoint active_target(const Scenario& scenario) {
   if (scenario.targets.empty()) return [](double) { return MotionPoint<Vec3>{}; };

@@ -25,9 +25,6 @@ struct PlanProblem {
 /// not fit.
 PlanProblem plan_problem(const PlanTask& task);
 
-/// When the targets take turns the next time after t [s]; infinite: never.
-double next_switch(const Scenario& scenario, double t);
-
 /// The target the gaze is to be at in time.
 MovingPoint active_target(const Scenario& scenario);
 

@@ -34,7 +34,7 @@ StartState given_start(const PlanTask& task, const RobotModel& robot, const Cont
   const Scenario& scenario = task.scenario;
   const double from = task.at - kLeadIn;
   // Before a switch: the target the gaze leaves.
-  const HarmonicPath& target =
+  const Path& target =
       scenario.targets[scenario.active_target(std::max(0.0, task.at - scenario.control_period))].path;
   const Vec3 tool = scenario.path.at(from).position;
   const auto pose = pose_at(robot, tool, target.at(from).position, scenario.start_position,

@@ -146,6 +146,21 @@ std::string list(const JointVector& values) {
   return text + "]";
 }
 
+/// That the targets do not take turns when the task says so, and when they do.
+std::string no_switch(const PlanTask& task) {
+  constexpr std::size_t kNamed = 4;
+  const Scenario& scenario = task.scenario;
+  std::vector<std::string> times;
+  double at = scenario.next_switch(0.0);
+  while (at < scenario.duration && times.size() <= kNamed) {
+    times.push_back(times.size() < kNamed ? fmt::format("{}", at) : "...");
+    at = scenario.next_switch(at);
+  }
+  if (times.empty()) return scenario.name + " never switches its target; choose another scenario";
+  return fmt::format("{} switches no target at {} s; it does at {} s", scenario.name, task.at,
+                     fmt::join(times, ", "));
+}
+
 }  // namespace
 
 const std::vector<std::pair<PlanKind, std::string>>& plan_kinds() {
@@ -207,11 +222,7 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   if (task.kind == PlanKind::kSwitch &&
       task.scenario.active_target(task.at + task.scenario.control_period) ==
           task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
-    map.required("at").fail(
-        task.scenario.switch_every > 0.0 && task.scenario.targets.size() > 1
-            ? fmt::format("{} switches no target at {} s; it does every {} s", task.scenario.name, task.at,
-                          task.scenario.switch_every)
-            : fmt::format("{} never switches its target; choose another scenario", task.scenario.name));
+    map.required("at").fail(no_switch(task));
   if (task.clearance > 0.0 && task.scenario.obstacles.empty())
     map.required("clearance").fail(task.scenario.name + " has no obstacles");
   return task;

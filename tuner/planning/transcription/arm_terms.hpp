@@ -4,7 +4,7 @@
 // are relative.
 
 #include "core/robot/robot_model.hpp"
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 #include "tuner/planning/transcription/knot_term.hpp"
 
 namespace armtune {
@@ -21,23 +21,23 @@ std::vector<std::string> position_units(const RobotModel& robot);
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin);
 
 /// Tool within `tolerance` [m] of path(t) along x, y, z; 0: on it, in units of 1 m.
-KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const HarmonicPath& path, double tolerance);
+KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const Path& path, double tolerance);
 
 /// The tool moves with path(t): velocity and acceleration are the path's own [m/s, m/s^2].
-KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const HarmonicPath& path);
+KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const Path& path);
 
 /// Cost: the tool's distance from path(t); `weight` per (m^2).
-KnotTerm tool_path_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& path, double weight);
+KnotTerm tool_path_cost(const RobotModel& robot, KnotRange knots, const Path& path, double weight);
 
 /// Tool z within `angle` [rad] of the line to target(t).
-KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double angle);
+KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& target, double angle);
 
 /// Cost: the sine of the angle between tool z and the line to target(t); `weight` per (rad^2).
-KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double weight);
+KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target, double weight);
 
 /// Every joint's origin that can move, and the tool, at least `radius` [m] from obstacle(t).
-KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name,
-                  const HarmonicPath& obstacle, double radius);
+KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name, const Path& obstacle,
+                  double radius);
 
 /// A curve of the tool over a coordinate s: position [m] and its derivative.
 using ToolCurve = std::function<MotionPoint<Vec3>(double s)>;

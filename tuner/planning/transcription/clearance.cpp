@@ -5,8 +5,8 @@
 
 namespace armtune {
 
-KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name,
-                  const HarmonicPath& obstacle, double radius) {
+KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name, const Path& obstacle,
+                  double radius) {
   // The origin of a first joint that turns stands still: nothing can be done about it.
   const int first_joint = robot.chain.motion[0] == JointMotion::kRevolute ? 1 : 0;
   std::vector<std::string> rows = joint_names(robot);

@@ -40,7 +40,7 @@ void gaze_error(const Chain& chain, const Knot& knot, const MotionPoint<Vec3>& t
 
 }  // namespace
 
-KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double weight) {
+KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target, double weight) {
   KnotTerm term = over(knots, "gaze", {"about y", "about x"});
   term.on_time = true;
   term.cost = true;
@@ -58,7 +58,7 @@ KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath&
   return term;
 }
 
-KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const HarmonicPath& target, double angle) {
+KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& target, double angle) {
   KnotTerm term = over(knots, "gaze", {"angle"});
   term.on_time = true;
   term.upper = 1.0;

@@ -55,7 +55,7 @@ void add_acceleration_along_q(const ChainT<Along>& chain, const Knot& at, double
 
 }  // namespace
 
-KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const HarmonicPath& path, double tolerance) {
+KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const Path& path, double tolerance) {
   const double factor = path_factor(tolerance);
   KnotTerm term = path_term(knots, tolerance);
   term.on_time = true;
@@ -69,7 +69,7 @@ KnotTerm tool_on_path(const RobotModel& robot, KnotRange knots, const HarmonicPa
   return term;
 }
 
-KnotTerm tool_path_cost(const RobotModel& robot, KnotRange knots, const HarmonicPath& path, double weight) {
+KnotTerm tool_path_cost(const RobotModel& robot, KnotRange knots, const Path& path, double weight) {
   KnotTerm term = tool_on_path(robot, knots, path, 1.0 / std::sqrt(weight));
   term.cost = true;
   return term;
@@ -86,7 +86,7 @@ KnotTerm tool_on_curve(const RobotModel& robot, KnotRange knots, const ToolCurve
   return term;
 }
 
-KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const HarmonicPath& path) {
+KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const Path& path) {
   KnotTerm term = over({knot, knot}, "tool motion", {"vx", "vy", "vz", "ax", "ay", "az"});
   term.on_velocity = term.on_acceleration = term.on_time = true;
   term.lower = term.upper = 0.0;

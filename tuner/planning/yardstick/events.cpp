@@ -63,7 +63,7 @@ struct Columns {
     return end;
   }
 
-  double path_error(const HarmonicPath& path, std::size_t first, std::size_t last) const {
+  double path_error(const Path& path, std::size_t first, std::size_t last) const {
     double worst = 0.0;
     for (std::size_t row = first; row < last; ++row) {
       const Vec3 wanted = path.at(time[row]).position;
@@ -91,11 +91,12 @@ struct Columns {
 
 void add_switches(const Columns& columns, const Scenario& scenario, double threshold,
                   std::vector<Event>& events) {
-  if (!(scenario.switch_every > 0.0) || scenario.targets.size() < 2) return;
-  for (int turn = 1; turn * scenario.switch_every < columns.time.back(); ++turn) {
-    const double at = turn * scenario.switch_every;
+  double after = scenario.next_switch(0.0);
+  while (after < columns.time.back()) {
+    const double at = after;
+    after = scenario.next_switch(at);
     const std::size_t first = columns.row_at(at);
-    const std::size_t next = columns.row_at(at + scenario.switch_every);
+    const std::size_t next = columns.row_at(after);
     if (first >= next || columns.in(first, ControlState::kLeaveSingularity)) continue;
     const std::size_t last = columns.in(first, ControlState::kFollowTrajectory)
                                  ? columns.leaves(ControlState::kFollowTrajectory, first, next)
@@ -139,8 +140,8 @@ void add_returns(const Columns& columns, const Scenario& scenario, std::vector<E
 }
 
 void add_laps(const Columns& columns, const Scenario& scenario, std::vector<Event>& events) {
-  if (scenario.path.frequency == 0.0) return;
-  const double turn = 2.0 * M_PI / std::abs(scenario.path.frequency);
+  const double turn = scenario.path.period();
+  if (turn == 0.0) return;
   std::size_t first = 0;
   while (first < columns.rows()) {
     while (first < columns.rows() && !columns.in(first, ControlState::kFollowTrajectory)) ++first;

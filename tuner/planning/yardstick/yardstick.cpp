@@ -21,7 +21,7 @@ constexpr double kShortestHold = 0.02;  // s
 
 /// The longest interval of a lap's grid [s].
 double lap_interval(const Event& event, const Scenario& scenario) {
-  return next_switch(scenario, event.time) < event.end ? kLongestWithSwitch : kLongestInterval;
+  return scenario.next_switch(event.time) < event.end ? kLongestWithSwitch : kLongestInterval;
 }
 
 std::string strongest_limit(const PlannedTrajectory& planned) {
@@ -178,7 +178,7 @@ Measure measure(const Event& event, const Scenario& scenario, const YardstickOpt
   if (found.status == MeasureStatus::kSolved && obstacles && task.clearance == 0.0)
     found.status = MeasureStatus::kWithoutClearance;
   if (event.kind == EventKind::kSwitch && found.limit > 0.0 &&
-      event.time + found.limit > next_switch(scenario, event.time))
+      event.time + found.limit > scenario.next_switch(event.time))
     found.status = MeasureStatus::kPastNextSwitch;
   return found;
 }

@@ -1,4 +1,4 @@
-#include "core/trajectory/harmonic_path.hpp"
+#include "core/trajectory/path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ using test::random_number;
 using test::random_vec3;
 using test::WorstError;
 
-HarmonicPath random_path(std::mt19937& g) {
-  HarmonicPath path{random_vec3(g, 1.0), random_number(g, 0.1, 2.0), random_number(g, -3.0, 3.0), {}};
+Path random_path(std::mt19937& g) {
+  Path path{random_vec3(g, 1.0), random_number(g, 0.1, 2.0), random_number(g, -3.0, 3.0), {}};
   for (const int order : {1, 2, 1, 3, 0}) {
     path.terms.push_back({order, random_vec3(g, 0.5), random_vec3(g, 0.5)});
   }
@@ -24,15 +24,15 @@ HarmonicPath random_path(std::mt19937& g) {
 }
 
 /// x = ax + r sin(wt), y = ay + r cos(wt) - r.
-HarmonicPath circle(double ax, double ay, double z, double r, double w) {
+Path circle(double ax, double ay, double z, double r, double w) {
   return {Vec3(ax, ay - r, z), w, 0.0, {{1, Vec3(0.0, r, 0.0), Vec3(r, 0.0, 0.0)}}};
 }
 
-TEST(HarmonicPath, IsTheSumOfItsHarmonics) {
+TEST(Path, IsTheSumOfItsHarmonics) {
   std::mt19937 generator(411);
   WorstError worst("position", 1e-14);  // rounding
   for (int sample = 0; sample < 30; ++sample) {
-    const HarmonicPath path = random_path(generator);
+    const Path path = random_path(generator);
     const double t = random_number(generator, -10.0, 10.0);
     Vec3 p = path.center;
     for (const HarmonicTerm& term : path.terms) {
@@ -43,11 +43,11 @@ TEST(HarmonicPath, IsTheSumOfItsHarmonics) {
   }
 }
 
-TEST(HarmonicPath, VelocityAndAccelerationAreTheDerivatives) {
+TEST(Path, VelocityAndAccelerationAreTheDerivatives) {
   std::mt19937 generator(412);
   WorstError worst("derivative", 1e-9);  // third harmonic of 2 rad/s: 6^5 h^4 / 30 = 3e-10 at h = 1e-3
   for (int sample = 0; sample < 30; ++sample) {
-    const HarmonicPath path = random_path(generator);
+    const Path path = random_path(generator);
     const double t = random_number(generator, -10.0, 10.0);
     const auto position = [&](double s) { return Vec3(path.at(t + s).position); };
     const auto velocity = [&](double s) { return Vec3(path.at(t + s).velocity); };
@@ -56,10 +56,10 @@ TEST(HarmonicPath, VelocityAndAccelerationAreTheDerivatives) {
   }
 }
 
-TEST(HarmonicPath, CircleStartsAtItsTopAndClosesAfterItsPeriod) {
+TEST(Path, CircleStartsAtItsTopAndClosesAfterItsPeriod) {
   const double r = 0.15;
   const double w = 0.4;
-  const HarmonicPath path = circle(0.5, -0.2, 0.8, r, w);
+  const Path path = circle(0.5, -0.2, 0.8, r, w);
   WorstError worst("circle", 1e-14);  // rounding
   for (int step = 0; step < 100; ++step) {
     const double t = 0.2 * step;
@@ -74,12 +74,12 @@ TEST(HarmonicPath, CircleStartsAtItsTopAndClosesAfterItsPeriod) {
   EXPECT_GT(path.at(0.0).velocity.x(), 0.0);
 }
 
-TEST(HarmonicPath, PhaseIsAShiftInTime) {
+TEST(Path, PhaseIsAShiftInTime) {
   std::mt19937 generator(413);
   WorstError worst("shift", 1e-13);  // rounding of the angle, up to 60 rad
   for (int sample = 0; sample < 30; ++sample) {
-    HarmonicPath path = random_path(generator);
-    HarmonicPath unshifted = path;
+    Path path = random_path(generator);
+    Path unshifted = path;
     unshifted.phase = 0.0;
     const double t = random_number(generator, -10.0, 10.0);
     const double later = t + path.phase / path.frequency;
@@ -88,9 +88,9 @@ TEST(HarmonicPath, PhaseIsAShiftInTime) {
   }
 }
 
-TEST(HarmonicPath, RestsAtFrequencyZeroWhereItsPhasePutsIt) {
+TEST(Path, RestsAtFrequencyZeroWhereItsPhasePutsIt) {
   std::mt19937 generator(414);
-  HarmonicPath path = random_path(generator);
+  Path path = random_path(generator);
   path.frequency = 1.0;
   const Vec3 start = path.at(0.0).position;
   path.frequency = 0.0;
@@ -101,8 +101,8 @@ TEST(HarmonicPath, RestsAtFrequencyZeroWhereItsPhasePutsIt) {
   }
 }
 
-TEST(HarmonicPath, WithoutTermsIsItsCentre) {
-  const HarmonicPath path{Vec3(1.0, 2.0, 3.0), 1.0, 0.5, {}};
+TEST(Path, WithoutTermsIsItsCentre) {
+  const Path path{Vec3(1.0, 2.0, 3.0), 1.0, 0.5, {}};
   EXPECT_EQ(path.at(7.0).position, path.center);
   EXPECT_TRUE(path.at(7.0).velocity.isZero(0.0));
 }

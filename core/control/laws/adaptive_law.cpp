@@ -1,0 +1,50 @@
+#include "core/control/laws/adaptive_law.hpp"
+
+#include "core/control/adaptation.hpp"
+
+namespace armtune {
+namespace {
+
+class AdaptiveLaw final : public TorqueLaw {
+ public:
+  explicit AdaptiveLaw(const LawSetup& setup)
+      : TorqueLaw(setup), gains_(setup.gains), period_(setup.period), adaptation_(setup.theta) {}
+
+  void torque(const LawInput& in, JointVector& tau) override {
+    const JointReference& reference = in.control.reference;
+    slotine_li_forward(chain_, in.arm.poses, in.measured.qd, reference.velocity, reference.acceleration,
+                       motion_);
+    slotine_li_torque(chain_, in.arm.poses, motion_, adaptation_.theta(), tau);
+    tau -= in.Kd.cwiseProduct(in.control.S);
+  }
+
+  void conclude(bool learning) override {
+    if (!learning) return;
+    adaptation_.step(motion_, gains_.adaptation_gain, period_);
+    if (gains_.adaptation_leakage > 0.0) adaptation_.leak(gains_.adaptation_leakage, period_);
+    if (gains_.adaptation_projection) adaptation_.project();
+  }
+
+  const ParameterVector& theta() const override { return adaptation_.theta(); }
+  const SlotineLi* references_motion() const override { return &motion_; }
+
+ private:
+  const Gains& gains_;
+  double period_;
+  Adaptation adaptation_;
+};
+
+}  // namespace
+
+ControllerKind adaptive_controller() {
+  return {"adaptive",
+          "adaptive Cartesian PID: Y theta - Kd S, with theta learnt on the way (Slotine and Li)",
+          {"task_space_gains_p", "task_space_gains_i", "task_space_gains_d", "interpolation_gain_scale",
+           "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage", "adaptation_projection"},
+          {},
+          [](const LawSetup& setup) { return std::make_unique<AdaptiveLaw>(setup); },
+          {},
+          true};
+}
+
+}  // namespace armtune

@@ -1,0 +1,71 @@
+#include "core/control/laws/joint_pd_law.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "core/control/laws/first_gains.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kOuterShare = 0.25;  // of the slowest joint motion's rate
+
+/// Of M^-1 D, the smallest eigenvalue [1/s]: how fast the slowest joint motion dies.
+double slowest_rate(const RobotModel& robot, const JointVector& q, const JointVector& D) {
+  const JointVector scale = D.cwiseSqrt().cwiseInverse();
+  const JointMatrix slowness = scale.asDiagonal() * mass_with_rotors(robot, q) * scale.asDiagonal();
+  return 1.0 / Eigen::SelfAdjointEigenSolver<JointMatrix>(slowness).eigenvalues().maxCoeff();
+}
+
+class JointPdLaw final : public TorqueLaw {
+ public:
+  explicit JointPdLaw(const LawSetup& setup)
+      : TorqueLaw(setup),
+        P_(own(setup.gains, "joint_pd_p")),
+        D_(own(setup.gains, "joint_pd_d")),
+        period_(setup.period) {}
+
+  void torque(const LawInput& in, JointVector& tau) override {
+    // An obstacle's repulsion is to move the arm, not to stretch a spring.
+    const bool yields = in.control.state == ControlState::kAvoidObstacles;
+    if (yields || q_reference_.size() == 0) q_reference_ = in.measured.q;
+    gravity_torque(in.arm, tau);
+    tau += P_.cwiseProduct(q_reference_ - in.measured.q) - D_.cwiseProduct(in.control.S);
+    step_ = period_ * in.control.reference.velocity;
+  }
+
+  /// Of a saturated joint the reference waits: it would only run ahead.
+  void conclude(bool learning) override {
+    if (learning) q_reference_ += step_;
+  }
+
+ private:
+  JointVector P_, D_;
+  double period_;
+  JointVector q_reference_, step_;
+};
+
+}  // namespace
+
+ControllerKind joint_pd_controller() {
+  constexpr auto kJoints = GainShape::kJoints;
+  return {"joint_pd",
+          "joint PD with gravity: g(q) + P (q_ref - q) + D (qr' - q'), q_ref the integral of qr'",
+          {"task_space_gains_p", "task_space_gains_i", "interpolation_gain_scale"},
+          {own_gain(kJoints, "joint_pd_p", "N m/rad", "P of each joint on its position error", 100.0),
+           own_gain(kJoints, "joint_pd_d", "N m s/rad", "D of each joint on its velocity error", 20.0)},
+          [](const LawSetup& setup) { return std::make_unique<JointPdLaw>(setup); },
+          [](const RobotModel& robot, const JointVector& q, Gains& gains) {
+            // Critically damped, poles at half the rate, for each joint with the others free.
+            const JointVector inertia = joint_inertia(robot, q);
+            const JointVector D = kFirstRate * inertia;
+            own(gains, "joint_pd_p") = 0.25 * kFirstRate * D;
+            own(gains, "joint_pd_d") = D;
+            // Where joints move each other it is slower, and the task's loop around it has to be slower
+            // still.
+            const Vec6 Kp = gains.task_space_gains_p.cwiseMin(kOuterShare * slowest_rate(robot, q, D));
+            gains.task_space_gains_p = Kp;
+            gains.task_space_gains_i = kFirstIntegralShare * Kp.cwiseAbs2();
+          }};
+}
+
+}  // namespace armtune

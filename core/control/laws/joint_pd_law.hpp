@@ -1,0 +1,13 @@
+#pragma once
+// Joint PD with gravity: what most arms have built in, around an integrated joint reference,
+//   q_ref' = qr',   tau = g(q) + P (q_ref - q) + D (qr' - q').
+// qr' carries the task's Kp and Ki, as for the other laws. (Takegaki and Arimoto, A new feedback method for
+// dynamic control of manipulators, 1981.)
+
+#include "core/control/laws/controller_kind.hpp"
+
+namespace armtune {
+
+ControllerKind joint_pd_controller();
+
+}  // namespace armtune

@@ -1,0 +1,80 @@
+#include "core/trajectory/polyline.hpp"
+
+#include <fmt/format.h>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+/// Straight pieces between blends shorter than this share of a blend are none: the next blend begins where
+/// the last one ended. As quintics so short they would be rounding.
+constexpr double kNoPiece = 1e-4;
+
+class Builder {
+ public:
+  Builder(double speed, double blend) : speed_(speed), blend_(blend) {}
+
+  /// The motion goes on to `position`, where it has this velocity, in so much time [s].
+  void to(const Vec3& position, const Vec3& velocity, double duration) {
+    if (!time_.empty() && duration <= kNoPiece * blend_ / speed_) return;
+    time_.push_back(time_.empty() ? 0.0 : time_.back() + duration);
+    knots_.push_back({position, velocity, Vec3::Zero()});
+  }
+  PositionSpline spline(bool loops) const { return {time_, knots_, loops}; }
+
+ private:
+  double speed_, blend_;
+  std::vector<double> time_;
+  std::vector<MotionPoint<Vec3>> knots_;
+};
+
+}  // namespace
+
+PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double blend, bool closed) {
+  const std::size_t n = corners.size();
+  if (n < (closed ? 3U : 2U)) {
+    throw InputError(fmt::format("{} corners; a {} line needs at least {}", n, closed ? "closed" : "open",
+                                 closed ? 3 : 2));
+  }
+  if (!(speed > 0.0) || !(blend > 0.0)) {
+    throw InputError(fmt::format("speed {} m/s and blend {} m must be above zero", speed, blend));
+  }
+  // Side s leads from corner s to the next.
+  const std::size_t sides = closed ? n : n - 1;
+  std::vector<Vec3> direction;
+  std::vector<double> length;
+  for (std::size_t s = 0; s < sides; ++s) {
+    const Vec3 side = corners[(s + 1) % n] - corners[s];
+    length.push_back(side.norm());
+    if (!(length[s] >= 2.0 * blend * (1.0 - 1e-9))) {
+      throw InputError(
+          fmt::format("corners {} and {} are {:.6g} m apart, less than the two blends of {:.6g} m at its "
+                      "ends; blend less",
+                      s + 1, (s + 1) % n + 1, length[s], blend));
+    }
+    direction.push_back(side / length[s]);
+  }
+  const auto velocity = [&](std::size_t s) { return Vec3(speed * direction[s]); };
+  const double blending = 2.0 * blend / speed;  // the time of a blend, and of speeding up over as much
+  Builder builder(speed, blend);
+  if (closed) {
+    builder.to(corners[0] + blend * direction[0], velocity(0), 0.0);
+  } else {
+    builder.to(corners[0], Vec3::Zero(), 0.0);
+    builder.to(corners[0] + blend * direction[0], velocity(0), blending);
+  }
+  for (std::size_t s = 0; s < sides; ++s) {
+    const Vec3& corner = corners[(s + 1) % n];
+    builder.to(corner - blend * direction[s], velocity(s), (length[s] - 2.0 * blend) / speed);
+    if (s + 1 == sides && !closed) {
+      builder.to(corner, Vec3::Zero(), blending);
+      break;
+    }
+    const std::size_t next = (s + 1) % sides;
+    builder.to(corner + blend * direction[next], velocity(next), blending);
+  }
+  return builder.spline(closed);
+}
+
+}  // namespace armtune

@@ -1,0 +1,58 @@
+#include "core/trajectory/position_spline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+bool same(const MotionPoint<Vec3>& a, const MotionPoint<Vec3>& b) {
+  const auto close = [](const Vec3& x, const Vec3& y) {
+    return (x - y).norm() <= kRounding * (1.0 + std::max(x.norm(), y.norm()));
+  };
+  return close(a.position, b.position) && close(a.velocity, b.velocity) &&
+         close(a.acceleration, b.acceleration);
+}
+
+}  // namespace
+
+PositionSpline::PositionSpline(const std::vector<double>& time, const std::vector<MotionPoint<Vec3>>& knots,
+                               bool loops)
+    : time_(time), knots_(knots), loops_(loops) {
+  if (time_.size() < 2 || time_.size() != knots_.size()) {
+    throw InputError(fmt::format("a motion has {} times and {} knots; give at least two, as many of each",
+                                 time_.size(), knots_.size()));
+  }
+  for (std::size_t k = 1; k < time_.size(); ++k) {
+    const double duration = time_[k] - time_[k - 1];
+    if (!(duration > 0.0)) {
+      throw InputError(fmt::format("knot {} of a motion is at {} s, the one before at {} s; times must rise",
+                                   k, time_[k], time_[k - 1]));
+    }
+    pieces_.emplace_back(knots_[k - 1], knots_[k], duration);
+  }
+  if (loops_ && !same(knots_.front(), knots_.back())) {
+    throw InputError("a motion that loops must end as it begins: position, velocity and acceleration alike");
+  }
+}
+
+MotionPoint<Vec3> PositionSpline::at(double t) const {
+  if (loops_) {
+    const double turn = end() - begin();
+    t -= turn * std::floor((t - begin()) / turn);
+  } else if (!(t >= begin() && t <= end())) {
+    const MotionPoint<Vec3>& last = t > end() ? knots_.back() : knots_.front();
+    return {last.position, Vec3::Zero(), Vec3::Zero()};
+  }
+  const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
+  const auto k = static_cast<std::size_t>(next - time_.begin()) - 1;
+  return pieces_[k].at(t - time_[k]);
+}
+
+}  // namespace armtune

@@ -1,0 +1,44 @@
+#include "sim/scenario/motion_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
+
+namespace armtune {
+
+std::size_t line_of(std::size_t row) {
+  return row + 2;
+}
+
+double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path) {
+  const double value = table.number(row, column);
+  if (std::isfinite(value)) return value;
+  throw InputError(fmt::format("{}:{}: {} in column {} is no finite number; a motion has one in every row",
+                               path, line_of(row), shown(table.text(row, column)), table.header()[column]));
+}
+
+std::vector<double> rising_times(const CsvTable& table, const std::string& path) {
+  const std::size_t column = table.column("time");
+  std::vector<double> time;
+  time.reserve(table.rows());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    time.push_back(finite_cell(table, row, column, path));
+    if (row == 0 && time[0] < 0.0) {
+      throw InputError(
+          fmt::format("{}:{}: time is {} s; a scenario's clock has nothing before 0 s: shift the motion",
+                      path, line_of(row), time[0]));
+    }
+    if (row == 0 || time[row] > time[row - 1]) continue;
+    throw InputError(fmt::format("{}:{}: time {} s does not rise after {} s; each row must be later", path,
+                                 line_of(row), time[row], time[row - 1]));
+  }
+  if (time.size() < 2) {
+    throw InputError(fmt::format("{}: {} rows; a motion needs at least two", path, time.size()));
+  }
+  return time;
+}
+
+}  // namespace armtune

@@ -1,0 +1,20 @@
+#pragma once
+// Rows of a motion in a CSV file of a user's: times that rise, numbers that are finite.
+
+#include <string>
+#include <vector>
+
+#include "sim/csv/csv_table.hpp"
+
+namespace armtune {
+
+/// Line of the file that a row of the table stands in.
+std::size_t line_of(std::size_t row);
+
+/// Throws InputError naming file, line and column unless the cell is a finite number.
+double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path);
+
+/// Column `time` [s], from zero or later on, at least two. Throws InputError naming file and line.
+std::vector<double> rising_times(const CsvTable& table, const std::string& path);
+
+}  // namespace armtune

@@ -1,0 +1,114 @@
+// The main job under every controller, on the bundled arms' tasks and on arms made at random.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "core/control/starting_gains.hpp"
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/default_task.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tests/sim/support/random_job.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Job;
+
+/// The job's gains for another controller; the joint goal is on the task.
+Gains for_kind(const ControllerKind& kind, const Job& job) {
+  const RobotModel& robot = *job.scenario.robot;
+  return controlled_by(kind, job.gains, robot, in_si(robot, job.gains.joint_space_goal));
+}
+
+class Controllers : public testing::TestWithParam<const char*> {
+ protected:
+  const ControllerKind& kind() const { return controller_kind(GetParam()); }
+};
+
+TEST_P(Controllers, FollowTheirPathAndLookWhereTheyCanOnArmsMadeAtRandom) {
+  if (kind().name == "joint_pd")
+    GTEST_SKIP() << "knows neither inertia nor friction: the next test is its law";
+  for (int n = 3; n <= 12; ++n) {
+    for (const unsigned seed : {1U, 2U}) {
+      const Job job = test::random_job(n, 100U * static_cast<unsigned>(n) + seed, seed == 2U);
+      SCOPED_TRACE(fmt::format("{} joints, seed {}", n, seed));
+      const RolloutResult result =
+          Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative).run(for_kind(kind(), job));
+      ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+      EXPECT_GT(result.metrics[Metric::kSamples], 500.0);
+      EXPECT_LT(result.metrics[Metric::kPositionMax], 4e-3);  // of a circle of 0.02 m
+      if (tracks_orientation(job.scenario.mask)) {
+        EXPECT_LT(result.metrics[Metric::kOrientationMax], 1e-2);
+      }
+    }
+  }
+}
+
+// Where the task stands still all that a law must know is gravity (Takegaki and Arimoto 1981).
+TEST_P(Controllers, ComeToRestOnATaskThatStandsStillOnArmsMadeAtRandom) {
+  for (int n = 3; n <= 12; ++n) {
+    Job job = test::random_job(n, 100U * static_cast<unsigned>(n) + 1U, n % 2 == 0);
+    SCOPED_TRACE(fmt::format("{} joints", n));
+    job.scenario.path = {job.scenario.path.center, 0.0, 0.0, {}};
+    // Heavy arms whose joints move each other are slow under a PD.
+    job.scenario.duration = kind().name == "joint_pd" ? 60.0 : 20.0;
+    double position = 1.0, gaze = 1.0, speed = 1.0;
+    const RolloutResult result = Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative)
+                                     .run(for_kind(kind(), job), [&](const Observation& o) {
+                                       position = o.error.head<3>().norm();
+                                       gaze = o.gaze_angle;
+                                       speed = o.twist.head<3>().norm();
+                                       return true;
+                                     });
+    ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+    EXPECT_LT(position, 1e-3);
+    if (tracks_orientation(job.scenario.mask)) {
+      EXPECT_LT(gaze, 2e-3);
+    }
+    EXPECT_LT(speed, 1e-3);
+  }
+}
+
+// Payload, noise, a torque delay and half-known parameters: what the first tuning starts from.
+TEST_P(Controllers, DoTheFirstTaskOfEveryBundledRobotWithTheirStartingGains) {
+  for (const char* name : {"ur10", "panda", "youbot"}) {
+    const auto robot = load_robot(name);
+    const DefaultTask task = default_task(robot);
+    const Gains gains = controlled_by(
+        kind(), starting_gains(*robot, task.scenario.start_position, task.goal, task.manipulability), *robot,
+        task.goal);
+    const RolloutResult result = Rollout(task.scenario, Stepper::kMidpoint, Engine::kNative).run(gains);
+    ASSERT_EQ(result.status, RolloutStatus::kCompleted) << name << ": " << result.reason;
+    EXPECT_GT(result.metrics[Metric::kSamples], 5000.0) << name;
+    EXPECT_LT(result.metrics[Metric::kPositionMax], 0.5 * task.scenario.path.terms[0].cosine.norm()) << name;
+    EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 1.0) << name;
+  }
+}
+
+TEST_P(Controllers, MoveInSimbodyAsInArmtunesOwnDynamics) {
+  const Job job = test::random_job(7, 701, true);
+  const Gains gains = for_kind(kind(), job);
+  const auto simbody = Rollout(job.scenario, Stepper::kMidpoint, Engine::kSimbody).run(gains);
+  const auto native = Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative).run(gains);
+  for (const Metric m : {Metric::kPositionMax, Metric::kGazeMax, Metric::kJointVelocityMaxRatio,
+                         Metric::kJointEffortMaxRatio, Metric::kCompensationErrorRms}) {
+    EXPECT_NEAR(simbody.metrics[m], native.metrics[m], 1e-7 * (1.0 + std::abs(native.metrics[m]))) << name(m);
+  }
+}
+
+// What theta is wrong by is the same question for every law: of the model at the references.
+TEST_P(Controllers, CompensateNothingWrongWithTheirModelExact) {
+  const Job job = test::random_job(6, 601, false);
+  const auto result = Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative).run(for_kind(kind(), job));
+  if (kind().name == "adaptive") return;  // which learns from its errors
+  EXPECT_LT(result.metrics[Metric::kCompensationErrorRms], 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Controllers,
+                         testing::Values("adaptive", "joint_pd", "computed_torque", "impedance"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
+}  // namespace
+}  // namespace armtune

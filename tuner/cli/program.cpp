@@ -1,0 +1,103 @@
+#include "tuner/cli/program.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
+#include "tuner/cli/resume.hpp"
+#include "tuner/run/arithmetic.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace armtune::cli {
+namespace {
+
+std::string version_text() {
+  std::string text;
+  for (const auto& [name, version] : versions()) text += fmt::format("{} {}\n", name, version);
+  text.pop_back();
+  return text;
+}
+
+int parse_and_run(int argc, char** argv) {
+  program_name() = argv[0];
+  const bool first = rank_place().rank == 0;
+  // Rank 0 decides when the others stop.
+  first ? catch_interrupts() : ignore_interrupts();
+  try {
+    command_words() = resumed_arguments({argv, argv + argc});
+    command_line() = repeating_command(command_words());
+  } catch (const InputError&) {
+    if (first) throw;
+    const auto failure =
+        std::current_exception();  // rank 0 is to say it, which may see the folder where others do not
+    return on_ranks([&failure](Team&) -> int { std::rethrow_exception(failure); });
+  }
+
+  CLI::App app{
+      "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
+      "tunes the controller's gains with NLopt, so that tracking errors fall while every joint stays "
+      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\nthen:        armtune "
+      "tune"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 failed; 2 usage or bad input; 3 done, but no feasible point; 130 interrupted, "
+      "everything so far saved.");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("armtune: {}; see armtune --help, or that of a command\n", one_line(error.what()));
+  });
+  int exit_code = kDone;
+  add_robot_command(app, exit_code);
+  add_simulate_command(app, exit_code);
+  add_tune_command(app, exit_code);
+  add_pareto_command(app, exit_code);
+  add_sensitivity_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_robustness_command(app, exit_code);
+  add_margins_command(app, exit_code);
+  add_report_command(app, exit_code);
+  add_controllers_command(app, exit_code);
+#ifdef ARMTUNE_SUITESPARSE
+  add_excite_command(app, exit_code);
+  add_identify_command(app, exit_code);
+  add_plan_command(app, exit_code);
+  add_yardstick_command(app, exit_code);
+#endif
+  if (argc == 1) {
+    if (!first) return kDone;
+    fmt::print(stderr, "{}", app.help());
+    return kBadInput;
+  }
+  // Before the command itself is called.
+  app.parse_complete_callback([&app] { refuse_ranks(app.get_subcommands().front()->get_name()); });
+  try {
+    std::vector<const char*> words;
+    words.reserve(command_words().size());
+    for (const std::string& word : command_words()) words.push_back(word.c_str());
+    app.parse(static_cast<int>(words.size()), words.data());
+  } catch (const CLI::ParseError& e) {
+    if (!first) return kDone;
+    return app.exit(e) == 0 ? kDone : kBadInput;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  try {
+    // It costs a second start, which a bare --version or --help need not wait for.
+    if (argc > 1 && argv[1][0] != '-') fix_arithmetic(argv);
+    return parse_and_run(argc, argv);
+  } catch (...) {
+    return report(std::current_exception());
+  }
+}
+
+}  // namespace armtune::cli
