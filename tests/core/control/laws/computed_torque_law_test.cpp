@@ -25,9 +25,9 @@ TEST(ComputedTorqueLaw, MakesTheTasksErrorsALinearSystem) {
       const JointVector qdd = p.acceleration(p.torque());
       const auto E_s = [&](double t) -> Eigen::VectorXd {
         const JointVector q = p.measured.q + t * p.measured.qd + 0.5 * t * t * qdd;
-        const Vec6 rate = test::tool_jacobian_at(model.chain, q) * (p.measured.qd + t * qdd);
-        const Poses poses = test::poses_at(model.chain, q);
-        return test::rows_of(mask, poses.R_0T) * (rate - p.task.rate - t * p.task.acceleration);
+        const Vec6 rate = test::tool_jacobian_at(p.model.chain, q) * (p.measured.qd + t * qdd);
+        const Poses poses = test::poses_at(p.model.chain, q);
+        return test::rows_of(p.mask, poses.R_0T) * (rate - p.task.rate - t * p.task.acceleration);
       };
       const Eigen::MatrixXd E = test::rows_of(mask, p.arm.poses.R_0T);
       const Vec6 D = own(p.gains, "computed_torque_d");

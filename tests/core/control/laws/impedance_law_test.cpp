@@ -47,8 +47,8 @@ TEST(ImpedanceLaw, OnlySpringAndDampersWorkOnTheErrorOfTheMotion) {
     for (int sample = 0; sample < 10; ++sample, p.move()) {
       const JointVector& S = p.control.S;
       const JointVector S_dot = p.acceleration(p.torque()) - p.control.reference.acceleration;
-      const auto M_of = [&, &arm = model](double t) {
-        return JointMatrix(test::mass_matrix_at(arm.chain, p.measured.q + t * p.measured.qd));
+      const auto M_of = [&](double t) {
+        return JointMatrix(test::mass_matrix_at(p.model.chain, p.measured.q + t * p.measured.qd));
       };
       const double left = S.dot(p.mass() * S_dot) + 0.5 * S.dot(test::derivative(M_of, 1e-4) * S);
       const Eigen::MatrixXd E = test::rows_of(mask, p.arm.poses.R_0T);
