@@ -36,8 +36,7 @@ std::vector<MotionPoint<V>> cubic_spline(const std::vector<double>& time, const 
   for (std::size_t k = 0; k + 1 < n; ++k) {
     knots[k].acceleration = (6.0 * slope(k) - 4.0 * knots[k].velocity - 2.0 * knots[k + 1].velocity) / h(k);
   }
-  knots[n - 1].acceleration =
-      (-6.0 * slope(n - 2) + 2.0 * knots[n - 2].velocity + 4.0 * knots[n - 1].velocity) / h(n - 2);
+  knots[n - 1].acceleration = (2.0 * knots[n - 2].velocity - 6.0 * slope(n - 2)) / h(n - 2);
   return knots;
 }
 
