@@ -5,14 +5,14 @@
 #include <Eigen/QR>
 #include <random>
 
-#include "tests/core/support/arms.hpp"
-#include "tests/core/support/states.hpp"
+#include "tests/core/support/law_period.hpp"
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune {
 namespace {
 
 using test::random_vector;
+using test::rows_of;
 using test::WorstError;
 
 constexpr double kPsi = 0.05;
@@ -33,15 +33,6 @@ std::vector<Case> all_cases() {
     }
   }
   return cases;
-}
-
-/// E: rows of the task among the six, written out.
-Eigen::MatrixXd rows_of(TaskMask mask, const Mat3& R_0T) {
-  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(components(mask), 6);
-  E.leftCols(3).topRows(3).setIdentity();
-  if (mask == TaskMask::kPose) E.bottomRightCorner(3, 3).setIdentity();
-  if (mask == TaskMask::kPositionAndAxis) E.bottomRightCorner(2, 3) = R_0T.leftCols(2).transpose();
-  return E;
 }
 
 /// A state and a reference that move: everything as a function of time along q(t) = q + q' t + q'' t^2 / 2.

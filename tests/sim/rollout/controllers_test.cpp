@@ -27,9 +27,10 @@ class Controllers : public testing::TestWithParam<const char*> {
   const ControllerKind& kind() const { return controller_kind(GetParam()); }
 };
 
-TEST_P(Controllers, FollowTheirPathAndLookWhereTheyCanOnArmsMadeAtRandom) {
-  if (kind().name == "joint_pd")
-    GTEST_SKIP() << "knows neither inertia nor friction: the next test is its law";
+/// Those whose law has the arm's inertia and friction in it. A joint PD has neither: its law is the next one.
+class ModelledControllers : public Controllers {};
+
+TEST_P(ModelledControllers, FollowTheirPathAndLookWhereTheyCanOnArmsMadeAtRandom) {
   for (int n = 3; n <= 12; ++n) {
     for (const unsigned seed : {1U, 2U}) {
       const Job job = test::random_job(n, 100U * static_cast<unsigned>(n) + seed, seed == 2U);
@@ -98,17 +99,26 @@ TEST_P(Controllers, MoveInSimbodyAsInArmtunesOwnDynamics) {
   }
 }
 
+/// Those whose theta stays: an adaptive one learns from its errors.
+class FixedControllers : public Controllers {};
+
 // What theta is wrong by is the same question for every law: of the model at the references.
-TEST_P(Controllers, CompensateNothingWrongWithTheirModelExact) {
+TEST_P(FixedControllers, CompensateNothingWrongWithTheirModelExact) {
   const Job job = test::random_job(6, 601, false);
   const auto result = Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative).run(for_kind(kind(), job));
-  if (kind().name == "adaptive") return;  // which learns from its errors
   EXPECT_LT(result.metrics[Metric::kCompensationErrorRms], 1e-9);
 }
 
+std::string name_of(const testing::TestParamInfo<const char*>& kind) {
+  return kind.param;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Controllers,
-                         testing::Values("adaptive", "joint_pd", "computed_torque", "impedance"),
-                         [](const auto& kind) { return std::string(kind.param); });
+                         testing::Values("adaptive", "joint_pd", "computed_torque", "impedance"), name_of);
+INSTANTIATE_TEST_SUITE_P(Kinds, ModelledControllers,
+                         testing::Values("adaptive", "computed_torque", "impedance"), name_of);
+INSTANTIATE_TEST_SUITE_P(Kinds, FixedControllers, testing::Values("joint_pd", "computed_torque", "impedance"),
+                         name_of);
 
 }  // namespace
 }  // namespace armtune
