@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune {
@@ -63,7 +64,7 @@ std::uint64_t number_in(std::string_view text) {
   std::uint64_t number = 0;
   const char* end = text.data() + text.size();
   if (text.empty() || std::from_chars(text.data(), end, number).ptr != end) {
-    throw std::invalid_argument(fmt::format("'{}' is no number", text));
+    throw std::invalid_argument(fmt::format("{} is no number", shown(text)));
   }
   return number;
 }
@@ -138,8 +139,8 @@ RunHeader read_header(Lines& lines, const std::string& path) {
     const std::string_view kind = first_word(rest);
     if (first) {
       if (*payload != kFormat) {
-        throw InputError(fmt::format("{}: '{}' is not '{}': another version of armtune wrote it", path,
-                                     *payload, kFormat));
+        throw InputError(fmt::format("{}: {} is not '{}': another version of armtune wrote it", path,
+                                     shown(*payload), kFormat));
       }
       first = false;
     } else if (kind == kHeaderEnd) {
@@ -251,7 +252,7 @@ void Journal::take(std::string_view payload, long place) {
   } else if (kind == "complete") {
     exit_code_ = static_cast<int>(number_in(rest));
   } else {
-    throw std::invalid_argument(fmt::format("is of the unknown kind '{}'", kind));
+    throw std::invalid_argument(fmt::format("is of the unknown kind {}", shown(kind)));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "core/common/message_text.hpp"
+
 namespace armtune {
 namespace {
 
@@ -36,7 +38,7 @@ class Fields {
     T value{};
     const char* end = field.data() + field.size();
     if (field.empty() || std::from_chars(field.data(), end, value).ptr != end) {
-      throw std::invalid_argument(fmt::format("its {} '{}' is no number", what, field));
+      throw std::invalid_argument(fmt::format("its {} {} is no number", what, shown(field)));
     }
     return value;
   }

@@ -5,8 +5,17 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/common/message_text.hpp"
+
 namespace armtune {
 namespace {
+
+constexpr std::size_t kMostTold = 3;
+constexpr std::size_t kLongestLine = 300;
+
+std::string beginning(const std::string& line) {
+  return one_line(line.size() <= kLongestLine ? line : line.substr(0, kLongestLine) + "...");
+}
 
 /// The first lines of two texts that differ; a text that ends first gives "(nothing)".
 std::pair<std::string, std::string> first_difference(const std::string& a, const std::string& b) {
@@ -27,30 +36,38 @@ std::pair<std::string, std::string> first_difference(const std::string& a, const
 
 std::string differences(const RunHeader& was, const RunHeader& is) {
   std::string text;
-  const auto tell = [&text](const std::string& name, const std::string& before, const std::string& now) {
+  std::size_t told = 0;
+  const auto tell = [&](const std::string& name, const std::string& before, const std::string& now) {
+    if (++told > kMostTold) return;
     if (name == RunHeader::kProgram) {
       text += fmt::format("{}the program is another build than the one that began the run",
                           text.empty() ? "" : "; ");
       return;
     }
     const auto [line_before, line_now] = first_difference(before, now);
-    text += fmt::format("{}{} was '{}', is '{}'", text.empty() ? "" : "; ", name, line_before, line_now);
+    text += fmt::format("{}{} was '{}', is '{}'", text.empty() ? "" : "; ", one_line(name),
+                        beginning(line_before), beginning(line_now));
   };
-  const auto find = [](const RunHeader& header, const std::string& name) {
-    return std::find_if(header.identity.begin(), header.identity.end(),
-                        [&name](const auto& entry) { return entry.first == name; });
+  // By name and value: a name may stand more than once. What is told of is in one of the two alone.
+  using Identity = decltype(RunHeader::identity);
+  const auto has = [](const Identity& all, const auto& entry) {
+    return std::find(all.begin(), all.end(), entry) != all.end();
+  };
+  const auto other_of_name = [&](const Identity& all, const Identity& others, const std::string& name) {
+    return std::find_if(all.begin(), all.end(),
+                        [&](const auto& entry) { return entry.first == name && !has(others, entry); });
   };
   for (const auto& entry : was.identity) {
-    const auto now = find(is, entry.first);
-    if (now == is.identity.end()) {
-      tell(entry.first, entry.second, "");
-    } else if (now->second != entry.second) {
-      tell(entry.first, entry.second, now->second);
-    }
+    if (has(is.identity, entry)) continue;
+    const auto now = other_of_name(is.identity, was.identity, entry.first);
+    tell(entry.first, entry.second, now == is.identity.end() ? "" : now->second);
   }
   for (const auto& entry : is.identity) {
-    if (find(was, entry.first) == was.identity.end()) tell(entry.first, "", entry.second);
+    if (has(was.identity, entry)) continue;
+    if (other_of_name(was.identity, is.identity, entry.first) == was.identity.end())
+      tell(entry.first, "", entry.second);
   }
+  if (told > kMostTold) text += fmt::format("; and {} more", told - kMostTold);
   return text;
 }
 

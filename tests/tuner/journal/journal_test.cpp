@@ -139,6 +139,25 @@ TEST(RunHeader, AnotherBuildIsCalledThatAndNotByItsHash) {
             "the program is another build than the one that began the run; seed was '7', is '8'");
 }
 
+TEST(RunHeader, ARunIsItselfHoweverOftenANameStandsInIt) {
+  RunHeader was;
+  was.identity = {{"input", "a"}, {"input", "b"}};
+  EXPECT_EQ(differences(was, was), "");
+  RunHeader is = was;
+  is.identity[1].second = "c";
+  EXPECT_EQ(differences(was, is), "input was 'b', is 'c'");
+}
+
+TEST(RunHeader, WhatDiffersIsToldInOneShortLine) {
+  RunHeader was;
+  for (int i = 0; i < 1000; ++i)
+    was.identity.emplace_back(std::string(10000, 'n') + "\n" + std::to_string(i), std::string(100000, 'v'));
+  const std::string told = differences(was, {});
+  EXPECT_LT(told.size(), 2000U);
+  EXPECT_EQ(told.find('\n'), std::string::npos);
+  EXPECT_THAT(told, HasSubstr("and 997 more"));
+}
+
 TEST_F(JournalFile, RefusesAnotherRunAndSaysWhatDiffers) {
   const std::string path = written();
   RunHeader other = header_of_run();
