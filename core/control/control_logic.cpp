@@ -35,6 +35,10 @@ ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains&
   if (gains_.release_radius == 0.0) gains_.release_radius = gains_.obstacleInfluenceRadius;
 }
 
+ToolAim ControlLogic::aim(const Scene& scene) const {
+  return {scene.target, scene.orientation, mask_ == TaskMask::kPositionAndAxis};
+}
+
 const MeasuredArm& ControlLogic::whole(const JointState& measured, const ArmView& arm) {
   if (arm.whole != nullptr) return *arm.whole;
   if (!spare_is_now_) spare_.measure(model_->chain, measured.q, measured.qd, damping_, mask_);
@@ -102,8 +106,8 @@ void ControlLogic::follow_joint_trajectory(const JointState& measured, const Arm
   if (gains_.joint_goal_follows_task) {
     const MotionPoint<Vec3> path = path_now(scene, time);
     // By way of joint_space_goal, which the arm's user has chosen, so that the first half of the way stays.
-    goal = towards(
-        goal_, task_goal_.step(model_->chain, path, scene.target, damping_, mask_, centering_, period_), s);
+    goal = towards(goal_,
+                   task_goal_.step(model_->chain, path, aim(scene), damping_, mask_, centering_, period_), s);
     out_.desired.acceleration = path.acceleration;
   }
   joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,
@@ -157,10 +161,9 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
     speed.emplace(GazeControl::SpeedBound{std::ref(inverse), velocity_bound_});
   const GazeControl::Output gaze =
       tracks_orientation(mask_)
-          ? gaze_.update(gains_, arm.R_0T, Q_0T, tool, scene.target, time - lag_, speed)
-          : GazeControl::Output{{Q_0T, Vec3::Zero(), Vec3::Zero()},
-                                false,
-                                armtune::gaze_turn(arm.R_0T, arm.p_0T, scene.target.position)};
+          ? gaze_.update(gains_, arm.R_0T, Q_0T, tool, aim(scene), time - lag_, speed)
+          : GazeControl::Output{
+                {Q_0T, Vec3::Zero(), Vec3::Zero()}, false, aim(scene).turn(arm.R_0T, arm.p_0T)};
   out_.slerping = gaze.slerping;
   out_.desired_gaze = gaze.desired;
   out_.gaze_turn = gaze.turn;
@@ -168,7 +171,7 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   // The integral stays empty while a slerp runs: it would wind up on an error that is meant to be there.
   if (gaze.slerping) integral_.setZero();
   CartesianErrors& x = out_.errors;
-  // Outside a slerp the way to the desired orientation is the turn onto the target itself.
+  // Outside a slerp the way to the desired orientation is the turn to the aim itself.
   const bool turns_freely = mask_ == TaskMask::kPositionAndAxis;
   x.pose << arm.p_0T - out_.desired.position, Vec3(-gaze.turn);
   if (gaze.slerping) {

@@ -68,6 +68,7 @@ class ControlLogic {
                                double time);
   void follow_plan(const JointState& measured, const ArmView& arm, const Scene& scene, double time);
   void follow_task(const JointState& measured, const ArmView& arm, const Scene& scene, double time);
+  ToolAim aim(const Scene& scene) const;
   MotionPoint<Vec3> desired_motion(const ArmView& arm, const Scene& scene, double time) const;
 
   std::shared_ptr<const RobotModel> model_;

@@ -5,6 +5,7 @@
 
 #include "core/control/cartesian_law.hpp"
 #include "core/control/joint_space_law.hpp"
+#include "core/control/obstacle.hpp"
 #include "core/control/state_machine.hpp"
 #include "core/trajectory/joint_spline.hpp"
 #include "core/trajectory/path.hpp"
@@ -22,12 +23,14 @@ struct JointState {
 struct Scene {
   const Path* path = nullptr;  ///< the tool's path, on the simulation's own time
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< the active gaze target [m]
-  std::span<const Vec3> obstacles;                                     ///< obstacle centres [m]
+  std::span<const Obstacle> obstacles;
   /// Joint motion to begin with, on the simulation's own time; null: leaveSingularity. The same in every
   /// period.
   const JointSpline* plan = nullptr;
   /// The path's motion at this very time, if somebody has computed it already.
   const MotionPoint<Vec3>* on_path = nullptr;
+  /// How the tool is to be turned, in place of a gaze at the target; null: there is a gaze.
+  const OrientationPoint* orientation = nullptr;
 };
 
 /// Everything a recorder wants to see of one period.
@@ -39,7 +42,7 @@ struct ControlOutput {
   bool slerping = false;
   MotionPoint<Vec3> desired;         ///< linear reference (the tool's own position in avoidObstacles)
   OrientationPoint desired_gaze;     ///< orientation reference; identity before a state tracks one
-  Vec3 gaze_turn = Vec3::Zero();     ///< of the measured tool onto the target; of states that track a gaze
+  Vec3 gaze_turn = Vec3::Zero();     ///< of the measured tool to its aim; of states that track one
   CartesianErrors errors;            ///< as the law saw them; zero in states that track joints
   MotionPoint<JointVector> planned;  ///< qd, qd', qd'' of followPlan; empty if it never was
   JointReference reference;          ///< qr', qr''

@@ -20,7 +20,7 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
                      arm_.twist,
                      arm_.inverse.manipulability(),
                      arm_.inverse.damped(),
-                     obstacle_distance(arm_.poses, scene.obstacles),
+                     obstacle_distance(chain, arm_.poses, scene.obstacles),
                      &arm_};
   if (logic_.decide(measured, view, scene, time)) {
     arm_.differentiate(chain, measured.qd);

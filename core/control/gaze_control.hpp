@@ -1,7 +1,8 @@
 #pragma once
 // Gaze orientation control (equation 7): below the angular threshold the goal orientation itself, above it a
 // slerp whose parameter is a quintic over k_s times the angle. With gaze feed-forward the desired orientation
-// turns as the line from tool to target does; without, as published, it stands still outside slerps. Its
+// turns as the line from tool to target does; without, as published, it stands still outside slerps. An
+// orientation that is given in place of a target is turned to in the same way. Its
 // rates are exact for a slerp from the start; from the `current` orientation they leave out that this one
 // moves.
 
@@ -10,6 +11,7 @@
 
 #include "core/control/gains.hpp"
 #include "core/control/task_inverse.hpp"
+#include "core/control/tool_aim.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/quintic.hpp"
@@ -22,7 +24,7 @@ class GazeControl {
   struct Output {
     OrientationPoint desired;  ///< Qd, wd, wd'
     bool slerping = false;
-    Vec3 turn = Vec3::Zero();  ///< gaze_turn of the measured tool
+    Vec3 turn = Vec3::Zero();  ///< of the measured tool to its aim
   };
 
   /// Largest share of the joints' speed that a slerp may take: its duration is stretched for it.
@@ -31,19 +33,19 @@ class GazeControl {
     const JointVector& bound;                     ///< (n) [rad/s, m/s]
   };
 
-  /// Desired orientation at `time` [s] for the measured tool orientation and the motions of tool and target
+  /// Desired orientation at `time` [s] for the measured tool orientation and the motions of tool and aim
   /// (base frame). Only feed-forward looks at their velocities and accelerations.
   Output update(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
-                const MotionPoint<Vec3>& tool, const MotionPoint<Vec3>& target, double time,
+                const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
                 const std::optional<SpeedBound>& speed = {});
 
  private:
   OrientationPoint interpolated(const Gains& gains, const Mat3& R_from, const Eigen::Quaterniond& Q_from,
-                                const MotionPoint<Vec3>& tool, const MotionPoint<Vec3>& target,
-                                double time) const;
+                                const MotionPoint<Vec3>& tool, const ToolAim& aim, double time);
 
   bool slerping_ = false;
   double start_time_ = 0.0;
+  Vec3 turn_ = Vec3::Zero();  ///< from the slerp's start to its goal, in the last period
   Mat3 R_start_ = Mat3::Identity();
   Eigen::Quaterniond Q_start_ = Eigen::Quaterniond::Identity();
   Quintic<double> parameter_ = rest_to_rest(0.0, 1.0, 1.0);

@@ -4,29 +4,63 @@
 #include <cmath>
 
 namespace armtune {
+namespace {
 
-Vec3 repulsion(const Vec3& d, double influence_radius) {
-  const double distance = d.norm();
-  if (!(distance < influence_radius)) return Vec3::Zero();
-  // At the centre itself no direction is better than another; the base's z keeps the torque finite.
-  if (!(distance > 0.0)) return Vec3::UnitZ();
-  const double depth = 1.0 - distance / influence_radius;
-  return (depth * depth / distance) * d;
+constexpr int kAvoidingJoints = 3;
+
+/// Adds J^T f of a force [N] on a point p of body i.
+void add_force(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& force, Jacobian& J,
+               JointVector& tau) {
+  point_jacobian(chain, poses, i, p, J);
+  const int avoiding = std::min(kAvoidingJoints, chain.n);
+  tau.head(avoiding) += J.topRows<3>().leftCols(avoiding).transpose() * force;
 }
 
-void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Vec3> centers,
+/// Adds what a force on point p of link i does to the next joint, where that slides and draws the link out: p
+/// goes along with it by its share of the length.
+void add_drawing_out(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& force,
+                     JointVector& tau) {
+  const int next = i + 1;
+  const auto k = static_cast<std::size_t>(next);
+  if (next >= std::min(kAvoidingJoints, chain.n) || chain.motion[k] != JointMotion::kPrismatic) return;
+  const Vec3& from = poses.p_0B[static_cast<std::size_t>(i)];
+  const double length = (poses.p_0B[k] - from).norm();
+  if (length > 0.0) tau[next] += (p - from).norm() / length * poses.R_0B[k].col(2).dot(force);
+}
+
+}  // namespace
+
+Vec3 repulsion(const Vec3& d, double influence_radius, double inside) {
+  const double length = d.norm();
+  const double distance = length - inside;
+  if (!(distance < influence_radius)) return Vec3::Zero();
+  // At the centre itself no direction is better than another; the base's z keeps the torque finite.
+  if (!(length > 0.0)) return Vec3::UnitZ();
+  const double depth = 1.0 - std::max(0.0, distance) / influence_radius;
+  return (depth * depth / length) * d;
+}
+
+void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Obstacle> obstacles,
                      double influence_radius, const JointVector& force_gains, JointVector& tau) {
-  constexpr int kAvoidingJoints = 3;
   tau.setZero(chain.n);
   Jacobian J(6, chain.n);
+  const bool links = chain.link_radius.size() > 0;
   for (int i = 0; i < chain.n; ++i) {
-    const Vec3& p = poses.p_0B[static_cast<std::size_t>(i)];
-    Vec3 force = Vec3::Zero();
-    for (const Vec3& center : centers) force += repulsion(p - center, influence_radius);
-    if (force.isZero(0.0)) continue;
-    point_jacobian(chain, poses, i, p, J);
-    const int avoiding = std::min(kAvoidingJoints, chain.n);
-    tau.head(avoiding) += J.topRows<3>().leftCols(avoiding).transpose() * (force_gains[i] * force);
+    const Vec3& origin = poses.p_0B[static_cast<std::size_t>(i)];
+    Vec3 on_origin = Vec3::Zero();
+    for (const Obstacle& obstacle : obstacles) {
+      if (!links) {
+        on_origin += repulsion(origin - obstacle.center, influence_radius, obstacle.radius);
+        continue;
+      }
+      const Vec3 p = nearest_on_link(poses, i, obstacle.center);
+      const Vec3 force =
+          repulsion(p - obstacle.center, influence_radius, chain.link_radius[i] + obstacle.radius);
+      if (force.isZero(0.0)) continue;
+      add_force(chain, poses, i, p, force_gains[i] * force, J, tau);
+      add_drawing_out(chain, poses, i, p, force_gains[i] * force, tau);
+    }
+    if (!on_origin.isZero(0.0)) add_force(chain, poses, i, origin, force_gains[i] * on_origin, J, tau);
   }
 }
 

@@ -44,12 +44,14 @@ bool reach_goal(const RobotModel& robot, const ToolGoal& goal, JointVector& q) {
     Vec6 error = Vec6::Zero();
     error.head<3>() = goal.tool - poses.p_0T;
     if (goal.target) error.tail<3>() = gaze_turn(poses.R_0T, poses.p_0T, *goal.target);
+    if (goal.orientation)
+      error.tail<3>() = rotation_log(*goal.orientation * Eigen::Quaterniond(poses.R_0T).conjugate());
     if (error.norm() < kReached) return tightest_joint(robot, q).margin >= 0.0;
     if (goal.target) {
       // The shortest turn has no part about tool z: J along it is left out, or it would hold the roll.
       const Vec3 z = poses.R_0T.col(2);
       J.bottomRows<3>() -= z * (z.transpose() * J.bottomRows<3>());
-    } else {
+    } else if (!goal.orientation) {
       J.bottomRows<3>().setZero();
     }
     const Eigen::Matrix<double, 6, 6> A =

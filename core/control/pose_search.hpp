@@ -13,6 +13,7 @@ namespace armtune {
 struct ToolGoal {
   Vec3 tool = Vec3::Zero();
   std::optional<Vec3> target;  ///< that its z axis points at; none: any orientation
+  std::optional<Eigen::Quaterniond> orientation = std::nullopt;  ///< wanted whole, in place of a target
 };
 
 /// Moves q (n) to where the goal is met to 1e-9 m and rad. False: it does not get there, or not within the

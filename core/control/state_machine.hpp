@@ -40,10 +40,10 @@ constexpr bool tracks_joints(ControlState state) {
 struct TransitionInput {
   bool joint_trajectory_finished = false;  ///< joint_trajectory_duration is over
   bool return_finished = false;            ///< the return trajectory has reached the path
-  double obstacle_distance = 0.0;          ///< closest joint origin to obstacle centre [m], infinite if none
-  double influence_radius = 0.0;           ///< r_o [m]
-  double release_radius = 0.0;             ///< >= r_o [m]
-  bool plan_finished = false;              ///< the planned trajectory is over
+  double obstacle_distance = 0.0;  ///< closest joint origin or link to an obstacle [m], infinite if none
+  double influence_radius = 0.0;   ///< r_o [m]
+  double release_radius = 0.0;     ///< >= r_o [m]
+  bool plan_finished = false;      ///< the planned trajectory is over
 };
 
 /// State of this period from that of the last one. leaveSingularity is not interrupted: the Cartesian law

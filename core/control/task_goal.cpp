@@ -9,7 +9,7 @@ constexpr double kTaskGoalGain = 3.0;
 }  // namespace
 
 const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionPoint<Vec3>& path,
-                                               const MotionPoint<Vec3>& target, const InverseDamping& damping,
+                                               const ToolAim& aim, const InverseDamping& damping,
                                                TaskMask mask, const JointCentering& centering, double dt) {
   motion_.position += step_;
   // Not measure(): the twist is that of the velocity still to be found.
@@ -17,11 +17,10 @@ const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionP
   forward_kinematics(chain, motion_.position, poses);
   tool_jacobian(chain, poses, arm_.J);
   arm_.inverse.compute(arm_.J, damping, mask, poses.R_0T);
-  const TurnRate gaze =
-      direction_rate(gaze_direction({poses.p_0T, path.velocity, path.acceleration}, target));
+  const TurnRate gaze = aim.rate({poses.p_0T, path.velocity, path.acceleration});
   TaskReference wanted;
   wanted.rate << path.velocity - kTaskGoalGain * (poses.p_0T - path.position),
-      gaze.velocity + kTaskGoalGain * gaze_turn(poses.R_0T, poses.p_0T, target.position);
+      gaze.velocity + kTaskGoalGain * aim.turn(poses.R_0T, poses.p_0T);
   const Vec6 L = resolve_velocity(wanted.rate, arm_, centering, motion_.position, reference_.velocity);
   arm_.twist = times(arm_.J, reference_.velocity);
   arm_.differentiate(chain, reference_.velocity);

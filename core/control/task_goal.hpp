@@ -8,7 +8,7 @@
 // start. It knows nothing of the joints' position limits, like the Cartesian law that takes over from it.
 
 #include "core/control/task_resolution.hpp"
-#include "core/trajectory/gaze_motion.hpp"
+#include "core/control/tool_aim.hpp"
 
 namespace armtune {
 
@@ -21,12 +21,12 @@ class TaskGoal {
     step_.setZero(q.size());
   }
 
-  /// The goal's q, q', q'' now, then one step of length dt [s]. path: desired tool motion, target: gaze
-  /// target. damping: of the inverse. mask: the part of both that is the task. centering: of joints that it
-  /// does not need.
-  const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path,
-                                       const MotionPoint<Vec3>& target, const InverseDamping& damping,
-                                       TaskMask mask, const JointCentering& centering, double dt);
+  /// The goal's q, q', q'' now, then one step of length dt [s]. path: desired tool motion, aim: where the
+  /// tool is to be turned. damping: of the inverse. mask: the part of both that is the task. centering: of
+  /// joints that it does not need.
+  const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path, const ToolAim& aim,
+                                       const InverseDamping& damping, TaskMask mask,
+                                       const JointCentering& centering, double dt);
 
  private:
   MotionPoint<JointVector> motion_;

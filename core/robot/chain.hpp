@@ -29,9 +29,11 @@ struct ChainT {
   std::array<Mat3T<T>, kMaxJoints> R_PB0{};
   std::array<Vec3T<T>, kMaxJoints> p_PB0{};
   std::array<LinkInertiaT<T>, kMaxJoints> link{};
-  JointVectorT<T> rotor_inertia;         ///< D, reflected to the joint [kg m^2, kg]
-  JointVectorT<T> viscous_friction;      ///< [N m s/rad, N s/m]
-  JointVectorT<T> coulomb_friction;      ///< [N m, N]
+  JointVectorT<T> rotor_inertia;     ///< D, reflected to the joint [kg m^2, kg]
+  JointVectorT<T> viscous_friction;  ///< [N m s/rad, N s/m]
+  JointVectorT<T> coulomb_friction;  ///< [N m, N]
+  /// Of the links [m], for their distance from obstacles; empty: it is the joints' origins that count.
+  JointVectorT<T> link_radius;
   Mat3T<T> R_BT = Mat3T<T>::Identity();  ///< tool frame in the last body frame
   Vec3T<T> p_BT = Vec3T<T>::Zero();
   Vec3T<T> gravity = Vec3T<T>(T(0), T(0), T(-9.81));  ///< in the base frame [m/s^2]

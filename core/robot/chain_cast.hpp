@@ -20,6 +20,7 @@ ChainT<T> chain_cast(const Chain& chain) {
   to.rotor_inertia = chain.rotor_inertia.template cast<T>();
   to.viscous_friction = chain.viscous_friction.template cast<T>();
   to.coulomb_friction = chain.coulomb_friction.template cast<T>();
+  to.link_radius = chain.link_radius.template cast<T>();
   to.R_BT = chain.R_BT.template cast<T>();
   to.p_BT = chain.p_BT.template cast<T>();
   to.gravity = chain.gravity.template cast<T>();

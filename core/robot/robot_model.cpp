@@ -90,6 +90,9 @@ void Checker::arm() const {
   require(consistent,
           "robot '{}': names, rotor inertia and friction must have one entry for each of its {} joints",
           model_.name, chain.n);
+  require(chain.link_radius.size() == 0 || chain.link_radius.size() == chain.n,
+          "robot '{}': {} link radii for {} links; give one for each, or none", model_.name,
+          chain.link_radius.size(), chain.n);
   require(chain.gravity.allFinite(), "robot '{}': gravity is not finite", model_.name);
   rotation("tool frame on link", model_.tip_link, chain.R_BT, chain.p_BT);
 }

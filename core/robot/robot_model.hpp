@@ -30,6 +30,7 @@ struct RobotModel {
   std::string tip_link;  ///< the link the tool frame is given in
   std::vector<JointInfo> joints;
   std::vector<Shape> shapes;  ///< of all links, for drawing; may be empty
+  JointVector link_radii;     ///< of each joint's link [m], NaN where not known; empty: none is
   Chain chain;
 
   int n() const { return chain.n; }

@@ -1,5 +1,6 @@
 #pragma once
-// What a link looks like: a simple body, or a mesh in a file, fixed in a body frame. For drawing only.
+// What a link looks like: a simple body, or a mesh in a file, fixed in a body frame. For drawing, and for
+// how thick a link is (link_radius.hpp).
 
 #include <string>
 

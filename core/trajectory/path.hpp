@@ -31,6 +31,8 @@ struct Path {
 
   /// Position [m], velocity and acceleration at t [s]; exact derivatives. Allocates nothing.
   MotionPoint<Vec3> at(double t) const;
+  /// What the acceleration changes by, at t [m/s^3].
+  Vec3 jerk(double t) const;
 
   /// Whether it is a point at rest.
   bool rests() const { return !spline && (frequency == 0.0 || terms.empty()); }

@@ -42,17 +42,36 @@ PositionSpline::PositionSpline(const std::vector<double>& time, const std::vecto
   }
 }
 
-MotionPoint<Vec3> PositionSpline::at(double t) const {
+std::optional<double> PositionSpline::inside(double t) const {
   if (loops_) {
     const double turn = end() - begin();
-    t -= turn * std::floor((t - begin()) / turn);
-  } else if (!(t >= begin() && t <= end())) {
+    return t - turn * std::floor((t - begin()) / turn);
+  }
+  if (!(t >= begin() && t <= end())) return std::nullopt;
+  return t;
+}
+
+std::pair<std::size_t, double> PositionSpline::piece(double t) const {
+  const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
+  const auto k = static_cast<std::size_t>(next - time_.begin()) - 1;
+  return {k, t - time_[k]};
+}
+
+MotionPoint<Vec3> PositionSpline::at(double t) const {
+  const std::optional<double> now = inside(t);
+  if (!now) {
     const MotionPoint<Vec3>& last = t > end() ? knots_.back() : knots_.front();
     return {last.position, Vec3::Zero(), Vec3::Zero()};
   }
-  const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
-  const auto k = static_cast<std::size_t>(next - time_.begin()) - 1;
-  return pieces_[k].at(t - time_[k]);
+  const auto [k, since] = piece(*now);
+  return pieces_[k].at(since);
+}
+
+Vec3 PositionSpline::jerk(double t) const {
+  const std::optional<double> now = inside(t);
+  if (!now) return Vec3::Zero();
+  const auto [k, since] = piece(*now);
+  return pieces_[k].jerk(since);
 }
 
 }  // namespace armtune

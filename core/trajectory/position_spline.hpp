@@ -2,6 +2,8 @@
 // A point's motion through knots in time: quintics between them, so that position, velocity and acceleration
 // go on without a jump from piece to piece.
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/common/types.hpp"
@@ -26,8 +28,15 @@ class PositionSpline {
   /// At t [s]; before the start and after the end of one that does not loop it rests where it begins or ends.
   /// Allocates nothing; the piece is found by bisection.
   MotionPoint<Vec3> at(double t) const;
+  /// At t [m/s^3]; it may jump at knots.
+  Vec3 jerk(double t) const;
 
  private:
+  /// The piece that t is in, and the time since its beginning; t: as `inside` leaves it.
+  std::pair<std::size_t, double> piece(double t) const;
+  /// t, of a loop brought into its first turn; nothing: outside, where it rests.
+  std::optional<double> inside(double t) const;
+
   std::vector<double> time_;
   std::vector<MotionPoint<Vec3>> knots_;
   std::vector<Quintic<Vec3>> pieces_;

@@ -36,6 +36,12 @@ class Quintic {
             2.0 * c2_ + s * (6.0 * c3_ + s * (12.0 * c4_ + s * (20.0 * c5_)))};
   }
 
+  /// What the acceleration changes by, at t in between.
+  V jerk(double t) const {
+    const double s = std::clamp(t, 0.0, duration_);
+    return 6.0 * c3_ + s * (24.0 * c4_ + s * (60.0 * c5_));
+  }
+
  private:
   V c0_, c1_, c2_, c3_, c4_, c5_;
   double duration_;

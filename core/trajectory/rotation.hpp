@@ -30,4 +30,12 @@ inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
   return scale * v;
 }
 
+/// Of the rotation vectors that turn as phi does, whole turns apart, the one nearest to `near`: what goes
+/// past half a turn goes on.
+inline Vec3 nearest_rotation_vector(const Vec3& phi, const Vec3& near) {
+  const double angle = phi.norm();
+  const Vec3 axis = angle > 1e-9 ? Vec3(phi / angle) : near.stableNormalized();
+  return phi + 2.0 * M_PI * std::round((near.dot(axis) - angle) / (2.0 * M_PI)) * axis;
+}
+
 }  // namespace armtune

@@ -47,4 +47,25 @@ inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
   return rate;
 }
 
+/// The other way round: the rotation vector psi from a standing orientation to one that turns with `rate`,
+/// with its derivatives. psi' = J_l^-1 w with J_l^-1 = 1 - [psi] / 2 + c [psi]^2, c = (1 - angle
+/// sin / (2 (1 - cos))) / angle^2, and psi'' = J_l^-1 (w' - J_l' psi'). |psi| < 2 pi.
+inline MotionPoint<Vec3> rotation_vector_motion(const Vec3& psi, const TurnRate& rate) {
+  const double x = psi.squaredNorm();
+  double c = 0.0;
+  if (x < 1e-2) {
+    c = 1.0 / 12.0 + x * (1.0 / 720.0 + x * (1.0 / 30240.0 + x / 1209600.0));
+  } else {
+    const double angle = std::sqrt(x);
+    c = (1.0 - 0.5 * angle * std::sin(angle) / (1.0 - std::cos(angle))) / x;
+  }
+  const auto inverse = [&](const Vec3& w) {
+    const Vec3 across = psi.cross(w);
+    return Vec3(w - 0.5 * across + c * psi.cross(across));
+  };
+  MotionPoint<Vec3> motion{psi, inverse(rate.velocity), Vec3::Zero()};
+  motion.acceleration = inverse(rate.acceleration - rotation_rate(motion).acceleration);
+  return motion;
+}
+
 }  // namespace armtune

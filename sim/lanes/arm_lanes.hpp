@@ -46,9 +46,9 @@ class ArmLanes {
   virtual void put_state(int lane, const double* q, const double* qd) = 0;         ///< of the plant
   virtual void get_state(int lane, double* q, double* qd) const = 0;
 
-  /// Where the arm is measured to be; centers: 3 numbers for each of the obstacles.
-  virtual void put_measured(int lane, const double* q, const double* qd, const double* centers,
-                            std::size_t obstacles) = 0;
+  /// Where the arm is measured to be; obstacles: 4 numbers for each of `count` (center, radius).
+  virtual void put_measured(int lane, const double* q, const double* qd, const double* obstacles,
+                            std::size_t count) = 0;
   virtual void measure() = 0;
   /// What an ArmView shows.
   virtual void get_measured(int lane, const LaneTool& tool, double& manipulability, bool& damped,

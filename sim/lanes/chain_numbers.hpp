@@ -5,14 +5,14 @@
 
 namespace armtune {
 
-/// Of n joints: per joint 9 + 3 of its place, 1 + 3 + 9 of its link and 3 of the joint; then 9 + 3 of the
-/// tool and 3 of gravity.
+/// Of n joints at most: per joint 9 + 3 of its place, 1 + 3 + 9 of its link, 3 of the joint and a radius;
+/// then 9 + 3 of the tool and 3 of gravity.
 constexpr int chain_number_count(int n) {
-  return 28 * n + 15;
+  return 29 * n + 15;
 }
 inline constexpr int kMostChainNumbers = chain_number_count(kMaxJoints);
 
-/// f(number) for each, in order. The joint vectors must have chain.n entries.
+/// f(number) for each, in order. The joint vectors must have chain.n entries, link_radius may have none.
 template <typename AnyChain, typename F>
 void for_each_number(AnyChain& chain, F f) {
   const auto each = [&f](auto& block) {
@@ -28,6 +28,7 @@ void for_each_number(AnyChain& chain, F f) {
   each(chain.rotor_inertia);
   each(chain.viscous_friction);
   each(chain.coulomb_friction);
+  each(chain.link_radius);
   each(chain.R_BT);
   each(chain.p_BT);
   each(chain.gravity);

@@ -15,6 +15,7 @@ struct LaneKind {
   std::array<JointMotion, kMaxJoints> motion{};  ///< of each
   TaskMask mask = TaskMask::kPose;
   std::size_t most_obstacles = 0;
+  bool link_surfaces = false;   ///< obstacles are kept away from links, not from joint origins
   double control_period = 0.0;  ///< [s]
   Stepper stepper = Stepper::kMidpoint;
 

@@ -21,6 +21,7 @@ class PackedArm final : public ArmLanes {
     for (ChainT<T>* chain : {&chain_, &plant_}) {
       chain->n = kind.n;
       chain->motion = kind.motion;
+      chain->link_radius.setZero(kind.link_surfaces ? kind.n : 0);
       for (Joints* joints : {&chain->rotor_inertia, &chain->viscous_friction, &chain->coulomb_friction}) {
         joints->setZero(kind.n);
       }
@@ -32,9 +33,8 @@ class PackedArm final : public ArmLanes {
     }
     adaptation_ = AdaptationT<T>(ParameterVectorT<T>::Zero(parameter_count(chain_)));
     theta_true_ = adaptation_.theta();
-    centers_count_ = kind.most_obstacles;
-    centers_ = std::make_unique<Vec3T<T>[]>(centers_count_);
-    for (std::size_t i = 0; i < centers_count_; ++i) centers_[i].setZero();
+    obstacle_count_ = kind.most_obstacles;
+    obstacles_ = std::make_unique<ObstacleT<T>[]>(obstacle_count_);
   }
 
   int lanes() const override { return W; }
@@ -69,17 +69,17 @@ class PackedArm final : public ArmLanes {
     get(lane, qd_, qd);
   }
 
-  void put_measured(int lane, const double* q, const double* qd, const double* centers,
-                    std::size_t obstacles) override {
+  void put_measured(int lane, const double* q, const double* qd, const double* obstacles,
+                    std::size_t count) override {
     put(lane, q, measured_q_);
     put(lane, qd, measured_qd_);
-    for (std::size_t i = 0; i < obstacles; ++i) put(lane, centers + 3 * i, centers_[i]);
+    for (std::size_t i = 0; i < count; ++i) put_obstacle(lane, obstacles + 4 * i, obstacles_[i]);
     // Those that only other arms have are infinitely far away.
-    for (std::size_t i = obstacles; i < centers_count_; ++i) put(lane, kNowhere, centers_[i]);
+    for (std::size_t i = count; i < obstacle_count_; ++i) put_obstacle(lane, kNowhere, obstacles_[i]);
   }
   void measure() override {
     arm_.measure(chain_, measured_q_, measured_qd_, damping_, mask_);
-    obstacle_distance_ = obstacle_distance<T>(arm_.poses, {centers_.get(), centers_count_});
+    obstacle_distance_ = obstacle_distance<T>(chain_, arm_.poses, {obstacles_.get(), obstacle_count_});
     tasks_ = typename T::Mask{};
   }
   void get_measured(int lane, const LaneTool& tool, double& manipulability, bool& damped,
@@ -140,7 +140,7 @@ class PackedArm final : public ArmLanes {
       forward_kinematics(chain_, q_, true_poses_);
       tool_jacobian(chain_, true_poses_, true_J_);
       true_twist_ = times(true_J_, qd_);
-      true_distance_ = obstacle_distance<T>(true_poses_, {centers_.get(), centers_count_});
+      true_distance_ = obstacle_distance<T>(chain_, true_poses_, {obstacles_.get(), obstacle_count_});
       slotine_li_forward(chain_, true_poses_, qd_, reference_.velocity, reference_.acceleration, motion_);
     }
     theta_error_ = adaptation_.theta() - theta_true_;
@@ -170,11 +170,15 @@ class PackedArm final : public ArmLanes {
  private:
   using T = Pack<W>;
   using Joints = JointVectorT<T>;
-  static constexpr double kNowhere[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  static constexpr double kNowhere[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0.0};
 
   template <typename Packs>
   static void put(int lane, const double* from, Packs& to) {
     for (Eigen::Index i = 0; i < to.size(); ++i) to.data()[i].set(lane, from[i]);
+  }
+  static void put_obstacle(int lane, const double* from, ObstacleT<T>& to) {
+    put(lane, from, to.center);
+    to.radius.set(lane, from[3]);
   }
   template <typename Packs>
   static void get(int lane, const Packs& from, double* to) {
@@ -196,8 +200,8 @@ class PackedArm final : public ArmLanes {
   bool leaks_ = false;
   Joints q_, qd_;
   Joints measured_q_, measured_qd_;
-  std::unique_ptr<Vec3T<T>[]> centers_;
-  std::size_t centers_count_ = 0;
+  std::unique_ptr<ObstacleT<T>[]> obstacles_;
+  std::size_t obstacle_count_ = 0;
   MeasuredArmT<T> arm_;
   T obstacle_distance_{0.0};
   typename T::Mask tasks_{};

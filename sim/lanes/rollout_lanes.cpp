@@ -21,9 +21,9 @@ std::array<double, kMostChainNumbers> numbers_of(const Chain& chain) {
   return numbers;
 }
 
-const double* numbers_of(std::span<const Vec3> points) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  return points.empty() ? nullptr : points.front().data();
+const double* numbers_of(std::span<const Obstacle> obstacles) {
+  static_assert(sizeof(Obstacle) == 4 * sizeof(double));
+  return obstacles.empty() ? nullptr : obstacles.front().center.data();
 }
 
 }  // namespace
@@ -37,7 +37,13 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
     throw std::invalid_argument("the stepper 'reference' is Simbody's own");
   }
   const Chain& chain = scenario.robot->chain;
-  return {chain.n, chain.motion, scenario.mask, most_obstacles, scenario.control_period, stepper};
+  return {chain.n,
+          chain.motion,
+          scenario.mask,
+          most_obstacles,
+          chain.link_radius.size() > 0,
+          scenario.control_period,
+          stepper};
 }
 
 struct RolloutLanes::Lane {
@@ -144,7 +150,7 @@ void RolloutLanes::sense() {
     some = lane;
     lane->running.sense(lane->q, lane->qd, world_of(l));
     const JointState& measured = lane->running.measured();
-    const std::span<const Vec3> obstacles = lane->running.scene().obstacles;
+    const std::span<const Obstacle> obstacles = lane->running.scene().obstacles;
     arms_->put_measured(l, measured.q.data(), measured.qd.data(), numbers_of(obstacles), obstacles.size());
     exact_ = exact_ && lane->running.measures_exactly();
   }
@@ -226,7 +232,7 @@ void RolloutLanes::move() {
     arms_->get_observed(l, {pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, o.obstacle_distance,
                         o.compensation_error);
     o.poses = &pose;
-    see_errors(lane->running.sees_exactly(), kind_.mask, o);
+    see_errors(lane->running.sees_exactly(), o);
     if (lane->running.judge({})) {
       arms_->put_torque(l, o.applied->data());
       moving[static_cast<std::size_t>(l)] = true;

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "core/control/axis_error.hpp"
 #include "core/trajectory/gaze.hpp"
 
 namespace armtune {
@@ -11,10 +12,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Tracking counts from this long after followTrajectory was entered [s].
 constexpr double kSettlingTime = 1.0;
 
-/// Difference between the turn rate of the tool's z axis and that of the line to the target [rad/s].
+/// Difference between the turn rate of the tool's z axis and that of the line to the target [rad/s]; of the
+/// tool and the orientation that is wanted, where there is one.
 double gaze_rate_error(const Observation& o) {
   const Vec3 z = o.poses->R_0T.col(2);
   const Vec3 w = o.twist.tail<3>();
+  if (o.orientation != nullptr) {
+    const Vec3 error = w - o.orientation->angular_velocity;
+    return (o.aim().axis_only ? axis_rate(o.poses->R_0T, error) : error).norm();
+  }
   const Vec3 turn = w - w.dot(z) * z;
   return (turn - gaze_line_rate(o.poses->p_0T, o.twist.head<3>(), o.target_motion.position,
                                 o.target_motion.velocity))

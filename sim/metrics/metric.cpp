@@ -60,7 +60,7 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"effort_rate/rms", "N m/s", "RMS torque rate",
        "RMS over time of the norm of the change per second of the torque sent, after saturation"},
       {"obstacle/min_clearance", "m", "smallest obstacle clearance",
-       "smallest distance of any joint origin to an obstacle's centre"},
+       "smallest distance of any joint origin, or link, to an obstacle's surface"},
       {"compensation_error/rms", "N m", "RMS compensation error",
        "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
       {"response/rise_time", "s", "rise time",

@@ -105,9 +105,10 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   add_vector(columns, "target/position", "m", "active target in the base frame",
              [](const Observation& o) { return o.target_motion.position; });
   if (!scenario.obstacles.empty()) {
-    columns.push_back({"obstacle/distance", "m",
-                       "least distance of a joint origin to an obstacle's centre since the row before",
-                       [](const Observation& o) { return o.obstacle_distance; }, Over::kSmallest});
+    columns.push_back(
+        {"obstacle/distance", "m",
+         "least distance of a joint origin, or link, to an obstacle's surface since the row before",
+         [](const Observation& o) { return o.obstacle_distance; }, Over::kSmallest});
   }
   columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller saw it",
                      [](const Observation& o) { return o.control->manipulability; }});

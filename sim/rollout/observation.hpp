@@ -15,15 +15,19 @@ struct Observation {
   const ParameterVector* theta = nullptr;
 
   // From the true state, base frame.
-  const Poses* poses = nullptr;     ///< of an arm among several side by side, the tool's alone
-  Vec6 twist = Vec6::Zero();        ///< (v_0T, w_0T)
-  std::size_t target = 0;           ///< index of the active target
-  MotionPoint<Vec3> target_motion;  ///< of the active target
+  const Poses* poses = nullptr;                   ///< of an arm among several side by side, the tool's alone
+  Vec6 twist = Vec6::Zero();                      ///< (v_0T, w_0T)
+  std::size_t target = 0;                         ///< index of the active target
+  MotionPoint<Vec3> target_motion;                ///< of the active target; NaN without targets
+  const OrientationPoint* orientation = nullptr;  ///< wanted in place of a gaze at the target
+  TaskMask mask = TaskMask::kPose;
   Vec6 error = Vec6::Zero();  ///< pose error (position, rotation vector); zero in states that track joints
   Vec6 error_rate = Vec6::Zero();   ///< (v - vd, w - wd); likewise
   double gaze_angle = 0.0;          ///< [rad]
   double obstacle_distance = 0.0;   ///< [m], infinite without obstacles
   double compensation_error = 0.0;  ///< |Y (theta_hat - theta)| [N m]
+
+  ToolAim aim() const { return {target_motion, orientation, mask == TaskMask::kPositionAndAxis}; }
 };
 
 }  // namespace armtune

@@ -80,10 +80,13 @@ void RunningRollout::sense(const JointVector& q, const JointVector& qd, const Wo
   o.time = world.time;
   o.target = world.target;
   o.target_motion = world.target_motion;
+  o.orientation = world.orientation ? &*world.orientation : nullptr;
+  o.mask = scenario_.mask;
   sensors_.measure(q, qd, measured_);
   if (scenario_.stimulus) path_.center = scenario_.path.center + world.path_shift;
   scene_.on_path = &world.on_path;
   scene_.target = camera_.see(o.target, o.target_motion, o.time);
+  scene_.orientation = o.orientation;
   scene_.obstacles = world.obstacles;
 }
 

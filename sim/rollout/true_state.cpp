@@ -2,7 +2,6 @@
 
 #include "core/control/axis_error.hpp"
 #include "core/control/obstacle_impedance.hpp"
-#include "core/trajectory/gaze.hpp"
 
 namespace armtune {
 
@@ -18,7 +17,7 @@ void TrueState::observe(const RunningRollout& running, const Controller& control
     tool_jacobian(chain_, poses_, J_);
     o.poses = &poses_;
     o.twist = times(J_, *o.qd);
-    o.obstacle_distance = obstacle_distance(poses_, running.scene().obstacles);
+    o.obstacle_distance = obstacle_distance(chain_, poses_, running.scene().obstacles);
   }
   if (motion == nullptr) {
     slotine_li_forward(chain_, *o.poses, *o.qd, o.control->reference.velocity,
@@ -28,15 +27,14 @@ void TrueState::observe(const RunningRollout& running, const Controller& control
   theta_error_ = *o.theta - theta_true_;
   slotine_li_torque(chain_, *o.poses, *motion, theta_error_, torque_error_);
   o.compensation_error = norm(torque_error_);
-  see_errors(running.sees_exactly(), running.scenario().mask, o);
+  see_errors(running.sees_exactly(), o);
 }
 
-void see_errors(bool exact, TaskMask mask, Observation& o) {
+void see_errors(bool exact, Observation& o) {
   const ControlOutput& control = *o.control;
   const Poses& poses = *o.poses;
-  const Vec3 turn = exact && !tracks_joints(control.state)
-                        ? control.gaze_turn
-                        : gaze_turn(poses.R_0T, poses.p_0T, o.target_motion.position);
+  const Vec3 turn =
+      exact && !tracks_joints(control.state) ? control.gaze_turn : o.aim().turn(poses.R_0T, poses.p_0T);
   o.gaze_angle = turn.norm();
   o.error.setZero();
   o.error_rate.setZero();
@@ -46,7 +44,7 @@ void see_errors(bool exact, TaskMask mask, Observation& o) {
     o.error_rate.head<3>() = o.twist.head<3>() - control.desired.velocity;
   }
   // Outside a slerp the desired orientation is where the true tool should look; inside, the slerp's.
-  const bool turns_freely = mask == TaskMask::kPositionAndAxis;
+  const bool turns_freely = o.mask == TaskMask::kPositionAndAxis;
   const Eigen::Quaterniond& desired = control.desired_gaze.orientation;
   o.error.tail<3>() = -turn;
   if (control.slerping) {

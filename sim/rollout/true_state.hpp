@@ -6,8 +6,8 @@
 namespace armtune {
 
 /// Errors and gaze of `o`, whose poses (of the tool), twist, control and target_motion are set. exact: the
-/// controller has looked from this pose at this target. mask: which part of orientation is an error.
-void see_errors(bool exact, TaskMask mask, Observation& o);
+/// controller has looked from this pose at this target.
+void see_errors(bool exact, Observation& o);
 
 /// Work space and constants of the observation of one rollout.
 class TrueState {

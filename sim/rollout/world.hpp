@@ -1,6 +1,7 @@
 #pragma once
 // What is around the arm in one control period. It waits for nobody: it is the same whatever the arm does.
 
+#include <optional>
 #include <vector>
 
 #include "sim/scenario/scenario.hpp"
@@ -10,10 +11,11 @@ namespace armtune {
 struct World {
   double time = 0.0;                ///< [s]
   std::size_t target = 0;           ///< index of the active target
-  MotionPoint<Vec3> target_motion;  ///< of the active target, stimulus included
-  MotionPoint<Vec3> on_path;        ///< of the tool's path, stimulus included
-  Vec3 path_shift = Vec3::Zero();   ///< by the stimulus
-  std::vector<Vec3> obstacles;      ///< centres
+  MotionPoint<Vec3> target_motion;  ///< of the active target, stimulus included; NaN without targets
+  std::optional<OrientationPoint> orientation;  ///< wanted in place of a gaze
+  MotionPoint<Vec3> on_path;                    ///< of the tool's path, stimulus included
+  Vec3 path_shift = Vec3::Zero();               ///< by the stimulus
+  std::vector<Obstacle> obstacles;
 };
 
 /// In the scenario's k-th period. Allocates nothing from the second call on.

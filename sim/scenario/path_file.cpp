@@ -23,6 +23,12 @@ constexpr double kPi = std::numbers::pi;
 constexpr long kMostRandomTargets = 1000;
 constexpr long kHighestOrder = 1000;
 constexpr std::size_t kMostCorners = 5000;
+constexpr double kLargestBody = 100.0;  // m
+
+struct Files {
+  std::vector<std::string>& inputs;
+  bool of_poses;
+};
 
 Vec3 read_vec3(const yaml::Node& node) {
   return Vec3(node.as_numbers(3).data());
@@ -75,7 +81,7 @@ std::array<Vec3, 2> plane_of(const Vec3& normal) {
   return {first, n.cross(first)};
 }
 
-Path read_circle(const yaml::Node& node, std::vector<std::string>&) {
+Path read_circle(const yaml::Node& node, const Files&) {
   yaml::MapReader map(node);
   Path path = read_turning(map);
   const double radius = read_positive(map.required("radius"), "m");
@@ -86,7 +92,7 @@ Path read_circle(const yaml::Node& node, std::vector<std::string>&) {
   return path;
 }
 
-Path read_ellipse(const yaml::Node& node, std::vector<std::string>&) {
+Path read_ellipse(const yaml::Node& node, const Files&) {
   yaml::MapReader map(node);
   Path path = read_turning(map);
   path.terms = {{1, read_extent(map.required("axis_1")), read_extent(map.required("axis_2"))}};
@@ -95,7 +101,7 @@ Path read_ellipse(const yaml::Node& node, std::vector<std::string>&) {
 }
 
 /// p = c + l sin(phi) + w sin(2 phi): both loops are gone through in one period.
-Path read_figure_eight(const yaml::Node& node, std::vector<std::string>&) {
+Path read_figure_eight(const yaml::Node& node, const Files&) {
   yaml::MapReader map(node);
   Path path = read_turning(map);
   path.terms = {{1, Vec3::Zero(), read_extent(map.required("length"))},
@@ -104,13 +110,13 @@ Path read_figure_eight(const yaml::Node& node, std::vector<std::string>&) {
   return path;
 }
 
-Path read_hold(const yaml::Node& node, std::vector<std::string>&) {
+Path read_hold(const yaml::Node& node, const Files&) {
   Path path;
   path.center = read_vec3(node);
   return path;
 }
 
-Path read_polyline(const yaml::Node& node, std::vector<std::string>&) {
+Path read_polyline(const yaml::Node& node, const Files&) {
   yaml::MapReader map(node);
   const yaml::Node& corners_node = map.required("corners");
   std::vector<Vec3> corners;
@@ -131,17 +137,17 @@ Path read_polyline(const yaml::Node& node, std::vector<std::string>&) {
   return path;
 }
 
-Path read_waypoints(const yaml::Node& node, std::vector<std::string>& inputs) {
+Path read_waypoints(const yaml::Node& node, const Files& files) {
   const std::string file = file_beside(node.as_string(), node.file());
-  inputs.push_back(file);
+  files.inputs.push_back(file);
   Path path;
-  path.spline = std::make_shared<const PositionSpline>(load_waypoints(file));
+  path.spline = std::make_shared<const PositionSpline>(load_waypoints(file, files.of_poses));
   return path;
 }
 
 struct Curve {
   const char* key;
-  Path (*read)(const yaml::Node&, std::vector<std::string>& inputs);
+  Path (*read)(const yaml::Node&, const Files& files);
 };
 constexpr std::array<Curve, 6> kCurves = {{{"circle", read_circle},
                                            {"ellipse", read_ellipse},
@@ -166,7 +172,7 @@ HarmonicTerm read_term(const yaml::Node& node) {
 
 }  // namespace
 
-Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
+Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_poses) {
   const yaml::Node* chosen = nullptr;
   Path path;
   for (const Curve& curve : kCurves) {
@@ -174,7 +180,7 @@ Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
     if (node == nullptr) continue;
     if (chosen != nullptr) node->fail("the path is another curve already; keep one of them");
     chosen = node;
-    path = curve.read(*node, inputs);
+    path = curve.read(*node, {inputs, of_poses});
     require_sensible(path, *node);
   }
   for (const char* key : {"center", "frequency", "phase", "terms"}) {
@@ -194,20 +200,31 @@ Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
   return path;
 }
 
-std::vector<NamedPath> read_named_paths(const yaml::Node& node, std::vector<std::string>& inputs) {
-  std::vector<NamedPath> paths;
+std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<std::string>& inputs) {
+  std::vector<MovingObstacle> obstacles;
   for (const yaml::Node& item : node.items()) {
     yaml::MapReader map(item);
-    NamedPath& added = paths.emplace_back();
+    MovingObstacle& added = obstacles.emplace_back();
     added.name = map.required("name").as_string();
     added.path = read_path(map, inputs);
+    added.radius = map.number_in("radius", 0.0, 0.0, kLargestBody);
     map.finish();
   }
-  return paths;
+  return obstacles;
 }
 
 std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::string>& inputs) {
-  if (node.kind() != yaml::Node::Kind::kMap) return read_named_paths(node, inputs);
+  if (node.kind() != yaml::Node::Kind::kMap) {
+    std::vector<NamedPath> targets;
+    for (const yaml::Node& item : node.items()) {
+      yaml::MapReader map(item);
+      NamedPath& added = targets.emplace_back();
+      added.name = map.required("name").as_string();
+      added.path = read_path(map, inputs);
+      map.finish();
+    }
+    return targets;
+  }
   yaml::MapReader outer(node);
   const yaml::Node& random = outer.required("random");
   outer.finish();

@@ -22,12 +22,12 @@ namespace armtune {
 ///   center, frequency, phase, terms: [{order, cos, sin}]          a sum of harmonics (path.hpp)
 ///
 /// start_deg is where on the curve it begins, of 360. Files are named from the folder of the file that names them, and
-/// added to `inputs`. Throws InputError with file, line and key.
+/// added to `inputs`. of_poses: a tool's whose orientation comes from waypoints, which may be in the same file. Throws InputError with file, line and key.
 // clang-format on
-Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs);
+Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_poses = false);
 
-/// A list of paths with names.
-std::vector<NamedPath> read_named_paths(const yaml::Node& node, std::vector<std::string>& inputs);
+/// A list of paths with names, each with the radius of its body: `radius` [m], 0 where it is left out.
+std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<std::string>& inputs);
 
 /// A list of targets, or {random: {count, low, high, seed}}. One key for both, so that either stands whole
 /// over a base's.

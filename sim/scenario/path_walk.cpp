@@ -32,7 +32,9 @@ double walked_time(const Scenario& scenario) {
   const bool targets_rest = std::all_of(scenario.targets.begin(), scenario.targets.end(),
                                         [](const NamedPath& target) { return target.path.rests(); });
   const double rest = scenario.next_switch(0.0) < scenario.duration ? scenario.duration : 1.0;
-  if (!targets_rest) return scenario.duration;
+  // A turn through waypoints does not come round with the path.
+  const bool turns = scenario.orientation && scenario.orientation->turn;
+  if (!targets_rest || turns) return scenario.duration;
   if (scenario.path.rests()) return std::min(scenario.duration, rest);
   const double turn = scenario.path.period();
   return turn > 0.0 ? std::min(scenario.duration, std::max(rest, turn)) : scenario.duration;
@@ -40,8 +42,15 @@ double walked_time(const Scenario& scenario) {
 
 ToolGoal goal_at(const Scenario& scenario, double time) {
   ToolGoal goal{scenario.path.at(time).position, {}};
-  if (tracks_orientation(scenario.mask))
+  if (!tracks_orientation(scenario.mask)) return goal;
+  if (!scenario.orientation) {
     goal.target = scenario.targets[scenario.active_target(time)].path.at(time).position;
+    return goal;
+  }
+  const Eigen::Quaterniond wanted = scenario.orientation->at(time, scenario.path).orientation;
+  // Of an axis alone: a point that it passes.
+  if (scenario.mask == TaskMask::kPositionAndAxis) goal.target = goal.tool + wanted * Vec3::UnitZ();
+  if (scenario.mask == TaskMask::kPose) goal.orientation = wanted;
   return goal;
 }
 
@@ -88,9 +97,17 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
   for (long k = 0; k <= steps; ++k) {
     const double time = scenario.start_time + static_cast<double>(k) * dt;
     const MotionPoint<Vec3> path = scenario.path.at(time);
-    const MotionPoint<Vec3> target = scenario.targets[scenario.active_target(time)].path.at(time);
+    OrientationPoint wanted;
+    ToolAim aim;
+    aim.axis_only = scenario.mask == TaskMask::kPositionAndAxis;
+    if (scenario.orientation) {
+      wanted = scenario.orientation->at(time, scenario.path);
+      aim.orientation = &wanted;
+    } else {
+      aim.target = scenario.targets[scenario.active_target(time)].path.at(time);
+    }
     const MotionPoint<JointVector>& joints =
-        motion.step(robot.chain, path, target, damping, scenario.mask, centering, dt);
+        motion.step(robot.chain, path, aim, damping, scenario.mask, centering, dt);
     arm.measure(robot.chain, joints.position, joints.velocity, damping, scenario.mask);
     walk.steps = k;
     const double off = (arm.poses.p_0T - path.position).norm();
@@ -119,8 +136,10 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   if (is_off_path(walk) &&
       !(is_singular(walk) && can_reach(*scenario.robot, goal_at(scenario, walk.error.time)))) {
     return fmt::format(
-        "the path leaves the workspace of {}: {} it comes no closer than {:.3g} m; move or shrink the path",
-        scenario.robot->name, place(walk.error), walk.error.value);
+        "the path leaves the workspace of {}{}: {} it comes no closer than {:.3g} m; move or shrink the "
+        "path{}",
+        scenario.robot->name, scenario.orientation ? " with the tool turned as it is to be" : "",
+        place(walk.error), walk.error.value, scenario.orientation ? ", or turn the tool otherwise" : "");
   }
   if (is_singular(walk)) {
     return fmt::format(
@@ -152,7 +171,9 @@ JointVector best_start_of_task(const Scenario& scenario) {
                   "within its joint limits; move "
                   "the path, or give start_position_deg",
                   shown_path(scenario.source), scenario.robot->name, tool.x(), tool.y(), tool.z(),
-                  goal.target ? ", with its z axis on the target" : ""));
+                  scenario.orientation ? ", turned as it is to be"
+                  : goal.target        ? ", with its z axis on the target"
+                                       : ""));
 }
 
 std::string task_trouble(const Scenario& scenario, const Gains& gains) {

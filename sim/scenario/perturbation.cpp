@@ -120,17 +120,17 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
     target.path.frequency *= speed;
     target.path.spline_rate *= speed;
   }
-  for (auto* paths : {&result.targets, &result.obstacles}) {
-    for (NamedPath& named : *paths) {
-      const double phase = draw.between(0.0, 2.0 * M_PI);
-      if (!perturbation.phases) continue;
-      named.path.phase = phase;
-      // One that does not come round has a beginning, which stays.
-      const auto& spline = named.path.spline;
-      if (spline && spline->loops())
-        named.path.spline_lead = phase / (2.0 * M_PI) * (spline->end() - spline->begin());
-    }
-  }
+  const auto start_anywhere = [&](Path& path) {
+    const double phase = draw.between(0.0, 2.0 * M_PI);
+    if (!perturbation.phases) return;
+    path.phase = phase;
+    // One that does not come round has a beginning, which stays.
+    const auto& spline = path.spline;
+    if (spline && spline->loops())
+      path.spline_lead = phase / (2.0 * M_PI) * (spline->end() - spline->begin());
+  };
+  for (NamedPath& target : result.targets) start_anywhere(target.path);
+  for (MovingObstacle& obstacle : result.obstacles) start_anywhere(obstacle.path);
   return result;
 }
 

@@ -1,7 +1,10 @@
 #include "sim/scenario/robot_file.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
+#include "core/robot/link_radius.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/urdf_keys.hpp"
@@ -12,7 +15,18 @@ namespace armtune {
 namespace {
 
 /// One number per joint of the arm: read once the arm is known.
-constexpr std::array kActuatorKeys{"rotor_inertia", "viscous_friction", "coulomb_friction"};
+constexpr std::array kJointKeys{"rotor_inertia", "viscous_friction", "coulomb_friction", "link_radius"};
+constexpr double kThickest = 10.0;  // m
+
+/// Throws InputError where one is no radius.
+void check_radii(const yaml::Node& node, const RobotModel& model) {
+  for (int i = 0; i < model.n(); ++i) {
+    const double radius = model.link_radii[i];
+    if (radius >= 0.0 && radius <= kThickest) continue;
+    node.fail(fmt::format("{}: {} m; a link's radius lies in 0 .. {}",
+                          model.joints[static_cast<std::size_t>(i)].link, radius, kThickest));
+  }
+}
 
 }  // namespace
 
@@ -33,7 +47,7 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   file.options = read_urdf_options(map);
   const std::string urdf = map.required("urdf").as_string();
   file.urdf = urdf.starts_with('/') ? urdf : folder_of(file.path) + "/" + urdf;
-  for (const char* key : kActuatorKeys) map.ignore(key);
+  for (const char* key : kJointKeys) map.ignore(key);
   map.finish();
   return file;
 }
@@ -42,15 +56,17 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to) {
   const RobotFile file = read_robot_file(name_or_path, relative_to);
   auto model = std::make_shared<RobotModel>(read_urdf(file.urdf, file.options));
+  model->link_radii = shape_radii(*model);
   if (file.root) {
     Chain& chain = model->chain;
     const auto joints = joint_names(*model);
-    const std::array<JointVector*, 3> values{&chain.rotor_inertia, &chain.viscous_friction,
-                                             &chain.coulomb_friction};
+    const std::array<JointVector*, 4> values{&chain.rotor_inertia, &chain.viscous_friction,
+                                             &chain.coulomb_friction, &model->link_radii};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const yaml::Node* node = file.root->find(kActuatorKeys[i]);
+      const yaml::Node* node = file.root->find(kJointKeys[i]);
       if (node != nullptr) *values[i] = yaml::joint_values(*node, joints);
     }
+    if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
   }
   validate(*model);
   return model;

@@ -24,7 +24,8 @@ struct RobotFile {
 RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to = {});
 
 /// Reads it whole. Keys of the YAML: urdf, those of urdf_keys.hpp, and rotor_inertia, viscous_friction,
-/// coulomb_friction (each a list in joint order, or a map by joint name). The model is validated. Throws
+/// coulomb_friction, link_radius [m] (each a list in joint order, or a map by joint name). A link's radius is
+/// otherwise that of its shapes (link_radius.hpp). The model is validated. Throws
 /// InputError.
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "core/control/gains.hpp"
+#include "core/control/obstacle.hpp"
 #include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/joint_spline.hpp"
 #include "core/trajectory/path.hpp"
+#include "core/trajectory/tool_orientation.hpp"
 #include "sim/scenario/stimulus.hpp"
 
 namespace armtune {
@@ -70,11 +72,12 @@ struct Scenario {
   std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
   Path path;                                   ///< of the tool, base frame
   TaskMask mask = TaskMask::kPose;             ///< which part of path and gaze the arm is to hold
-  std::vector<NamedPath> targets;
+  std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` says how the tool is turned
+  std::optional<ToolOrientation> orientation;
   double switch_every = 0.0;         ///< targets take turns [s]; 0: always the first, or as `schedule` says
   std::vector<TargetTurn> schedule;  ///< rising; the first target before it; empty: `switch_every` counts
   std::optional<Camera> camera;      ///< none: the controller knows the targets' motion
-  std::vector<NamedPath> obstacles;
+  std::vector<MovingObstacle> obstacles;
   std::optional<Stimulus> stimulus;  ///< added to path or target, unknown to the controller
   ThetaStart theta;
   PlantConditions plant;

@@ -8,7 +8,9 @@
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
+#include "core/robot/link_radius.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/orientation_file.hpp"
 #include "sim/scenario/path_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/planned_motion.hpp"
@@ -43,6 +45,13 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
     return mask;
   }
   node->fail("'" + text + "' is not one of: pose, position_and_axis, position");
+}
+
+/// From what on the arm obstacles count: `joints`, the joints' origins, or `links`, capsules about them.
+void read_distance(const yaml::Node& node, Scenario& scenario) {
+  if (node.is_word("joints")) return;
+  if (!node.is_word("links")) node.fail("'" + node.as_string() + "' is neither joints nor links");
+  scenario.robot = std::make_shared<const RobotModel>(with_link_surfaces(*scenario.robot));
 }
 
 /// A file's path, from the folder of the file that names it, which may be a base of the scenario's.
@@ -109,6 +118,34 @@ void read_planned(const yaml::Node& node, Scenario& scenario) {
   scenario.start_velocity = scenario.planned->knots().front().velocity;
 }
 
+/// The tool's path, and what it looks at or how it is turned.
+void read_task(yaml::MapReader& map, Scenario& scenario) {
+  const yaml::Node* orientation = map.optional("orientation");
+  yaml::MapReader tool_path(map.required("path"));
+  // Tool poses stand in one file.
+  const yaml::Node* turns = orientation == nullptr ? nullptr : orientation->find("waypoints");
+  const yaml::Node* points = map.required("path").find("waypoints");
+  const bool of_poses = turns != nullptr && points != nullptr && path_in(*turns) == path_in(*points);
+  scenario.path = read_path(tool_path, scenario.inputs, of_poses);
+  tool_path.finish();
+  if (orientation == nullptr) {
+    const yaml::Node& targets = map.required("targets");
+    scenario.targets = read_targets(targets, scenario.inputs);
+    if (scenario.targets.empty())
+      targets.fail("empty; the gaze needs at least one target, or say how the tool is turned: orientation");
+    return;
+  }
+  if (const yaml::Node* targets = map.optional("targets");
+      targets != nullptr && !read_targets(*targets, scenario.inputs).empty())
+    orientation->fail("stands beside targets, which the tool would look at; set those to []");
+  if (!tracks_orientation(scenario.mask))
+    orientation->fail("has no part in a task_mask of position; take it out, or hold more");
+  scenario.orientation = read_orientation(*orientation, scenario.path, scenario.inputs);
+  if (scenario.orientation->approach && scenario.mask != TaskMask::kPose)
+    orientation->fail(
+        "along_path turns the tool about its z axis, which the task_mask leaves free; give rpy_deg");
+}
+
 /// A number, or `planned`: as long as the planned motion, in whole periods. node: null where the key is
 /// absent.
 double read_duration(const yaml::Node* node, const Scenario& scenario) {
@@ -160,13 +197,8 @@ Scenario load_scenario(const std::string& name_or_path) {
   } else {
     scenario.duration = read_duration(&map.required("duration"), scenario);
   }
-  yaml::MapReader tool_path(map.required("path"));
-  scenario.path = read_path(tool_path, scenario.inputs);
-  tool_path.finish();
-  const yaml::Node& targets = map.required("targets");
-  scenario.targets = read_targets(targets, scenario.inputs);
-  if (scenario.targets.empty()) targets.fail("empty; the gaze needs at least one target");
   scenario.mask = read_mask(map.optional("task_mask"), scenario.robot->n());
+  read_task(map, scenario);
   scenario.switch_every = map.number_in("switch_every", 0.0, 0.0, kInfinity);
   if (const yaml::Node* schedule = map.optional("schedule")) {
     scenario.schedule = read_schedule(*schedule, scenario.targets);
@@ -180,14 +212,20 @@ Scenario load_scenario(const std::string& name_or_path) {
     scenario.goal_position = best_start_of_task(scenario);
     scenario.start_position = off_goal(*scenario.robot, scenario.goal_position);
   }
-  if (const yaml::Node* camera = map.optional("target_camera")) scenario.camera = read_camera(*camera);
+  if (const yaml::Node* camera = map.optional("target_camera")) {
+    if (scenario.orientation) camera->fail("sees targets, and there are none; take it out");
+    scenario.camera = read_camera(*camera);
+  }
   if (const yaml::Node* obstacles = map.optional("obstacles"))
-    scenario.obstacles = read_named_paths(*obstacles, scenario.inputs);
+    scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
+  if (const yaml::Node* from = map.optional("obstacle_distance")) read_distance(*from, scenario);
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
     if (scenario.planned)
       stimulus->fail(
           "a planned trajectory is followed first, and answers to no stimulus; take one of them away");
     scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
+    if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.empty())
+      stimulus->fail("shifts a target, and there are none; let it shift the path");
     if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.next_switch(0.0) < HUGE_VAL) {
       stimulus->fail(
           "shifts a target, but targets take turns (switch_every, schedule): the response would be to both");

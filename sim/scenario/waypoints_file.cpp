@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/trajectory/cubic_spline.hpp"
@@ -13,28 +17,58 @@ namespace {
 
 constexpr std::size_t kMostWaypoints = 20000;
 constexpr double kFastest = 1e6;  // m/s, m/s^2: beyond it is no motion of an arm
+constexpr double kUnit = 1e-3;    // by which a quaternion's length may miss 1
+constexpr std::array kPlace{"x", "y", "z"};
+constexpr std::array kTurn{"qw", "qx", "qy", "qz"};
 
-}  // namespace
+template <std::size_t N>
+bool is_one_of(const std::array<const char*, N>& names, const std::string& name) {
+  return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
+}
 
-PositionSpline load_waypoints(const std::string& path) {
-  const CsvTable table = CsvTable::read(path, CsvOrigin::kUser);
+CsvTable read_table(const std::string& path) {
+  CsvTable table = CsvTable::read(path, CsvOrigin::kUser);
   for (const std::string& column : table.header()) {
-    if (column == "time" || column == "x" || column == "y" || column == "z") continue;
+    if (column == "time" || is_one_of(kPlace, column) || is_one_of(kTurn, column)) continue;
     throw InputError(
-        fmt::format("{}: column {} is none of a path's waypoints, which are time, x, y, z; take it out", path,
-                    shown(column)));
+        fmt::format("{}: column {} is none of waypoints, which are time, x, y, z, and of a tool qw, qx, qy, "
+                    "qz; take it out",
+                    path, shown(column)));
   }
   if (table.rows() > kMostWaypoints)
     throw InputError(
         fmt::format("{}: {} rows; a path has at most {}: thin them out", path, table.rows(), kMostWaypoints));
+  return table;
+}
+
+/// These columns of every row.
+template <std::size_t N>
+std::vector<std::array<double, N>> numbers(const CsvTable& table, const std::array<const char*, N>& names,
+                                           const std::string& path) {
+  std::array<std::size_t, N> columns{};
+  for (std::size_t i = 0; i < N; ++i) columns[i] = table.column(names[i]);
+  std::vector<std::array<double, N>> rows(table.rows());
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t i = 0; i < N; ++i) rows[row][i] = finite_cell(table, row, columns[i], path);
+  }
+  return rows;
+}
+
+}  // namespace
+
+PositionSpline load_waypoints(const std::string& path, bool of_poses) {
+  const CsvTable table = read_table(path);
+  for (const std::string& column : table.header()) {
+    if (of_poses || !is_one_of(kTurn, column)) continue;
+    throw InputError(fmt::format(
+        "{}: column {} is of a tool's orientation; say 'orientation: {{waypoints: ...}}' of the same file, "
+        "where this is the tool's path, or take the column out",
+        path, column));
+  }
   const std::vector<double> time = rising_times(table, path);
-  const std::size_t columns[] = {table.column("x"), table.column("y"), table.column("z")};
   std::vector<Vec3> positions;
   positions.reserve(table.rows());
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    Vec3& position = positions.emplace_back();
-    for (int axis = 0; axis < 3; ++axis) position[axis] = finite_cell(table, row, columns[axis], path);
-  }
+  for (const auto& row : numbers(table, kPlace, path)) positions.emplace_back(row.data());
   const auto knots = cubic_spline(time, positions);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (knots[k].velocity.norm() <= kFastest && knots[k].acceleration.norm() <= kFastest) continue;
@@ -44,6 +78,38 @@ PositionSpline load_waypoints(const std::string& path) {
         path, line_of(k), knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest));
   }
   return {time, knots, false};
+}
+
+ToolOrientation load_orientations(const std::string& path) {
+  const CsvTable table = read_table(path);
+  const std::vector<double> time = rising_times(table, path);
+  std::vector<Eigen::Quaterniond> orientations;
+  orientations.reserve(table.rows());
+  for (const auto& row : numbers(table, kTurn, path)) {
+    const Eigen::Quaterniond q(row[0], row[1], row[2], row[3]);
+    if (!(std::abs(q.norm() - 1.0) <= kUnit)) {
+      throw InputError(fmt::format("{}:{}: the quaternion has length {:.6g}; that of an orientation is 1",
+                                   path, line_of(orientations.size()), q.norm()));
+    }
+    orientations.push_back(q.normalized());
+  }
+  ToolOrientation turning = turning_through(time, orientations);
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const MotionPoint<Vec3>& knot = turning.turn->knots()[k];
+    if (!(knot.position.norm() <= kMostTurn)) {
+      throw InputError(
+          fmt::format("{}:{}: the tool has turned by {:.3g} rad since the first row; it may by "
+                      "{:.3g}: turn it back in between",
+                      path, line_of(k), knot.position.norm(), kMostTurn));
+    }
+    if (!(knot.velocity.norm() <= kFastest && knot.acceleration.norm() <= kFastest)) {
+      throw InputError(
+          fmt::format("{}:{}: the turn here asks for {:.3g} rad/s and {:.3g} rad/s^2; at most {:.0e} of "
+                      "both: give it more time",
+                      path, line_of(k), knot.velocity.norm(), knot.acceleration.norm(), kFastest));
+    }
+  }
+  return turning;
 }
 
 }  // namespace armtune

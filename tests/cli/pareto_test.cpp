@@ -60,6 +60,18 @@ TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
   EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("ended: \"time used up\""));
 }
 
+TEST(ParetoCommand, TradesOffWithAnotherController) {
+  const test::ShortStudy short_of_time(
+      test::kShortParameters, test::kShortObjective,
+      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n",
+      "search: {algorithm: COBYLA, max_evaluations: 12, max_minutes: 1e-6}\n");
+  const std::string folder = short_of_time / "front";
+  const Finished done = run_program({"pareto", short_of_time.path(), "--controller", "joint_pd", "--levels",
+                                     "2", "--max-evaluations", "40", "--out", folder});
+  EXPECT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
+  EXPECT_THAT(test::read_text(folder + "/study.yaml"), HasSubstr("controller: joint_pd"));
+}
+
 TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
   const Finished twice =
       run_program({"pareto", files().path(), "--criteria", "gaze/rms", "gaze/rms", "--out", files() / "x"});

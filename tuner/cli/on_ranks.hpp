@@ -25,6 +25,9 @@ int report(const std::exception_ptr& failure);
 /// What --help says of --workers, --resume and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
     "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
+inline constexpr const char* kControllerHelp =
+    "tune another controller on the study's task, all of its gains that are tuned by default; "
+    "armtune controllers lists them";
 inline constexpr const char* kResumeHelp =
     "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
     "everything "

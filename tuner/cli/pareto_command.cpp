@@ -30,6 +30,7 @@ namespace {
 
 struct Arguments {
   std::string study = "ur10_gaze";
+  std::string controller;  ///< in place of the study's; empty: its own
   std::vector<std::string> criteria = {"objective", "joint_velocity/max_ratio"};
   std::size_t levels = 0;
   long max_evaluations = 0;
@@ -123,7 +124,7 @@ int run(Arguments args, Team& team) {
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
-  Study study = load_study(args.study);
+  Study study = load_study(args.study, args.controller);
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const ParetoOptions options = options_of(args, study);
@@ -246,6 +247,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("pareto", "Find a study's front: what each bit of accuracy costs in joint velocity");
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
+  command->add_option("--controller", args->controller, kControllerHelp);
   command
       ->add_option("--criteria", args->criteria,
                    "two or three of: 'objective' (the study's) and any metric (its worst over the scenarios)")

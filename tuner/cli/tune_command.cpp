@@ -265,10 +265,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
-  command->add_option(
-      "--controller", args->controller,
-      "tune another controller on the study's task, all of its gains that are tuned by default; "
-      "armtune controllers lists them");
+  command->add_option("--controller", args->controller, kControllerHelp);
   command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)

@@ -27,6 +27,18 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
       fmt::print("{}: left out: it has a stimulus, of which no plan knows\n", scenario.name);
       continue;
     }
+    if (scenario.orientation) {
+      fmt::print("{}: left out: it gives the tool's orientation, and plans know gaze targets only\n",
+                 scenario.name);
+      continue;
+    }
+    if (!tracks_orientation(scenario.mask)) {
+      fmt::print("{}: left out: its task is the position alone, and plans keep the gaze as well\n",
+                 scenario.name);
+      continue;
+    }
+    if (scenario.robot->chain.link_radius.size() > 0 && !scenario.obstacles.empty())
+      fmt::print("{}: plans keep joint origins and tool clear of obstacles, not links\n", scenario.name);
     const Gains set = gains(scenario);
     options.gaze_threshold = set.slerpAngularErrorThreshold;
     options.clearance = scenario.obstacles.empty() ? 0.0 : set.obstacleInfluenceRadius;

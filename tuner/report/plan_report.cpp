@@ -92,7 +92,7 @@ class PlanAssembly {
     shown.name = scene.name;
     shown.arm = static_cast<long>(scene.arm);
     shown.influence_radius = scene.influence_radius;
-    shown.obstacles = scene.obstacles.size();
+    for (const SceneObstacle& obstacle : scene.obstacles) shown.obstacles.push_back(obstacle.radius);
     if (!scene.path.rests()) shown.path = drawn_path(scene.path);
   }
 

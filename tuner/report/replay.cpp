@@ -112,7 +112,8 @@ Replay replay_of(const CsvTable& rollout, const SceneScenario& scenario, const A
   replay.tool = vector_series(rollout, "tool/position", rows);
   replay.error = error_norm(rollout, rows);
   const std::vector<double> times = picked(time, rows);
-  for (const Path& obstacle : scenario.obstacles) replay.obstacles.push_back(center_of(obstacle, times));
+  for (const SceneObstacle& obstacle : scenario.obstacles)
+    replay.obstacles.push_back(center_of(obstacle.path, times));
   return replay;
 }
 

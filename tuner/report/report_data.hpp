@@ -96,8 +96,8 @@ struct ReportScenario {
   double duration = 0.0;
   std::vector<Vec3> path;
   double influence_radius = 0.0;
-  std::size_t obstacles = 0;
-  long arm = -1;  ///< index into ReportData::arms; -1: not known
+  std::vector<double> obstacles;  ///< radius of each one's body [m]
+  long arm = -1;                  ///< index into ReportData::arms; -1: not known
   std::vector<Run> runs;
   std::vector<PlanLimit> limits;  ///< of a plan alone
 };

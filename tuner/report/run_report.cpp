@@ -197,7 +197,7 @@ class Assembly {
       shown.arm = static_cast<long>(s->arm);
       shown.duration = s->duration;
       shown.influence_radius = s->influence_radius;
-      shown.obstacles = s->obstacles.size();
+      for (const SceneObstacle& obstacle : s->obstacles) shown.obstacles.push_back(obstacle.radius);
       shown.path = drawn_path(s->path);
     }
     for (std::size_t set = 0; set < scene_.sets.size(); ++set) {

@@ -99,10 +99,9 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
   json.number("influence_radius", scenario.influence_radius);
   json.key("obstacles");
   json.begin_array();
-  for (std::size_t i = 0; i < scenario.obstacles; ++i) {
+  for (const double radius : scenario.obstacles) {
     json.begin_object();
-    json.key("body_radius");
-    json.null();  // no scenario has one yet
+    json.number("body_radius", radius);
     json.end_object();
   }
   json.end_array();

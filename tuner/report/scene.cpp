@@ -38,6 +38,14 @@ void write_path(Json& json, const Path& path) {
   json.end_object();
 }
 
+void write_obstacle(Json& json, const SceneObstacle& obstacle) {
+  json.begin_object();
+  json.number("radius", obstacle.radius);
+  json.key("path");
+  write_path(json, obstacle.path);
+  json.end_object();
+}
+
 }  // namespace
 
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
@@ -75,7 +83,8 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
     s.duration = scenario.duration;
     s.path = scenario.path;
     s.obstacles.reserve(scenario.obstacles.size());
-    for (const NamedPath& obstacle : scenario.obstacles) s.obstacles.push_back(obstacle.path);
+    for (const MovingObstacle& obstacle : scenario.obstacles)
+      s.obstacles.push_back({obstacle.path, obstacle.radius});
     if (!s.obstacles.empty()) s.influence_radius = influence_radius;
     Arm arm = arm_of(*scenario.robot);
     Json json;
@@ -131,7 +140,7 @@ std::string scene_json(const Scene& scene) {
     write_path(json, s.path);
     json.key("obstacles");
     json.begin_array();
-    for (const Path& obstacle : s.obstacles) write_path(json, obstacle);
+    for (const SceneObstacle& obstacle : s.obstacles) write_obstacle(json, obstacle);
     json.end_array();
     json.number("influence_radius", s.influence_radius);
     json.end_object();

@@ -18,12 +18,17 @@ struct SceneSet {
   std::string errors = "errors.csv";  ///< below the run's
 };
 
+struct SceneObstacle {
+  Path path;
+  double radius = 0.0;  ///< of its body [m]
+};
+
 struct SceneScenario {
   std::string name;
   double duration = 0.0;  ///< [s]
   std::size_t arm = 0;    ///< index into Scene::arms
   Path path;              ///< of the tool
-  std::vector<Path> obstacles;
+  std::vector<SceneObstacle> obstacles;
   double influence_radius = 0.0;  ///< [m], of the first set's gains; 0 without obstacles
 };
 

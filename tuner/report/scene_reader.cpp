@@ -50,6 +50,15 @@ Path read_path(const yaml::Node& node) {
   return path;
 }
 
+/// A path alone, as it was written when obstacles had no body, is a point's.
+SceneObstacle read_obstacle(const yaml::Node& node) {
+  if (node.find("path") == nullptr) return {read_path(node), 0.0};
+  yaml::MapReader map(node);
+  SceneObstacle obstacle{read_path(map.required("path")), map.number("radius")};
+  map.finish();
+  return obstacle;
+}
+
 SceneScenario read_scenario(const yaml::Node& node, std::size_t arms) {
   yaml::MapReader map(node);
   SceneScenario s;
@@ -60,7 +69,7 @@ SceneScenario read_scenario(const yaml::Node& node, std::size_t arms) {
   if (arm < 0 || static_cast<std::size_t>(arm) >= arms) robot.fail("there is no such robot in this file");
   s.arm = static_cast<std::size_t>(arm);
   s.path = read_path(map.required("path"));
-  for (const yaml::Node& item : map.required("obstacles").items()) s.obstacles.push_back(read_path(item));
+  for (const yaml::Node& item : map.required("obstacles").items()) s.obstacles.push_back(read_obstacle(item));
   s.influence_radius = map.number("influence_radius");
   map.finish();
   return s;

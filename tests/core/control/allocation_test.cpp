@@ -56,7 +56,8 @@ struct Drive {
   Drive(const test::Rig& rig, const ParameterVector& theta, double wrist_speed) {
     const std::unique_ptr<Controller> controller = rig.controller(theta);
     const Poses poses = test::poses_at(rig.model->chain, rig.goal().q);
-    const std::vector<Vec3> near = {poses.p_0B[2] + Vec3(0.1, 0.1, 0.0), poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)};
+    const std::vector<Obstacle> near = {{poses.p_0B[2] + Vec3(0.1, 0.1, 0.0)},
+                                        {poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)}};
     const Vec3 elsewhere = rig.p_0G + Vec3(0.5, 0.3, 0.2);
     for (int step = 0; step < 1000; ++step) {
       Scene scene = rig.scene();

@@ -37,7 +37,7 @@ JointState near_goal(std::mt19937& generator, const test::Rig& rig) {
 std::vector<double> outputs(const test::Rig& rig, const Vec3& velocity, const Vec3& acceleration) {
   std::mt19937 generator(771);
   const std::unique_ptr<Controller> controller = rig.controller();
-  const std::vector<Vec3> near = obstacles_near(rig);
+  const std::vector<Obstacle> near = obstacles_near(rig);
   std::vector<double> all;
   const auto keep = [&all](const auto& numbers) {
     for (const double number : numbers.reshaped()) all.push_back(number);
@@ -111,7 +111,7 @@ TEST(ControllerOptions, WithFeedForwardTheDesiredOrientationTurnsAsTheLineToTheT
   std::mt19937 generator(772);
   WorstError velocity("wd", 1e-14);  // rounding
   WorstError acceleration("wd'", 1e-14);
-  const std::vector<Vec3> near = obstacles_near(rig);
+  const std::vector<Obstacle> near = obstacles_near(rig);
   for (int step = 0; step < 200; ++step) {
     Scene scene = rig.scene();
     scene.target.velocity = test::random_vec3(generator, 0.3);
@@ -196,7 +196,7 @@ TEST(ControllerOptions, LeaveSingularityGoesByWayOfItsPublishedGoal) {
     const double time = step * rig.period;
     const JointState measured{start, JointVector::Zero(6)};
     const ControlOutput& out = controller->update(measured, rig.scene(), time);
-    const MotionPoint<JointVector> m = task.step(rig.model->chain, rig.path.at(time), rig.scene().target,
+    const MotionPoint<JointVector> m = task.step(rig.model->chain, rig.path.at(time), {rig.scene().target},
                                                  inverse_damping(rig.gains), TaskMask::kPose, {}, rig.period);
     const MotionPoint<double> s = rest_to_rest(0.0, 1.0, 6.0).at(time);
     // q = start + s (goal - start + s (task - goal)).
@@ -218,7 +218,7 @@ TEST(ControllerOptions, TheBarrierDampsWithTheActiveKdAndFadesTheRepulsionThatPu
   const JointVector limits = rig.model->velocity_limits();
   const std::unique_ptr<Controller> without = rig.controller();
   const std::unique_ptr<Controller> with = barred.controller();
-  const std::vector<Vec3> near = obstacles_near(rig);
+  const std::vector<Obstacle> near = obstacles_near(rig);
   std::mt19937 generator(774);
   WorstError worst("torque", 1e-12);  // rounding of torques of 100 N m
   int avoiding = 0;

@@ -30,7 +30,7 @@ TEST(ControllerPace, KeepsEveryReferenceBelowTheMarginInEveryStateWhateverIsMeas
     rig.path.frequency = 0.5;
     rig.path.terms = {{1, Vec3(0.05, 0, 0), Vec3(0, 0.05, 0)}};
     const Poses poses = test::poses_at(rig.model->chain, rig.goal().q);
-    const std::vector<Vec3> near = {poses.p_0B[2] + Vec3(0.1, 0.1, 0.0)};
+    const std::vector<Obstacle> near = {{poses.p_0B[2] + Vec3(0.1, 0.1, 0.0)}};
     std::mt19937 generator(781);
     const std::unique_ptr<Controller> controller = rig.controller();
     double largest = 0.0;

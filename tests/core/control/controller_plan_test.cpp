@@ -159,7 +159,7 @@ TEST(ControllerPlan, AnObstacleInterruptsItForGood) {
   const Vec3 elbow = test::poses_at(rig.model->chain, rig.goal().q).p_0B[2] + Vec3(0.1, 0.1, 0.0);
   const auto state_at = [&](double t) { return controller->update(rig.on_plan(t), rig.scene(), t).state; };
   EXPECT_EQ(state_at(kBegin), ControlState::kFollowPlan);
-  rig.obstacles = {elbow};
+  rig.obstacles = {{elbow}};
   EXPECT_EQ(state_at(kBegin + 0.1), ControlState::kAvoidObstacles);
   rig.obstacles.clear();
   EXPECT_EQ(state_at(kBegin + 0.2), ControlState::kReturnToTrajectory);

@@ -16,8 +16,8 @@ namespace {
 using test::WorstError;
 
 /// An obstacle within the elbow's reach at the goal.
-std::vector<Vec3> obstacle_at_the_elbow(const test::Rig& rig) {
-  return {test::poses_at(rig.model->chain, rig.goal().q).p_0B[2] + Vec3(0.1, 0.1, 0.0)};
+std::vector<Obstacle> obstacle_at_the_elbow(const test::Rig& rig) {
+  return {{test::poses_at(rig.model->chain, rig.goal().q).p_0B[2] + Vec3(0.1, 0.1, 0.0)}};
 }
 
 TEST(ControllerStates, LeaveSingularityLastsItsDurationThenTheReturnItsOwnThenFollow) {
@@ -90,7 +90,7 @@ TEST(ControllerStates, AnObstacleWithinTheRadiusStartsAvoidanceAndItsLeavingARet
   const auto state_at = [&](double distance) {
     // Beyond the tool, on its axis: the last joint's origin is the nearest one.
     const Poses poses = test::poses_at(rig.model->chain, rig.goal().q);
-    rig.obstacles = {poses.p_0B[5] + distance * poses.R_0T.col(2)};
+    rig.obstacles = {{poses.p_0B[5] + distance * poses.R_0T.col(2)}};
     const ControlOutput& out = controller->update(rig.goal(), rig.scene(), time += rig.period);
     EXPECT_NEAR(out.obstacle_distance, distance, 1e-12);
     return out.state;

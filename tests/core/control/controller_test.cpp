@@ -39,7 +39,8 @@ void drive(const test::Rig& rig, const Check& check) {
   std::mt19937 generator(611);
   const std::unique_ptr<Controller> controller = rig.controller();
   const Poses poses = test::poses_at(rig.model->chain, rig.goal().q);
-  const std::vector<Vec3> near = {poses.p_0B[2] + Vec3(0.1, 0.1, 0.0), poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)};
+  const std::vector<Obstacle> near = {{poses.p_0B[2] + Vec3(0.1, 0.1, 0.0)},
+                                      {poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)}};
   bool slerped = false;
   for (int step = 0; step < 700; ++step) {
     Period period{near_goal(generator, rig), rig.scene(), step * rig.period,

@@ -25,7 +25,7 @@ constexpr double kRounding = 1e-12;
 /// With tool and target at rest.
 GazeControl::Output update(GazeControl& control, const Gains& gains, const Sight& s, double time) {
   return control.update(gains, s.poses.R_0T, s.Q_0T, {s.poses.p_0T, Vec3::Zero(), Vec3::Zero()},
-                        {s.p_0G, Vec3::Zero(), Vec3::Zero()}, time);
+                        {{s.p_0G, Vec3::Zero(), Vec3::Zero()}}, time);
 }
 
 /// s = 10 x^3 - 15 x^4 + 6 x^5 between `from` and 1, with its derivatives: the textbook's polynomial.
@@ -195,7 +195,7 @@ TEST(GazeControl, StretchesASlerpThatTheJointsCannotFollow) {
       const auto at = [&](double time) {
         return control.update(
             gains, poses.R_0T, Eigen::Quaterniond(poses.R_0T), {poses.p_0T, Vec3::Zero(), Vec3::Zero()},
-            {p_0G, Vec3::Zero(), Vec3::Zero()}, time,
+            {{p_0G, Vec3::Zero(), Vec3::Zero()}}, time,
             GazeControl::SpeedBound{[&]() -> const TaskInverse& { return inverse; }, bound});
       };
       at(0.0);

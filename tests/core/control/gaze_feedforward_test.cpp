@@ -42,7 +42,7 @@ struct MovingSlerp {
   }
   /// The output at t of a controller in this state.
   GazeControl::Output at(double t, GazeControl& state) const {
-    return state.update(gains, R_0T, Q_0T, tool.at(t), target.at(t), t);
+    return state.update(gains, R_0T, Q_0T, tool.at(t), {target.at(t)}, t);
   }
   OrientationPoint desired(double t) const {
     GazeControl state = control;
@@ -98,7 +98,7 @@ TEST(GazeControl, BelowTheThresholdTheDesiredOrientationTurnsWithTheLineOnlyWith
     for (const bool feedforward : {false, true}) {
       gains.gaze_feedforward = feedforward;
       GazeControl control;
-      const auto out = control.update(gains, s.poses.R_0T, s.Q_0T, tool, target, 0.0);
+      const auto out = control.update(gains, s.poses.R_0T, s.Q_0T, tool, {target}, 0.0);
       EXPECT_FALSE(out.slerping);
       EXPECT_EQ(out.desired.angular_velocity, feedforward ? line.velocity : Vec3(0.0, 0.0, 0.0));
       EXPECT_EQ(out.desired.angular_acceleration, feedforward ? line.acceleration : Vec3(0.0, 0.0, 0.0));

@@ -20,20 +20,41 @@ using test::WorstError;
 
 constexpr double kRadius = 0.325;
 
-/// Centres around some joint origins of the arm at q, so that several joints feel several obstacles.
-std::vector<Vec3> random_centers(std::mt19937& generator, const Poses& poses) {
-  std::vector<Vec3> centers;
+/// Around some joint origins of the arm at q, so that several joints feel several of them.
+std::vector<Obstacle> random_obstacles(std::mt19937& generator, const Poses& poses) {
+  std::vector<Obstacle> obstacles;
   for (int i = 0; i < poses.n; i += 2) {
-    centers.push_back(poses.p_0B[static_cast<std::size_t>(i)] + random_vec3(generator, 0.15));
+    obstacles.push_back({poses.p_0B[static_cast<std::size_t>(i)] + random_vec3(generator, 0.15),
+                         test::random_number(generator, 0.0, 0.02)});
   }
-  return centers;
+  return obstacles;
 }
 
-JointVector torque(const Chain& chain, const Poses& poses, const std::vector<Vec3>& centers,
+JointVector torque(const Chain& chain, const Poses& poses, const std::vector<Obstacle>& obstacles,
                    const JointVector& force_gains) {
   JointVector tau;
-  obstacle_torque(chain, poses, centers, kRadius, force_gains, tau);
+  obstacle_torque(chain, poses, obstacles, kRadius, force_gains, tau);
   return tau;
+}
+
+/// An arm whose links are as thick as the numbers.
+Chain with_links(const Chain& chain, std::mt19937& generator) {
+  Chain thick = chain;
+  thick.link_radius = test::random_vector(generator, chain.n, 0.02).cwiseAbs();
+  return thick;
+}
+
+/// Distance [m] of a link's axis from p, by trying points along it.
+double distance_by_sampling(const Poses& poses, int i, const Vec3& p) {
+  constexpr int kPoints = 20000;
+  const Vec3 from = poses.p_0B[static_cast<std::size_t>(i)];
+  const Vec3 to = i + 1 < poses.n ? poses.p_0B[static_cast<std::size_t>(i) + 1] : poses.p_0T;
+  double least = HUGE_VAL;
+  for (int k = 0; k <= kPoints; ++k) {
+    const double share = static_cast<double>(k) / kPoints;
+    least = std::min(least, ((1.0 - share) * from + share * to - p).norm());
+  }
+  return least;
 }
 
 TEST(Repulsion, PushesAwayFromTheObstacleWithTheSquareOfTheDepth) {
@@ -59,20 +80,60 @@ TEST(Repulsion, IsOneLongAndFiniteAtTheCentre) {
   EXPECT_NEAR(repulsion(Vec3(1e-12, 0.0, 0.0), kRadius).x(), 1.0, 1e-11);
 }
 
+TEST(Repulsion, CountsFromTheSurfaceAndIsWholeInside) {
+  const double inside = 0.1;
+  const auto push = [&](double from_centre) {
+    return repulsion(from_centre * Vec3::UnitX(), kRadius, inside).x();
+  };
+  EXPECT_EQ(push(inside + kRadius), 0.0);
+  EXPECT_NEAR(push(inside + 0.5 * kRadius), 0.25, 1e-14);
+  for (const double depth : {1.0, 0.5, 1e-9}) EXPECT_NEAR(push(depth * inside), 1.0, 1e-8) << depth;
+}
+
 TEST(ObstacleDistance, IsTheSmallestOfAllPairs) {
   std::mt19937 generator(512);
   for (const RobotModel& arm : test::all_arms()) {
     const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
-    const std::vector<Vec3> centers = random_centers(generator, poses);
+    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
     double smallest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < arm.n(); ++i) {
-      for (const Vec3& c : centers) {
-        smallest = std::min(smallest, (poses.p_0B[static_cast<std::size_t>(i)] - c).norm());
+      for (const Obstacle& o : obstacles) {
+        smallest = std::min(smallest, (poses.p_0B[static_cast<std::size_t>(i)] - o.center).norm() - o.radius);
       }
     }
-    EXPECT_DOUBLE_EQ(obstacle_distance(poses, centers), smallest) << arm.name;
-    EXPECT_EQ(obstacle_distance(poses, {}), std::numeric_limits<double>::infinity());
+    EXPECT_DOUBLE_EQ(obstacle_distance(arm.chain, poses, obstacles), smallest) << arm.name;
+    EXPECT_EQ(obstacle_distance(arm.chain, poses, {}), std::numeric_limits<double>::infinity());
   }
+}
+
+TEST(ObstacleDistance, OfLinksIsThatOfTheirNearestPoints) {
+  std::mt19937 generator(515);
+  WorstError worst("distance", 1e-6);  // steps of up to 1e-4 m along a link, to second order at 1 cm and more
+  for (const RobotModel& arm : test::all_arms()) {
+    const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
+    const Chain thick = with_links(arm.chain, generator);
+    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < arm.n(); ++i) {
+      for (const Obstacle& o : obstacles) {
+        smallest =
+            std::min(smallest, distance_by_sampling(poses, i, o.center) - o.radius - thick.link_radius[i]);
+      }
+    }
+    worst.compare(obstacle_distance(thick, poses, obstacles), smallest, arm.name, 1.0);
+    EXPECT_LE(obstacle_distance(thick, poses, obstacles), obstacle_distance(arm.chain, poses, obstacles))
+        << "origins are points of links";
+    EXPECT_EQ(obstacle_distance(thick, poses, {}), std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST(ObstacleDistance, OfALinkWithoutLengthIsThatOfItsOrigin) {
+  RobotModel arm = test::ur10();
+  const Poses poses = test::poses_at(arm.chain, JointVector::Constant(6, 0.5));
+  Poses folded = poses;
+  folded.p_0B[3] = folded.p_0B[2];
+  const Vec3 p = folded.p_0B[2] + Vec3(0.1, 0.0, 0.0);
+  EXPECT_EQ(nearest_on_link(folded, 2, p), folded.p_0B[2]);
 }
 
 TEST(ObstacleTorque, IsTheVirtualPowerOfTheForcesOnTheJointOriginsForTheFirstThreeJoints) {
@@ -82,14 +143,15 @@ TEST(ObstacleTorque, IsTheVirtualPowerOfTheForcesOnTheJointOriginsForTheFirstThr
     for (int sample = 0; sample < 10; ++sample) {
       const JointVector q = test::random_configuration(generator, arm);
       const Poses poses = test::poses_at(arm.chain, q);
-      const std::vector<Vec3> centers = random_centers(generator, poses);
+      const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
       const JointVector gains = test::random_vector(generator, arm.n(), 100.0).cwiseAbs();
       JointVector expected = JointVector::Zero(arm.n());
       for (std::size_t k = 0; k < static_cast<std::size_t>(arm.n()); ++k) {
         Vec3 force = Vec3::Zero();
-        for (const Vec3& c : centers) {
-          const Vec3 d = poses.p_0B[k] - c;
-          if (d.norm() < kRadius) force += std::pow(1.0 - d.norm() / kRadius, 2) * d.normalized();
+        for (const Obstacle& o : obstacles) {
+          const Vec3 d = poses.p_0B[k] - o.center;
+          const double distance = std::max(0.0, d.norm() - o.radius);
+          if (distance < kRadius) force += std::pow(1.0 - distance / kRadius, 2) * d.normalized();
         }
         for (int j = 0; j < std::min(3, arm.n()); ++j) {
           const Vec3 column = derivative([&](double t) {
@@ -100,11 +162,50 @@ TEST(ObstacleTorque, IsTheVirtualPowerOfTheForcesOnTheJointOriginsForTheFirstThr
           expected[j] += gains[static_cast<Eigen::Index>(k)] * column.dot(force);
         }
       }
-      const JointVector tau = torque(arm.chain, poses, centers, gains);
+      const JointVector tau = torque(arm.chain, poses, obstacles, gains);
       worst.compare(tau, expected, arm.name, 1.0);
       EXPECT_GT(tau.head(std::min(3, arm.n())).norm(), 0.0) << arm.name;
       EXPECT_TRUE(tau.tail(std::max(0, arm.n() - 3)).isZero(0.0)) << arm.name;
     }
+  }
+}
+
+// The force is the slope of k r_o / 3 (1 - s / r_o)^3 over the surface's distance s; the point of a link that
+// is nearest is so to first order however it moves.
+TEST(ObstacleTorque, LowersAPotentialOfTheLinksDistanceByTheFirstThreeJoints) {
+  std::mt19937 generator(516);
+  WorstError worst("torque", 1e-7);  // central differences
+  for (const RobotModel& arm : test::all_arms()) {
+    const Chain thick = with_links(arm.chain, generator);
+    const JointVector q = test::random_configuration(generator, arm);
+    const Poses poses = test::poses_at(arm.chain, q);
+    // Away from where a link's end becomes its nearest point, or its surface is met.
+    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
+    const JointVector gains = test::random_vector(generator, arm.n(), 100.0).cwiseAbs();
+    const auto potential = [&](const JointVector& at) {
+      const Poses moved = test::poses_at(arm.chain, at);
+      double sum = 0.0;
+      for (int i = 0; i < arm.n(); ++i) {
+        for (const Obstacle& o : obstacles) {
+          const double s =
+              (nearest_on_link(moved, i, o.center) - o.center).norm() - o.radius - thick.link_radius[i];
+          EXPECT_GT(s, 0.0);
+          if (s < kRadius) sum += gains[i] * kRadius / 3.0 * std::pow(1.0 - s / kRadius, 3);
+        }
+      }
+      return sum;
+    };
+    JointVector expected = JointVector::Zero(arm.n());
+    for (int j = 0; j < std::min(3, arm.n()); ++j) {
+      expected[j] = -derivative([&](double t) {
+        JointVector moved = q;
+        moved[j] += t;
+        return potential(moved);
+      });
+    }
+    const JointVector tau = torque(thick, poses, obstacles, gains);
+    worst.compare(tau, expected, arm.name, 1.0);
+    EXPECT_GT(tau.norm(), 0.0) << arm.name;
   }
 }
 
@@ -113,11 +214,13 @@ TEST(ObstacleTorque, OfSeveralObstaclesIsTheSum) {
   WorstError worst("sum", 1e-13);  // rounding
   for (const RobotModel& arm : test::all_arms()) {
     const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
-    const std::vector<Vec3> centers = random_centers(generator, poses);
+    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
     const JointVector gains = JointVector::Constant(arm.n(), 100.0);
-    JointVector sum = JointVector::Zero(arm.n());
-    for (const Vec3& c : centers) sum += torque(arm.chain, poses, {c}, gains);
-    worst.compare(torque(arm.chain, poses, centers, gains), sum, arm.name, 1.0);
+    for (const Chain& chain : {arm.chain, with_links(arm.chain, generator)}) {
+      JointVector sum = JointVector::Zero(arm.n());
+      for (const Obstacle& o : obstacles) sum += torque(chain, poses, {o}, gains);
+      worst.compare(torque(chain, poses, obstacles, gains), sum, arm.name, 1.0);
+    }
   }
 }
 
@@ -126,7 +229,7 @@ TEST(ObstacleTorque, IsZeroWithoutAnObstacleInReach) {
   const Poses poses = test::poses_at(arm.chain, JointVector::Constant(6, 0.5));
   const JointVector gains = JointVector::Constant(6, 100.0);
   EXPECT_TRUE(torque(arm.chain, poses, {}, gains).isZero(0.0));
-  EXPECT_TRUE(torque(arm.chain, poses, {Vec3(9.0, 9.0, 9.0)}, gains).isZero(0.0));
+  EXPECT_TRUE(torque(arm.chain, poses, {{Vec3(9.0, 9.0, 9.0)}}, gains).isZero(0.0));
 }
 
 }  // namespace

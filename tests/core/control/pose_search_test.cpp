@@ -36,6 +36,24 @@ TEST(PoseSearch, FindsPosesThatTheArmCanTake) {
   }
 }
 
+TEST(PoseSearch, FindsAWholeOrientation) {
+  std::mt19937 generator(42);
+  for (const RobotModel& arm : test::all_arms()) {
+    if (arm.n() < 6) continue;
+    for (int sample = 0; sample < 5; ++sample) {
+      const JointVector q = test::random_configuration(generator, arm);
+      const Poses there = test::poses_at(arm.chain, q);
+      const ToolGoal goal{there.p_0T, {}, Eigen::Quaterniond(there.R_0T)};
+      const JointVector near = q + test::random_vector(generator, arm.n(), 0.01);
+      const auto found = best_pose(arm, goal, near, no_preference);
+      ASSERT_TRUE(found.has_value()) << arm.name;
+      const Poses poses = test::poses_at(arm.chain, *found);
+      EXPECT_LT((poses.p_0T - goal.tool).norm(), 1e-8) << arm.name;
+      EXPECT_LT((poses.R_0T - there.R_0T).norm(), 1e-8) << arm.name;
+    }
+  }
+}
+
 TEST(PoseSearch, FindsNothingBeyondTheReach) {
   const RobotModel arm = test::ur10();
   EXPECT_FALSE(best_pose(arm, {Vec3(1.01 * reach(arm), 0.0, 0.0), {}}, JointVector(JointVector::Zero(6)),

@@ -31,7 +31,7 @@ struct Task {
     target = {rig.p_0G + Vec3(0.1, -0.05, 0), 0.7, 0.3, {{1, Vec3(0.05, 0, 0), Vec3(0, -0.06, 0)}}};
   }
   MotionPoint<JointVector> step(TaskGoal& goal, double time) const {
-    return goal.step(rig.model->chain, path.at(time), target.at(time), inverse_damping(rig.gains),
+    return goal.step(rig.model->chain, path.at(time), {target.at(time)}, inverse_damping(rig.gains),
                      TaskMask::kPose, {}, kPeriod);
   }
 };

@@ -55,7 +55,7 @@ struct Period {
   ChainT<T> chain;
   JointVectorT<T> q, qd, torque, tau, qdd;
   TaskReferenceT<T> task;
-  Vec3T<T> obstacle;
+  ObstacleT<T> obstacle;
   InverseDampingT<T> damping;
   T gamma{0.0}, distance{0.0};
   TaskMask mask = TaskMask::kPose;
@@ -69,7 +69,7 @@ struct Period {
   void run() {
     arm.measure(chain, q, qd, damping, mask);
     arm.differentiate(chain, qd);
-    distance = obstacle_distance<T>(arm.poses, {&obstacle, 1});
+    distance = obstacle_distance<T>(chain, arm.poses, {&obstacle, 1});
     resolve(task, arm, centering, q, qd, reference);
     slotine_li_forward(chain, arm.poses, qd, reference.velocity, reference.acceleration, motion);
     slotine_li_torque(chain, arm.poses, motion, adaptation.theta(), tau);
@@ -114,7 +114,8 @@ void put_inputs(const Inputs& in, Period<T>& p, Put put) {
   each(p.centering.rate, in.pull);
   each(p.task.rate, in.rate);
   each(p.task.acceleration, in.acceleration);
-  each(p.obstacle, in.obstacle);
+  each(p.obstacle.center, in.obstacle);
+  put(p.obstacle.radius, 0.1 * std::abs(in.obstacle.x()));
   each(p.adaptation.theta(), in.theta);
   each(p.adaptation.start(), in.theta);
   put(p.damping.threshold, in.threshold);
@@ -146,7 +147,9 @@ void expect_lanes_equal_arms_alone(int seed) {
     for (int sample = 0; sample < 15; ++sample) {
       std::vector<Inputs> in;
       Period<T> p;
-      p.chain = chain_cast<T>(arm.chain);
+      Chain chain = arm.chain;
+      if (sample % 2 == 1) chain.link_radius = random_vector(generator, arm.n(), 0.1).cwiseAbs();
+      p.chain = chain_cast<T>(chain);
       p.mask = kMasks[static_cast<std::size_t>(sample) % kMasks.size()];
       for (int lane = 0; lane < W; ++lane) {
         in.push_back(random_inputs(generator, arm));
@@ -156,7 +159,7 @@ void expect_lanes_equal_arms_alone(int seed) {
       for (int lane = 0; lane < W; ++lane) {
         std::vector<std::uint64_t> bits;
         p.outputs([&](const T& x) { bits.push_back(std::bit_cast<std::uint64_t>(x[lane])); });
-        EXPECT_EQ(bits, alone(arm.chain, p.mask, in[static_cast<std::size_t>(lane)]))
+        EXPECT_EQ(bits, alone(chain, p.mask, in[static_cast<std::size_t>(lane)]))
             << arm.name << ", " << name(p.mask) << ", lane " << lane;
         ++(p.arm.inverse.damped()[lane] != 0 ? damped : undamped);
       }

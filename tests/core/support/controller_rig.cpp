@@ -65,9 +65,9 @@ std::unique_ptr<Controller> Rig::following(double& time) const {
   return result;
 }
 
-std::vector<Vec3> obstacles_near(const Rig& rig) {
+std::vector<Obstacle> obstacles_near(const Rig& rig) {
   const Poses poses = poses_at(rig.model->chain, rig.goal().q);
-  return {poses.p_0B[2] + Vec3(0.1, 0.1, 0.0), poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)};
+  return {{poses.p_0B[2] + Vec3(0.1, 0.1, 0.0)}, {poses.p_0B[4] + Vec3(0.0, 0.1, 0.1)}};
 }
 
 void integrate(const Chain& chain, const JointVector& torque, double period, int substeps,

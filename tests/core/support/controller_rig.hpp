@@ -21,7 +21,7 @@ struct Rig {
   double period = 0.002;
   Path path;
   Vec3 p_0G;
-  std::vector<Vec3> obstacles;
+  std::vector<Obstacle> obstacles;
 
   /// The joint space goal, at rest.
   JointState goal() const;
@@ -33,8 +33,8 @@ struct Rig {
   std::unique_ptr<Controller> following(double& time) const;
 };
 
-/// Centres of obstacles beside the elbow and the wrist of a rig's arm at its goal.
-std::vector<Vec3> obstacles_near(const Rig& rig);
+/// Obstacles beside the elbow and the wrist of a rig's arm at its goal.
+std::vector<Obstacle> obstacles_near(const Rig& rig);
 
 /// q'' = (M + D)^-1 (tau - h) under a held torque: classical Runge-Kutta with `substeps` per period.
 void integrate(const Chain& chain, const JointVector& torque, double period, int substeps, JointState& state);

@@ -56,6 +56,28 @@ TEST(Path, VelocityAndAccelerationAreTheDerivatives) {
   }
 }
 
+TEST(Path, JerkIsTheDerivativeOfTheAcceleration) {
+  std::mt19937 generator(414);
+  WorstError worst("derivative", 1e-8);  // as above, one order on
+  for (int sample = 0; sample < 30; ++sample) {
+    Path path = random_path(generator);
+    const double t = random_number(generator, 0.1, 0.9);
+    if (sample % 2 == 0) {
+      path.terms.clear();
+      const auto knot = [&] {
+        return MotionPoint<Vec3>{random_vec3(generator, 1.0), random_vec3(generator, 1.0),
+                                 random_vec3(generator, 1.0)};
+      };
+      path.spline = std::make_shared<const PositionSpline>(
+          std::vector<double>{0.0, 2.0}, std::vector<MotionPoint<Vec3>>{knot(), knot()}, false);
+      path.spline_rate = 1.5;
+      path.spline_lead = 0.2;
+    }
+    const auto acceleration = [&](double s) { return Vec3(path.at(t + s).acceleration); };
+    worst.compare(path.jerk(t), derivative(acceleration), "jerk", 1.0);
+  }
+}
+
 TEST(Path, CircleStartsAtItsTopAndClosesAfterItsPeriod) {
   const double r = 0.15;
   const double w = 0.4;

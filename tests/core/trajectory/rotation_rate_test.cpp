@@ -57,6 +57,20 @@ TEST(RotationRate, IsThePowerSeriesOfTheLeftJacobianOnBothSidesOfItsSwitch) {
   }
 }
 
+TEST(RotationVectorMotion, IsTheOtherWayRound) {
+  std::mt19937 generator(713);
+  WorstError worst("psi' and psi''", 1e-12);  // rounding; the inverse grows to pi / 2
+  for (const double angle : kAngles) {
+    for (int sample = 0; sample < kSamples; ++sample) {
+      const MotionPoint<Vec3> psi = random_rotation(generator, angle);
+      const MotionPoint<Vec3> back = rotation_vector_motion(psi.position, by_power_series(psi));
+      worst.compare(back.velocity, psi.velocity, fmt::format("{} rad", angle), 1.0);
+      worst.compare(back.acceleration, psi.acceleration, fmt::format("{} rad", angle), 1.0);
+      EXPECT_EQ(back.position, psi.position);
+    }
+  }
+}
+
 TEST(RotationRate, IsHowTheExponentialTurns) {
   std::mt19937 generator(712);
   WorstError velocity("w", 1e-11);  // a difference: rounding, 1e-16 / h at h = 1e-3, and h^4 / 30 of w'''''

@@ -68,5 +68,19 @@ TEST(RotationLog, OfNoTurnIsZeroAndOfAHalfTurnIsPiLong) {
   EXPECT_NEAR(rotation_log(Eigen::Quaterniond(0.0, 0.0, 1.0, 0.0)).y(), M_PI, 1e-15);
 }
 
+TEST(RotationVector, TheNearestTurnsAsTheShortestDoes) {
+  std::mt19937 generator(715);
+  for (int sample = 0; sample < 50; ++sample) {
+    const Vec3 axis = test::random_vec3(generator, 1.0).normalized();
+    const double angle = test::random_number(generator, -9.0, 9.0);
+    const Vec3 near = (angle + test::random_number(generator, -1.0, 1.0)) * axis;
+    const Vec3 shortest = rotation_log(rotation_exp(angle * axis));
+    EXPECT_LT((nearest_rotation_vector(shortest, near) - angle * axis).norm(), 1e-9) << angle;
+  }
+  EXPECT_LT((nearest_rotation_vector(Vec3::Zero(), Vec3(0.0, 0.0, 6.0)) - Vec3(0.0, 0.0, 2.0 * M_PI)).norm(),
+            1e-12);
+  EXPECT_TRUE(nearest_rotation_vector(Vec3::Zero(), Vec3::Zero()).isZero(0.0));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "core/robot/link_radius.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
@@ -138,6 +139,22 @@ TEST(RolloutLanes, NoiseCameraDelayFrictionAndObstaclesAreEachArmsOwn) {
     jobs.push_back(job_of(other, quick_gains(scenario)));
   }
   expect_the_same(jobs);
+}
+
+TEST(RolloutLanes, LinksAndBodiesAreEachArmsOwn) {
+  Scenario scenario = scenario_of("realistic_obstacle_pass", 8.0);
+  scenario.obstacles[0].radius = 0.1;
+  RobotModel robot = with_link_surfaces(*scenario.robot);
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  std::vector<LaneJob> jobs = candidates(scenario, 2);
+  scenario.obstacles.pop_back();
+  robot.chain.link_radius *= 1.5;
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  jobs.push_back(job_of(scenario, jobs[0].gains));
+  expect_the_same(jobs);
+  const Scenario joints = scenario_of("realistic_obstacle_pass", 8.0);
+  RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, 3), 2);
+  EXPECT_THROW(lanes.start(0, job_of(joints, jobs[0].gains)), std::invalid_argument);
 }
 
 TEST(RolloutLanes, ACameraSeesItsOwnTargets) {

@@ -74,11 +74,11 @@ const std::vector<Extreme> kExtremes = {
      [](Scenario& s, Gains&) { s.path = standing_at(Vec3(50.0, 0.0, 0.0)); }},
     {"ObstacleOnAJoint", "obstacle_pass", 6.0,
      [](Scenario& s, Gains&) {
-       for (NamedPath& o : s.obstacles) o.path = standing_at(origin_of_joint(s, 3));
+       for (MovingObstacle& o : s.obstacles) o.path = standing_at(origin_of_joint(s, 3));
      }},
     {"ObstacleOnTheTool", "obstacle_pass", 8.0,
      [](Scenario& s, Gains&) {
-       for (NamedPath& o : s.obstacles) o.path = s.path;
+       for (MovingObstacle& o : s.obstacles) o.path = s.path;
      }},
     {"StretchedOut", "moving_target", 8.0, [](Scenario& s, Gains&) { s.start_position.setZero(); }},
     {"GoalStretchedOut", "moving_target", 8.0, [](Scenario&, Gains& g) { g.joint_space_goal.setZero(); }},

@@ -188,7 +188,7 @@ TEST_F(PlannedRollout, AnObstacleInterruptsItAndTheArmGoesOnToItsPath) {
   Poses poses;
   forward_kinematics(s.robot->chain, plan_.goal, poses);
   const Vec3 aside = Vec3::UnitZ().cross(poses.p_0B[2]).normalized();
-  NamedPath obstacle{"ball", {poses.p_0B[2] + 1.2 * aside, 0.5, M_PI - 5.0, {}}};  // nearest at 10 s
+  MovingObstacle obstacle{"ball", {poses.p_0B[2] + 1.2 * aside, 0.5, M_PI - 5.0, {}}};  // nearest at 10 s
   obstacle.path.terms = {{1, aside, Vec3::Zero()}};
   s.obstacles = {obstacle};
   std::vector<ControlState> states;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/control/obstacle_impedance.hpp"
+#include "core/robot/link_radius.hpp"
 #include "core/robot/slotine_li.hpp"
 #include "core/trajectory/gaze.hpp"
 #include "core/trajectory/rotation.hpp"
@@ -139,18 +141,40 @@ TEST(TrueState, CompensationIsExactWhereThetaIsTheArm) {
 }
 
 TEST(TrueState, ObstacleDistanceIsThatOfTheClosestJoint) {
-  const Scenario scenario = test::scenario_of("obstacle_pass", 1.0);
+  Scenario scenario = test::scenario_of("obstacle_pass", 1.0);
+  scenario.obstacles[1].radius = 0.3;
   Rollout(scenario, Stepper::kMidpoint).run(test::quick_gains(scenario), [&](const Observation& o) {
     double closest = HUGE_VAL;
-    for (const NamedPath& obstacle : scenario.obstacles) {
+    for (const MovingObstacle& obstacle : scenario.obstacles) {
       for (int i = 0; i < o.poses->n; ++i) {
-        closest = std::min(
-            closest, (o.poses->p_0B[static_cast<std::size_t>(i)] - obstacle.path.at(o.time).position).norm());
+        const Vec3 away = o.poses->p_0B[static_cast<std::size_t>(i)] - obstacle.path.at(o.time).position;
+        closest = std::min(closest, away.norm() - obstacle.radius);
       }
     }
     EXPECT_NEAR(o.obstacle_distance, closest, 1e-12);
     return true;
   });
+}
+
+TEST(TrueState, ObstacleDistanceOfLinksIsTheirs) {
+  // With noise the controller's distance and the true one are two.
+  for (const char* name : {"obstacle_pass", "realistic_obstacle_pass"}) {
+    Scenario scenario = test::scenario_of(name, 1.0);
+    scenario.robot = std::make_shared<const RobotModel>(with_link_surfaces(*scenario.robot));
+    const RobotModel& robot = *scenario.robot;
+    const RolloutResult result =
+        Rollout(scenario, Stepper::kMidpoint).run(test::quick_gains(scenario), [&](const Observation& o) {
+          std::vector<Obstacle> obstacles;
+          for (const MovingObstacle& obstacle : scenario.obstacles) obstacles.push_back(obstacle.at(o.time));
+          EXPECT_NEAR(o.obstacle_distance, obstacle_distance(robot.chain, *o.poses, obstacles), 1e-12);
+          return true;
+        });
+    EXPECT_LT(result.metrics[Metric::kObstacleMinClearance],
+              Rollout(test::scenario_of(name, 1.0), Stepper::kMidpoint)
+                  .run(test::quick_gains(scenario))
+                  .metrics[Metric::kObstacleMinClearance])
+        << "links are nearer than joints";
+  }
 }
 
 }  // namespace

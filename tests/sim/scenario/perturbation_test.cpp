@@ -24,7 +24,7 @@ std::vector<double> everything(const Scenario& s) {
   const ParameterVector theta = theta_of(plant_model(s).chain);
   std::vector<double> all(theta.begin(), theta.end());
   for (const NamedPath& p : s.targets) all.push_back(p.path.phase);
-  for (const NamedPath& p : s.obstacles) all.push_back(p.path.phase);
+  for (const MovingObstacle& p : s.obstacles) all.push_back(p.path.phase);
   all.push_back(static_cast<double>(s.seed));
   return all;
 }
@@ -77,12 +77,13 @@ TEST(Perturbed, StaysWithinItsRangesFillsThemAndIsAnArmThatCanBeBuilt) {
     EXPECT_LE(plant.payload.mass, 3.0);
     EXPECT_EQ(plant.position_noise, scenario.plant.position_noise);
     EXPECT_EQ(plant.torque_delay_periods, scenario.plant.torque_delay_periods);
-    for (const auto* paths : {&drawn.targets, &drawn.obstacles}) {
-      for (const NamedPath& path : *paths) {
-        EXPECT_GE(path.path.phase, 0.0);
-        EXPECT_LT(path.path.phase, 2.0 * M_PI);
-        most_phase = std::max(most_phase, path.path.phase);
-      }
+    std::vector<double> phases;
+    for (const NamedPath& target : drawn.targets) phases.push_back(target.path.phase);
+    for (const MovingObstacle& obstacle : drawn.obstacles) phases.push_back(obstacle.path.phase);
+    for (const double phase : phases) {
+      EXPECT_GE(phase, 0.0);
+      EXPECT_LT(phase, 2.0 * M_PI);
+      most_phase = std::max(most_phase, phase);
     }
     EXPECT_NE(drawn.obstacles[0].path.phase, drawn.obstacles[1].path.phase);
     validate(plant_model(drawn));

@@ -53,6 +53,21 @@ TEST(RobotFile, TakesActuatorDataAsAListOrByJointName) {
   EXPECT_EQ(arm->chain.coulomb_friction, expected);
 }
 
+TEST(RobotFile, LinksAreAsThickAsTheirShapesOrAsItSays) {
+  const test::TemporaryFolder folder;
+  const auto bundled = load_robot("ur10");
+  EXPECT_EQ(bundled->link_radii[1], 0.075) << "the upper arm's cylinders";
+  EXPECT_EQ(bundled->chain.link_radius.size(), 0);
+  const auto said =
+      load_robot(folder.write("arm.yaml", robot_text("link_radius: [0.1, 0.2, 0, 0.1, 0.1, 0.1]\n")));
+  EXPECT_EQ(said->link_radii[1], 0.2);
+  EXPECT_EQ(said->link_radii[2], 0.0);
+  const std::string thin =
+      folder.write("thin.yaml", robot_text("link_radius: [0.1, 0.2, -0.1, 0.1, 0.1, 0.1]\n"));
+  EXPECT_THAT(test::refusal([&] { load_robot(thin); }),
+              AllOf(HasSubstr("thin.yaml:2"), HasSubstr("forearm_link: -0.1 m"), HasSubstr("0 .. 10")));
+}
+
 TEST(RobotFile, ATurnedToolIsTurned) {
   const test::TemporaryFolder folder;
   const auto arm = load_robot(folder.write(

@@ -189,6 +189,21 @@ TEST(Scenario, TargetsFollowTheirSchedule) {
   EXPECT_EQ(s.next_switch(7.9), 8.0);
 }
 
+TEST_F(ScenarioFile, ObstaclesHaveBodiesAndCanBeKeptOffLinks) {
+  const std::string ball = "obstacles: [{name: ball, hold: [1, 0, 1], radius: 0.2}]\n";
+  const Scenario joints = load("base: moving_target\n" + ball);
+  ASSERT_EQ(joints.obstacles.size(), 1U);
+  EXPECT_EQ(joints.obstacles[0].radius, 0.2);
+  EXPECT_EQ(joints.robot->chain.link_radius.size(), 0);
+  const Scenario links = load("base: moving_target\nobstacle_distance: links\n" + ball);
+  EXPECT_EQ(links.robot->chain.link_radius, joints.robot->link_radii);
+  EXPECT_EQ(load("base: moving_target\nobstacle_distance: joints\n").robot->chain.link_radius.size(), 0);
+  EXPECT_THAT(refused("obstacle_distance: arms\n"),
+              AllOf(HasSubstr("own.yaml:2:"), HasSubstr("joints nor links")));
+  EXPECT_THAT(refused("obstacles: [{name: ball, hold: [1, 0, 1], radius: -0.2}]\n"),
+              AllOf(HasSubstr("own.yaml:2:"), HasSubstr("radius")));
+}
+
 TEST_F(ScenarioFile, AScheduleNamesItsTargets) {
   const Scenario s = load(
       "base: target_switch\nswitch_every: 0\nschedule: [{at: 3, target: green}, {at: 5, target: red}]\n");

@@ -179,7 +179,7 @@ TEST(Events, OfObstaclesTheLeastDistanceMeanwhileCounts) {
         q[i] = table.number(row, table.column("joint/" + joint + "/position"));
       }
       forward_kinematics(scenario.robot->chain, q, poses);
-      for (const NamedPath& obstacle : scenario.obstacles) {
+      for (const MovingObstacle& obstacle : scenario.obstacles) {
         const Vec3 center = obstacle.path.at(time[row]).position;
         nearest = std::min(nearest, (poses.p_0T - center).norm());
         for (std::size_t i = 1; i < scenario.robot->joints.size(); ++i)  // the first stands still

@@ -56,16 +56,18 @@ TEST(GivenStates, ABlockedStartIsToldToo) {
 
 TEST(GivenStates, AnObstacleThatIsCloserAtTheStartIsNamed) {
   PlanTask task = load_plan_task("ur10_clear_of_obstacles");
+  for (MovingObstacle& obstacle : task.scenario.obstacles) obstacle.radius = 0.02;
   Poses poses;
   const RobotModel robot = plant_model(task.scenario);
   forward_kinematics(robot.chain, task.start.position, poses);
   double nearest = (poses.p_0T - task.scenario.obstacles.at(0).path.at(task.at).position).norm();
-  for (const NamedPath& obstacle : task.scenario.obstacles) {
+  for (const MovingObstacle& obstacle : task.scenario.obstacles) {
     const Vec3 center = obstacle.path.at(task.at).position;
     nearest = std::min(nearest, (poses.p_0T - center).norm());
     for (std::size_t i = 1; i < robot.joints.size(); ++i)  // the first stands still
       nearest = std::min(nearest, (poses.p_0B[i] - center).norm());
   }
+  nearest -= 0.02;
   EXPECT_NEAR(clearance_at(robot, task.start.position, task.at, task.scenario.obstacles), nearest, 1e-12);
   task.clearance = 0.999 * nearest;
   EXPECT_EQ(refusal(task), "");

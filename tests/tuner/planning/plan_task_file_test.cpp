@@ -203,5 +203,18 @@ TEST(PlanTaskFile, AStartOrGoalBeyondItsLimitsIsRefusedBeforeAnythingIsSolved) {
       AllOf(HasSubstr("key 'start/acceleration'"), HasSubstr("shoulder_pan_joint is 9"), HasSubstr("to 8")));
 }
 
+TEST(PlanTaskFile, OnlyGazesArePlanned) {
+  const test::TemporaryFolder folder;
+  const std::string task = folder.write("task.yaml", "task: track\nscenario: own.yaml\nduration: 2\n");
+  folder.write("own.yaml", "base: moving_target\ntargets: []\norientation: {rpy_deg: [180, 0, 90]}\n");
+  EXPECT_THAT(test::refusal([&] { load_plan_task(task); }),
+              AllOf(HasSubstr("task.yaml:2"), HasSubstr("gaze targets only")));
+  folder.write("own.yaml", "base: moving_target\ntask_mask: position\n");
+  EXPECT_THAT(test::refusal([&] { load_plan_task(task); }),
+              AllOf(HasSubstr("task.yaml:2"), HasSubstr("position alone")));
+  folder.write("own.yaml", "base: moving_target\ntask_mask: position_and_axis\n");
+  EXPECT_NO_THROW(load_plan_task(task));
+}
+
 }  // namespace
 }  // namespace armtune

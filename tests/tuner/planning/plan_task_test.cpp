@@ -58,7 +58,7 @@ void expect_within_limits(const PlanTask& task, const PlanProblem& problem,
       EXPECT_GE(at.q[i], limits.lower - 1e-7);
       EXPECT_LE(at.q[i], limits.upper + 1e-7);
     }
-    for (const NamedPath& obstacle : task.scenario.obstacles) {
+    for (const MovingObstacle& obstacle : task.scenario.obstacles) {
       if (task.clearance == 0.0) continue;
       for (int i = 1; i < robot.n(); ++i) {
         EXPECT_GE((at.poses.p_0B[static_cast<std::size_t>(i)] -
@@ -199,7 +199,7 @@ TEST(PlanTasks, AMovePastObstaclesKeepsClearOfThemAndWithoutThemItWouldNot) {
   double closest = INFINITY;
   for (Eigen::Index k = 0; k <= straight.last; ++k) {
     const Along at = straight.at(k);
-    for (const NamedPath& obstacle : task.scenario.obstacles) {
+    for (const MovingObstacle& obstacle : task.scenario.obstacles) {
       for (int i = 1; i < straight.problem.robot->n(); ++i) {
         closest = std::min(closest, (at.poses.p_0B[static_cast<std::size_t>(i)] -
                                      obstacle.path.at(straight.time(k)).position)

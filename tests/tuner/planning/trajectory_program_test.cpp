@@ -63,7 +63,7 @@ TrajectoryTask everything(const RobotModel& arm) {
       tool_path_cost(arm, {0, last}, path, 30.0),
       gaze_within(arm, {4, last}, target, 0.15),
       gaze_cost(arm, {0, last}, target, 20.0),
-      clear_of(arm, {0, last}, "ball", circle(Vec3(0.2, 0.2, 0.8), 0.1, 2.0), 0.2),
+      clear_of(arm, {0, last}, {"ball", circle(Vec3(0.2, 0.2, 0.8), 0.1, 2.0), 0.05}, 0.2),
       tool_on_curve(
           arm, {2, 6},
           [](double at) {

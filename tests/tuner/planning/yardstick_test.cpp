@@ -171,8 +171,8 @@ TEST(Yardstick, AToolThatIsNearestToAnObstacleLeavesRoomForAPlan) {
   Path before_the_tool;
   before_the_tool.center = poses.p_0T + 0.2 * poses.R_0T.col(2);
   scenario.obstacles = {{"before the tool", before_the_tool}};
-  const std::vector<Vec3> centers{before_the_tool.center};
-  ASSERT_GT(obstacle_distance(poses, centers), 0.21) << "no joint is as near";
+  const std::vector<Obstacle> obstacles{scenario.obstacles[0].at(0.0)};
+  ASSERT_GT(obstacle_distance(robot.chain, poses, obstacles), 0.21) << "no joint is as near";
   event.nearest = clearance_at(robot, event.position, event.time, scenario.obstacles);
   YardstickOptions options;
   options.clearance = 0.205;

@@ -55,10 +55,31 @@ TEST(Scene, ReadsBackAsItWasWritten) {
   const auto& obstacles = test::scenario_of("obstacle_pass").obstacles;
   ASSERT_EQ(read.scenarios[0].obstacles.size(), obstacles.size());
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    EXPECT_EQ(read.scenarios[0].obstacles[i].radius, obstacles[i].radius);
     for (const double t : {0.0, 3.7, 41.0}) {
-      EXPECT_EQ(read.scenarios[0].obstacles[i].at(t).position, obstacles[i].path.at(t).position);
+      EXPECT_EQ(read.scenarios[0].obstacles[i].path.at(t).position, obstacles[i].path.at(t).position);
     }
   }
+}
+
+TEST(Scene, ObstaclesHaveTheirBodiesAndOlderFilesPoints) {
+  const TemporaryFolder folder;
+  Scene scene = scene_of({test::scenario_of("obstacle_pass")}, {}, 0.325);
+  scene.scenarios[0].obstacles[1].radius = 0.15;
+  std::string text = scene_json(scene);
+  EXPECT_EQ(read_scene(folder.write("scene.json", text)).scenarios[0].obstacles[1].radius, 0.15);
+  // As it was before obstacles had a radius: a list of paths.
+  const std::string with = "{\"radius\": 0,\"path\": ";
+  const std::size_t at = text.find(with);
+  ASSERT_NE(at, std::string::npos) << text.substr(0, 2000);
+  const std::size_t end = text.find("}]}},", at);  // of terms, path and obstacle
+  ASSERT_NE(end, std::string::npos);
+  text.erase(end + 3, 1);
+  text.erase(at, with.size());
+  const Scene older = read_scene(folder.write("scene.json", text));
+  EXPECT_EQ(older.scenarios[0].obstacles[0].radius, 0.0);
+  EXPECT_EQ(older.scenarios[0].obstacles[0].path.at(3.0).position,
+            scene.scenarios[0].obstacles[0].path.at(3.0).position);
 }
 
 TEST(Scene, PathsThroughKnotsReadBackAndAreDrawnWhole) {

@@ -103,16 +103,16 @@ class Limits {
   void add_distance(const KnotTerm& term, const std::string& part) {
     const std::string name = term.name.substr(std::string(kDistance).size());
     const auto& obstacles = task_.scenario.obstacles;
-    const auto obstacle =
-        std::find_if(obstacles.begin(), obstacles.end(), [&](const NamedPath& o) { return o.name == name; });
+    const auto obstacle = std::find_if(obstacles.begin(), obstacles.end(),
+                                       [&](const MovingObstacle& o) { return o.name == name; });
     if (obstacle == obstacles.end()) return;
     const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
                                     [&](const JointInfo& info) { return info.name == part; });
     const bool tool = joint == robot_.joints.end();
     const auto i = static_cast<std::size_t>(joint - robot_.joints.begin());
     add(term.name, part, "m", task_.clearance, kInfinity, term.first_knot, term.last_knot,
-        [i, tool, path = obstacle->path](const PlanSample& at) {
-          return ((tool ? at.poses.p_0T : at.poses.p_0B[i]) - path.at(at.time).position).norm();
+        [i, tool, path = obstacle->path, radius = obstacle->radius](const PlanSample& at) {
+          return ((tool ? at.poses.p_0T : at.poses.p_0B[i]) - path.at(at.time).position).norm() - radius;
         });
   }
 

@@ -64,10 +64,10 @@ void PlanSampler::set(double time, const Eigen::VectorXd& position, const Eigen:
   to.target = problem_.gaze_target(time).position;
   to.gaze = gaze_angle(to.poses.R_0T, to.poses.p_0T, to.target);
   to.obstacle_distance = INFINITY;
-  for (const NamedPath& obstacle : task_.scenario.obstacles) {
+  for (const MovingObstacle& obstacle : task_.scenario.obstacles) {
     const Vec3 center = obstacle.path.at(time).position;
     for (int i = 1; i < robot.n(); ++i) {
-      const double distance = (to.poses.p_0B[static_cast<std::size_t>(i)] - center).norm();
+      const double distance = (to.poses.p_0B[static_cast<std::size_t>(i)] - center).norm() - obstacle.radius;
       to.obstacle_distance = std::min(to.obstacle_distance, distance);
     }
   }

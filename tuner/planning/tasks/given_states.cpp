@@ -51,9 +51,9 @@ void check_given_states(const PlanCommon& common) {
   const PlanTask& task = common.task;
   Knot knot = at_rest(*common.robot, common.start.position, task.at);
   if (task.clearance > 0.0) {
-    for (const NamedPath& obstacle : task.scenario.obstacles)
-      check(clear_of(*common.robot, {0, 0}, obstacle.name, obstacle.path, task.clearance), knot, task,
-            "clearance", "ask for less, or start elsewhere");
+    for (const MovingObstacle& obstacle : task.scenario.obstacles)
+      check(clear_of(*common.robot, {0, 0}, obstacle, task.clearance), knot, task, "clearance",
+            "ask for less, or start elsewhere");
   }
   constexpr const char* kLessTorque = "choose a state that takes less, or a larger limits/effort";
   const KnotTerm torque = torque_limits(*common.robot, {0, 0}, task.limits.effort);
@@ -67,11 +67,11 @@ void check_given_states(const PlanCommon& common) {
 }
 
 double clearance_at(const RobotModel& robot, const JointVector& q, double time,
-                    const std::vector<NamedPath>& obstacles) {
+                    const std::vector<MovingObstacle>& obstacles) {
   double least = std::numeric_limits<double>::infinity();
   const Knot knot = at_rest(robot, q, time);
-  for (const NamedPath& obstacle : obstacles) {
-    for (const double distance : values(clear_of(robot, {0, 0}, obstacle.name, obstacle.path, 1.0), knot))
+  for (const MovingObstacle& obstacle : obstacles) {
+    for (const double distance : values(clear_of(robot, {0, 0}, obstacle, 1.0), knot))
       least = std::min(least, distance);
   }
   return least;

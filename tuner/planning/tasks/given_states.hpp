@@ -12,6 +12,6 @@ void check_given_states(const PlanCommon& common);
 /// How far the arm at q (n) [rad, m] is at a time [s] from the nearest of the obstacles, by all points that a
 /// plan keeps clear [m]; infinite without obstacles.
 double clearance_at(const RobotModel& robot, const JointVector& q, double time,
-                    const std::vector<NamedPath>& obstacles);
+                    const std::vector<MovingObstacle>& obstacles);
 
 }  // namespace armtune

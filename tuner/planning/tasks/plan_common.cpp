@@ -56,8 +56,8 @@ TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
   program.terms.back().hard = true;  // where the arm is it is, whatever is asked of it
   program.terms.push_back(torque_limits(*robot, {0, last}, task.limits.effort));
   if (task.clearance > 0.0) {
-    for (const NamedPath& obstacle : task.scenario.obstacles)
-      program.terms.push_back(clear_of(*robot, {0, last}, obstacle.name, obstacle.path, task.clearance));
+    for (const MovingObstacle& obstacle : task.scenario.obstacles)
+      program.terms.push_back(clear_of(*robot, {0, last}, obstacle, task.clearance));
   }
   return program;
 }

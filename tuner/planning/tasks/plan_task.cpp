@@ -189,8 +189,14 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   task.description = map.string("description", "");
   const yaml::Node& kind = map.required("task");
   task.kind = read_kind(kind);
-  const std::string scenario = map.required("scenario").as_string();
-  task.scenario = load_scenario(find_data_file("scenarios", scenario, folder_of(path)));
+  const yaml::Node& scenario = map.required("scenario");
+  task.scenario = load_scenario(find_data_file("scenarios", scenario.as_string(), folder_of(path)));
+  if (task.scenario.orientation && task.kind != PlanKind::kMove)
+    scenario.fail("it gives the tool's orientation, and plans know gaze targets only; give one with targets");
+  if (!tracks_orientation(task.scenario.mask) && task.kind != PlanKind::kMove)
+    scenario.fail(
+        "its task is the position alone, and plans keep the gaze as well; plan a move, or give "
+        "another");
   const auto joints = joint_names(*task.scenario.robot);
   task.at = map.number_in("at", 0.0, 0.0, 1e6);
   if (const yaml::Node* start = map.optional("start")) task.start = read_start(*start, joints);

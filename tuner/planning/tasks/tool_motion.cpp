@@ -69,11 +69,11 @@ Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid&
     const double until = times[static_cast<std::size_t>(k)];
     while (t < until - 1e-12) {
       const double dt = std::min(kInnerStep, until - t);
-      goal.step(robot.chain, tool(t), target(t), damping, mask, centering, dt);
+      goal.step(robot.chain, tool(t), {target(t)}, damping, mask, centering, dt);
       t += dt;
     }
     const MotionPoint<JointVector>& point =
-        goal.step(robot.chain, tool(t), target(t), damping, mask, centering, 0.0);
+        goal.step(robot.chain, tool(t), {target(t)}, damping, mask, centering, 0.0);
     motion.position.col(k) = point.position;
     motion.velocity.col(k) = point.velocity;
   }

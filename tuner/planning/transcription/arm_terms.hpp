@@ -3,6 +3,7 @@
 // obstacles. Lengths count relative to a tolerance or a radius, torques to their limit, so that violations
 // are relative.
 
+#include "core/control/obstacle.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/path.hpp"
 #include "tuner/planning/transcription/knot_term.hpp"
@@ -35,9 +36,8 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& targe
 /// Cost: the sine of the angle between tool z and the line to target(t); `weight` per (rad^2).
 KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target, double weight);
 
-/// Every joint's origin that can move, and the tool, at least `radius` [m] from obstacle(t).
-KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name, const Path& obstacle,
-                  double radius);
+/// Every joint's origin that can move, and the tool, at least `radius` [m] from the obstacle's surface.
+KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle& obstacle, double radius);
 
 /// A curve of the tool over a coordinate s: position [m] and its derivative.
 using ToolCurve = std::function<MotionPoint<Vec3>(double s)>;

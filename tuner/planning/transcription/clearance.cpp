@@ -5,27 +5,26 @@
 
 namespace armtune {
 
-KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const std::string& name, const Path& obstacle,
-                  double radius) {
+KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle& obstacle, double radius) {
   // The origin of a first joint that turns stands still: nothing can be done about it.
   const int first_joint = robot.chain.motion[0] == JointMotion::kRevolute ? 1 : 0;
   std::vector<std::string> rows = joint_names(robot);
   rows.erase(rows.begin(), rows.begin() + first_joint);
   rows.emplace_back("tool");
-  KnotTerm term = over(knots, "distance to " + name, rows);
+  KnotTerm term = over(knots, "distance to " + obstacle.name, rows);
   in_meters(1.0 / radius, term);
   term.on_time = true;
   term.lower = 1.0;
   term.evaluate = [chain = robot.chain, obstacle, radius, first_joint](const Knot& knot,
                                                                        const KnotRows& out) {
-    const MotionPoint<Vec3> at = obstacle.at(knot.time);
+    const MotionPoint<Vec3> at = obstacle.path.at(knot.time);
     for (int i = first_joint; i <= chain.n; ++i) {  // the tool stands behind the last joint
       const int row = i - first_joint;
       const bool tool = i == chain.n;
       const Vec3 p = tool ? knot.poses.p_0T : knot.poses.p_0B[static_cast<std::size_t>(i)];
       const Vec3 away = p - at.position;
       const double distance = away.norm();
-      out.value[row] = distance / radius;
+      out.value[row] = (distance - obstacle.radius) / radius;
       if (out.by_q == nullptr) continue;
       const Vec3 direction = distance > 0.0 ? Vec3(away / (distance * radius)) : Vec3(Vec3::UnitZ() / radius);
       for (int j = 0; j < i; ++j)

@@ -46,7 +46,7 @@ struct Event {
   /// Largest distance of the tool from the path along an axis meanwhile [m]. Of a switch: as long as a plan
   /// for it lasts, which is until it was reached and kSwitchHold beyond; to its end if it was not.
   double path_error = 0.0;
-  /// Least distance of a joint or the tool from an obstacle's centre at the same times [m]; infinite without
+  /// Least distance of a joint or the tool from an obstacle's surface at the same times [m]; infinite without
   /// obstacles.
   double nearest = 0.0;
   std::vector<double> times;  ///< kLap: of the rows that its rms is over [s]

@@ -14,7 +14,7 @@ struct YardstickOptions {
   double gaze_threshold = 0.15;  ///< [rad]
   /// Of a switch's plan [m]; wider where the rollout itself is farther from the path meanwhile.
   double path_tolerance = 1e-3;
-  /// Of every joint's origin from every obstacle's centre [m], where the scenario has any; 0: none. Less
+  /// Of every joint's origin from every obstacle's surface [m], where the scenario has any; 0: none. Less
   /// where the rollout itself comes nearer meanwhile.
   double clearance = 0.0;
   /// Of each plan; a lap's has more where an interval would be longer than 25 ms, or 12.5 ms if targets

@@ -111,7 +111,8 @@ export class Surroundings {
       );
     group.add(ball(0.012 * this.reach, 1));
     if (body !== null && body > 0) group.add(ball(body, 0.45));
-    if (influence > 0) group.add(new Mesh(new SphereGeometry(influence, 48, 32), shellMaterial(VERMILLION)));
+    // It is counted from the body's surface.
+    if (influence > 0) group.add(new Mesh(new SphereGeometry((body ?? 0) + influence, 48, 32), shellMaterial(VERMILLION)));
     return group;
   }
 }

@@ -1,0 +1,114 @@
+#include "sim/scenario/orientation_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/waypoints_file.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kUnit = 1e-3;  // by which a quaternion's length may miss 1
+constexpr int kSamples = 2000;  // of a turn of harmonics
+constexpr int kSamplesOfAPiece = 30;
+constexpr double kFastest = 100.0;   // rad/s
+constexpr double kLeastSine = 0.05;  // of path and approach
+constexpr std::array kKeys{"rpy_deg", "quaternion", "along_path", "waypoints"};
+
+Eigen::Quaterniond read_rpy(const yaml::Node& node) {
+  const std::vector<double> angles = node.as_numbers(3);
+  Eigen::Quaterniond turned = Eigen::Quaterniond::Identity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double angle = angles[static_cast<std::size_t>(axis)] * M_PI / 180.0;
+    turned = Eigen::AngleAxisd(angle, Vec3::Unit(axis)) * turned;
+  }
+  return turned;
+}
+
+Eigen::Quaterniond read_quaternion(const yaml::Node& node) {
+  const std::vector<double> q = node.as_numbers(4);
+  const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
+  if (!(std::abs(quaternion.norm() - 1.0) <= kUnit))
+    node.fail(fmt::format("has length {:.6g}; [w, x, y, z] of an orientation has 1", quaternion.norm()));
+  return quaternion.normalized();
+}
+
+/// Times [s] close enough together to see every corner of a path.
+std::vector<double> times_along(const Path& path) {
+  std::vector<double> times;
+  const auto add = [&times](double from, double to, int samples) {
+    for (int k = 0; k < samples; ++k) times.push_back(from + (to - from) * k / samples);
+  };
+  if (path.spline) {
+    const std::vector<double>& knots = path.spline->time();
+    for (std::size_t k = 1; k < knots.size(); ++k) add(knots[k - 1], knots[k], kSamplesOfAPiece);
+    times.push_back(knots.back());
+  } else {
+    add(0.0, path.period(), kSamples);
+    times.push_back(path.period());
+  }
+  return times;
+}
+
+/// Throws InputError at `node` where the path does not say how the tool is to be turned.
+void check_along(const yaml::Node& node, const Path& path, const ToolOrientation& along) {
+  if (path.rests()) node.fail("the path rests, and goes nowhere; give rpy_deg");
+  const Vec3& approach = *along.approach;
+  const std::vector<double> times = times_along(path);
+  Vec3 last = heading(path, times.front()).position;
+  for (const double time : times) {
+    const Vec3 now = heading(path, time).position;
+    if (!(now.dot(last) > 0.0)) {
+      node.fail(
+          fmt::format("the path stops or turns round at {:.4g} s, and the tool would with it, at once; "
+                      "round it there, or give waypoints",
+                      time));
+    }
+    if (!(now.cross(approach).norm() > kLeastSine * approach.norm())) {
+      node.fail(
+          fmt::format("the path runs along [{:.4g}, {:.4g}, {:.4g}] at {:.4g} s, where z cannot be "
+                      "near it; give another direction",
+                      approach.x(), approach.y(), approach.z(), time));
+    }
+    const double rate = along.at(time, path).angular_velocity.norm();
+    if (!(rate <= kFastest)) {
+      node.fail(fmt::format(
+          "the tool would turn at {:.3g} rad/s at {:.4g} s; it may at {}: round the path more, or go "
+          "slower",
+          rate, time, kFastest));
+    }
+    last = now;
+  }
+}
+
+}  // namespace
+
+ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::vector<std::string>& inputs) {
+  yaml::MapReader map(node);
+  ToolOrientation orientation;
+  int given = 0;
+  for (const char* key : kKeys) given += map.has(key) ? 1 : 0;
+  if (given != 1) node.fail("give one of: rpy_deg, quaternion, along_path, waypoints");
+  if (const yaml::Node* rpy = map.optional("rpy_deg")) orientation.start = read_rpy(*rpy);
+  if (const yaml::Node* quaternion = map.optional("quaternion"))
+    orientation.start = read_quaternion(*quaternion);
+  if (const yaml::Node* along = map.optional("along_path")) {
+    orientation.approach = Vec3(along->as_numbers(3).data());
+    if (orientation.approach->isZero(0.0)) along->fail("is zero; it must have a direction");
+    check_along(*along, path, orientation);
+  }
+  if (const yaml::Node* waypoints = map.optional("waypoints")) {
+    const std::string file = file_beside(waypoints->as_string(), waypoints->file());
+    inputs.push_back(file);
+    orientation = load_orientations(file);
+  }
+  map.finish();
+  return orientation;
+}
+
+}  // namespace armtune

@@ -1,0 +1,26 @@
+#pragma once
+// How the tool is to be turned, in scenario files: in place of a gaze.
+
+#include <string>
+#include <vector>
+
+#include "core/trajectory/tool_orientation.hpp"
+#include "sim/yaml/document.hpp"
+
+namespace armtune {
+
+// clang-format off
+/// One of these, in the base frame:
+///
+///   rpy_deg: [roll, pitch, yaw]   fixed; about the base's x, then y, then z axis, as in a URDF
+///   quaternion: [w, x, y, z]      fixed
+///   along_path: [x, y, z]         the tool's x axis where the path goes, its z axis as near to this as can be
+///   waypoints: FILE.csv           columns time, qw, qx, qy, qz: the spline through them, at rest at both ends
+///
+/// path: the tool's, of the same scenario. Files are named from the folder of the file that names them, and added to
+/// `inputs`. Throws InputError with file, line and key; where the path stops or turns round, or runs along the direction
+/// that z is to be near, with the time.
+// clang-format on
+ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::vector<std::string>& inputs);
+
+}  // namespace armtune

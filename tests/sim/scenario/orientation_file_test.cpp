@@ -1,0 +1,136 @@
+// Orientations in scenario files, and mistakes in them.
+
+#include "sim/scenario/orientation_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/control/pose_search.hpp"
+#include "core/robot/kinematics.hpp"
+#include "sim/scenario/path_walk.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double kRounding = 1e-12;
+const std::string kCircle = "path: {circle: {center: [-0.65, 0.04, 0.5], radius: 0.1, period: 10}}\n";
+const std::string kEight =
+    "path: {figure_eight: {center: [-0.65, 0.04, 0.5], length: [0.12, 0, 0], width: [0, 0.06, 0], period: "
+    "10}}\n";
+
+class OrientationFile : public testing::Test {
+ protected:
+  std::string write(const std::string& text) const {
+    return folder_.write(
+        "own.yaml",
+        "robot: ur10\nduration: 12\ncontrol_period: 0.002\ntheta_start: {model_scale: 1}\n" + text);
+  }
+  Scenario load(const std::string& text) const { return load_scenario(write(text)); }
+  std::string refused(const std::string& text) const {
+    const std::string path = write(text);
+    return test::refusal([&] { load_scenario(path); });
+  }
+  Mat3 at(const Scenario& scenario, double t) const {
+    return scenario.orientation->at(t, scenario.path).orientation.toRotationMatrix();
+  }
+
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(OrientationFile, RollPitchAndYawAreThoseOfAUrdf) {
+  const Scenario s = load(kCircle + "orientation: {rpy_deg: [180, 20, -30]}\n");
+  const double roll = M_PI, pitch = M_PI / 9.0, yaw = -M_PI / 6.0;
+  Mat3 x, y, z;
+  x << 1, 0, 0, 0, std::cos(roll), -std::sin(roll), 0, std::sin(roll), std::cos(roll);
+  y << std::cos(pitch), 0, std::sin(pitch), 0, 1, 0, -std::sin(pitch), 0, std::cos(pitch);
+  z << std::cos(yaw), -std::sin(yaw), 0, std::sin(yaw), std::cos(yaw), 0, 0, 0, 1;
+  EXPECT_LT((at(s, 3.0) - z * y * x).norm(), kRounding);
+  EXPECT_TRUE(s.targets.empty());
+}
+
+TEST_F(OrientationFile, AQuaternionIsOneOfLengthOneWithWFirst) {
+  const Scenario s = load(kCircle + "orientation: {quaternion: [0, 1, 0, 0]}\n");
+  EXPECT_LT((at(s, 3.0) - Vec3(1.0, -1.0, -1.0).asDiagonal().toDenseMatrix()).norm(), kRounding);
+  EXPECT_THAT(refused(kCircle + "orientation: {quaternion: [0, 1, 1, 0]}\n"),
+              AllOf(HasSubstr("own.yaml:6"), HasSubstr("length 1.41421")));
+}
+
+TEST_F(OrientationFile, TheStartThatIsFoundHasTheToolAsItIsToBe) {
+  const Scenario s = load(kEight + "orientation: {rpy_deg: [180, 0, 90]}\n");
+  Poses poses;
+  forward_kinematics(s.robot->chain, s.goal_position, poses);
+  EXPECT_LT((poses.p_0T - s.path.at(0.0).position).norm(), 1e-8);
+  EXPECT_LT((poses.R_0T - at(s, 0.0)).norm(), 1e-8);
+  // Of an axis the roll is left to the arm.
+  const Scenario axis = load(kEight + "task_mask: position_and_axis\norientation: {rpy_deg: [180, 0, 90]}\n");
+  forward_kinematics(axis.robot->chain, axis.goal_position, poses);
+  EXPECT_LT((poses.R_0T.col(2) + Vec3::UnitZ()).norm(), 1e-8);
+}
+
+TEST_F(OrientationFile, AWalkKeepsTheToolAsItIsToBe) {
+  const Scenario s = load(kEight + "orientation: {along_path: [0, 0, -1]}\n");
+  const PathWalk walk = walk_path(s, s.goal_position, 0.0);
+  EXPECT_TRUE(is_clear(walk)) << trouble(walk, s);
+}
+
+TEST_F(OrientationFile, WaypointsMayStandInThePathsFile) {
+  folder_.write(
+      "poses.csv",
+      "time,x,y,z,qw,qx,qy,qz\n0,-0.6,0,0.5,0,1,0,0\n4,-0.7,0,0.5,0,0.8,0.6,0\n9,-0.7,0.1,0.5,0,1,0,0\n");
+  const Scenario s = load("path: {waypoints: poses.csv}\norientation: {waypoints: poses.csv}\n");
+  EXPECT_LT((s.path.at(4.0).position - Vec3(-0.7, 0.0, 0.5)).norm(), kRounding);
+  EXPECT_LT((at(s, 4.0) - Eigen::Quaterniond(0.0, 0.8, 0.6, 0.0).toRotationMatrix()).norm(), kRounding);
+  EXPECT_THAT(s.inputs, testing::Contains(HasSubstr("poses.csv")));
+  EXPECT_THAT(refused("path: {waypoints: poses.csv}\ntargets: [{name: a, hold: [0, 0, 0]}]\n"),
+              AllOf(HasSubstr("poses.csv"), HasSubstr("column qw"), HasSubstr("orientation")));
+  folder_.write("long.csv", "time,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0.1,0,0.1\n");
+  EXPECT_THAT(refused(kCircle + "orientation: {waypoints: long.csv}\n"),
+              AllOf(HasSubstr("long.csv:3"), HasSubstr("length 1.00995")));
+  folder_.write("round.csv",
+                "time,qw,qx,qy,qz\n0,1,0,0,0\n1,0.0871557,0,0,0.9961947\n2,-0.9848078,0,0,0.1736482\n");
+  EXPECT_THAT(refused(kCircle + "orientation: {waypoints: round.csv}\n"),
+              AllOf(HasSubstr("round.csv:4"), HasSubstr("turn it back")));
+  EXPECT_THAT(refused("path: {waypoints: poses.csv}\norientation: {waypoints: round.csv}\n"),
+              AllOf(HasSubstr("poses.csv"), HasSubstr("of the same file")));
+  folder_.write("fast.csv", "time,qw,qx,qy,qz\n0,1,0,0,0\n1.0e-8,0,0,0,1\n1,1,0,0,0\n");
+  EXPECT_THAT(refused(kCircle + "orientation: {waypoints: fast.csv}\n"),
+              AllOf(HasSubstr("fast.csv"), HasSubstr("more time")));
+}
+
+TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
+  EXPECT_THAT(refused(kCircle), AllOf(HasSubstr("targets")));
+  EXPECT_THAT(refused(kCircle + "targets: []\n"), AllOf(HasSubstr("own.yaml:6"), HasSubstr("orientation")));
+  EXPECT_THAT(refused(kCircle + "targets: [{name: a, hold: [0, 0, 0]}]\norientation: {rpy_deg: [0, 0, 0]}\n"),
+              AllOf(HasSubstr("own.yaml:7"), HasSubstr("set those to []")));
+  EXPECT_THAT(refused(kCircle + "orientation: {}\n"), HasSubstr("give one of: rpy_deg"));
+  EXPECT_THAT(refused(kCircle + "orientation: {rpy_deg: [0, 0, 0], quaternion: [1, 0, 0, 0]}\n"),
+              HasSubstr("give one of"));
+  EXPECT_THAT(refused("path: {hold: [-0.6, 0, 0.5]}\norientation: {along_path: [0, 0, -1]}\n"),
+              HasSubstr("goes nowhere"));
+  EXPECT_THAT(refused(kCircle + "orientation: {along_path: [0, 0, 0]}\n"), HasSubstr("direction"));
+  EXPECT_THAT(refused(kCircle + "orientation: {along_path: [0, 1, 0]}\n"),
+              AllOf(HasSubstr("runs along [0, 1, 0] at"), HasSubstr("another direction")));
+  EXPECT_THAT(refused("path: {center: [-0.6, 0, 0.5], frequency: 1, terms: [{order: 1, sin: [0.1, 0, 0]}]}\n"
+                      "orientation: {along_path: [0, 0, -1]}\n"),
+              AllOf(HasSubstr("turns round at 1.57"), HasSubstr("waypoints")));
+  EXPECT_THAT(refused(kCircle + "task_mask: position\norientation: {rpy_deg: [180, 0, 0]}\n"),
+              HasSubstr("task_mask of position"));
+  EXPECT_THAT(refused(kCircle + "task_mask: position_and_axis\norientation: {along_path: [0, 0, -1]}\n"),
+              AllOf(HasSubstr("own.yaml:7"), HasSubstr("leaves free")));
+  EXPECT_THAT(
+      refused("path: {polyline: {corners: [[-0.6, 0, 0.5], [-0.7, 0, 0.5], [-0.7, 0.1, 0.5]], speed: 0.5, "
+              "blend: 0.001}}\norientation: {along_path: [0, 0, -1]}\n"),
+      AllOf(HasSubstr("rad/s at"), HasSubstr("round the path more")));
+  const std::string fixed = kCircle + "orientation: {rpy_deg: [180, 0, 0]}\n";
+  EXPECT_THAT(refused(fixed + "target_camera: {noise: 0.001, bandwidth: 15}\n"), HasSubstr("there are none"));
+  EXPECT_THAT(refused(fixed + "stimulus: {on: target, step: {offset: [0.01, 0, 0], at: 8}}\n"),
+              HasSubstr("there are none"));
+}
+
+}  // namespace
+}  // namespace armtune
