@@ -31,7 +31,7 @@ struct ToolAim {
   /// `turn` from a frame that stands; of a whole orientation the rotation vector nearest to `last`, what it
   /// was before: past half a turn there is a shorter way, and taking it would be a jump.
   Vec3 turn_on(const Mat3& R_0F, const Vec3& p_0T, const Vec3& last) const {
-    const Vec3 phi = turn(R_0F, p_0T);
+    Vec3 phi = turn(R_0F, p_0T);
     if (orientation == nullptr || axis_only) return phi;
     const Vec3 on = nearest_rotation_vector(phi, last);
     return on.norm() < kMostTurn ? on : phi;

@@ -69,7 +69,8 @@ TEST(ParetoCommand, TradesOffWithAnotherController) {
   const Finished done = run_program({"pareto", short_of_time.path(), "--controller", "joint_pd", "--levels",
                                      "2", "--max-evaluations", "40", "--out", folder});
   EXPECT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
-  EXPECT_THAT(test::read_text(folder + "/study.yaml"), HasSubstr("controller: joint_pd"));
+  EXPECT_THAT(test::read_text(folder + "/study.yaml"), HasSubstr("joint_pd_p/elbow_joint"));
+  EXPECT_THAT(test::read_text(folder + "/start/gains.yaml"), HasSubstr("controller: joint_pd"));
 }
 
 TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
