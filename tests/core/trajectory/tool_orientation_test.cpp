@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "core/trajectory/cubic_spline.hpp"
 #include "core/trajectory/polyline.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
@@ -103,6 +104,24 @@ TEST(ToolOrientation, AtTheEndsOfAPathItStandsAsItBeginsAndEnds) {
                 .norm(),
             1e-9);
   EXPECT_LT((at(0.0).orientation.coeffs() - at(0.3).orientation.coeffs()).norm(), 1e-9) << "straight ahead";
+}
+
+TEST(ToolOrientation, AtTheEndsOfACurveThatIsShiftedInTimeItStandsToo) {
+  Path path;
+  const std::vector<double> time = {0.0, 1.0, 3.0};
+  const std::vector<Vec3> points = {Vec3(0.0, 0.0, 0.0), Vec3(0.3, 0.2, 0.0), Vec3(0.4, 0.6, 0.1)};
+  path.spline = std::make_shared<const PositionSpline>(time, cubic_spline(time, points), false);
+  path.spline_rate = 2.0;
+  path.spline_lead = 0.4;  // from -0.2 s to 1.3 s
+  ToolOrientation along;
+  along.approach = Vec3(0.2, 0.1, -1.0);
+  for (const double t : {-5.0, -0.2, 1.3, 5.0})
+    EXPECT_TRUE(along.at(t, path).angular_velocity.isZero(0.0)) << t;
+  for (const double t : {-0.19, -0.1, 0.5, 1.2})
+    EXPECT_GT(along.at(t, path).angular_velocity.norm(), 0.01) << t;
+  EXPECT_LT(
+      rotation_log(along.at(-5.0, path).orientation * along.at(-0.199, path).orientation.conjugate()).norm(),
+      0.01);
 }
 
 TEST(ToolOrientation, ThroughWaypointsItIsWhatTheySayWhenTheySayIt) {
