@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
@@ -200,14 +201,23 @@ Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_p
   return path;
 }
 
+namespace {
+
+/// Of an item that may have keys of its own beside them.
+NamedPath read_named_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
+  const std::string name = map.required("name").as_string();
+  return {name, read_path(map, inputs)};
+}
+
+}  // namespace
+
 std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<std::string>& inputs) {
   std::vector<MovingObstacle> obstacles;
   for (const yaml::Node& item : node.items()) {
     yaml::MapReader map(item);
-    MovingObstacle& added = obstacles.emplace_back();
-    added.name = map.required("name").as_string();
-    added.path = read_path(map, inputs);
-    added.radius = map.number_in("radius", 0.0, 0.0, kLargestBody);
+    NamedPath center = read_named_path(map, inputs);
+    obstacles.push_back(
+        {std::move(center.name), std::move(center.path), map.number_in("radius", 0.0, 0.0, kLargestBody)});
     map.finish();
   }
   return obstacles;
@@ -218,9 +228,7 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
     std::vector<NamedPath> targets;
     for (const yaml::Node& item : node.items()) {
       yaml::MapReader map(item);
-      NamedPath& added = targets.emplace_back();
-      added.name = map.required("name").as_string();
-      added.path = read_path(map, inputs);
+      targets.push_back(read_named_path(map, inputs));
       map.finish();
     }
     return targets;

@@ -18,6 +18,14 @@ const test::ShortStudy& files() {
   return study;
 }
 
+const test::ShortStudy& study_short_of_time() {
+  static const test::ShortStudy study(
+      test::kShortParameters, test::kShortObjective,
+      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n",
+      "search: {algorithm: COBYLA, max_evaluations: 12, max_minutes: 1e-6}\n");
+  return study;
+}
+
 TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
   const std::string folder = files() / "front";
   const Finished done =
@@ -47,10 +55,7 @@ TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
 }
 
 TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
-  const test::ShortStudy short_of_time(
-      test::kShortParameters, test::kShortObjective,
-      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n",
-      "search: {algorithm: COBYLA, max_evaluations: 12, max_minutes: 1e-6}\n");
+  const auto& short_of_time = study_short_of_time();
   const std::string folder = short_of_time / "front";
   const Finished done = run_program(
       {"pareto", short_of_time.path(), "--levels", "2", "--max-evaluations", "18", "--out", folder});
@@ -61,11 +66,8 @@ TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
 }
 
 TEST(ParetoCommand, TradesOffWithAnotherController) {
-  const test::ShortStudy short_of_time(
-      test::kShortParameters, test::kShortObjective,
-      "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 2}\n",
-      "search: {algorithm: COBYLA, max_evaluations: 12, max_minutes: 1e-6}\n");
-  const std::string folder = short_of_time / "front";
+  const auto& short_of_time = study_short_of_time();
+  const std::string folder = short_of_time / "joint_pd";
   const Finished done = run_program({"pareto", short_of_time.path(), "--controller", "joint_pd", "--levels",
                                      "2", "--max-evaluations", "40", "--out", folder});
   EXPECT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
