@@ -219,6 +219,20 @@ TEST_F(UrdfSelection, GivenLimitsAndInertiaStandForThoseOfTheFile) {
   EXPECT_EQ(read(whole, options).joints[0].limits.upper, 0.5);
 }
 
+TEST_F(UrdfSelection, GivenInertiaIsAboutTheCentreOfMassAsThatOfTheFileIs) {
+  const std::string lying = "<axis xyz='0 1 0'/>" + test::kLimit;  // gravity pulls at the centre of mass
+  UrdfOptions options;
+  options.inertia["b"].mass = 2.0;
+  options.inertia["b"].center = {0.1, -0.2, 0.3};
+  options.inertia["b"].about_center << 3.0, 0.4, 0.5, 0.4, 4.0, 0.6, 0.5, 0.6, 5.0;
+  expect_same_arm(
+      read(robot(test::one_joint("", lying)), options),
+      read(robot(test::one_joint(
+          "<inertial><origin xyz='0.1 -0.2 0.3'/><mass value='2'/><inertia ixx='3' iyy='4' izz='5' "
+          "ixy='0.4' ixz='0.5' iyz='0.6'/></inertial>",
+          lying))));
+}
+
 TEST_F(UrdfSelection, AContinuousJointTakesPositionLimitsThatAreGiven) {
   const std::string text =
       robot(link("a") + link("b") +
