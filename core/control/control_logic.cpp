@@ -86,7 +86,8 @@ void ControlLogic::enter_state(const JointState& measured, const ArmView& arm, c
   integral_.setZero();
   if (out_.state != ControlState::kReturnToTrajectory) return;
   // Start from the measured position and velocity and the last reference's acceleration, which is zero at
-  // the end of leaveSingularity's quintic and in avoidObstacles, and the plan's at the end of followPlan.
+  // the end of leaveSingularity's quintic (or the path's, where the joint goal follows the task) and in
+  // avoidObstacles, and the plan's at the end of followPlan.
   const MotionPoint<Vec3> start{arm.p_0T, arm.twist.head<3>(), out_.desired.acceleration};
   return_ = return_trajectory(start, *scene.path, time, gains_.trajectoryDurationErrorGain);
   if (gains_.velocity_margin > 0.0) {

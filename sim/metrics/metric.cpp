@@ -33,7 +33,7 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "RMS of |w - wd| of the tool while tracking"},
       {"error/angular_velocity/max", "rad/s", "largest angular velocity error",
        "largest |w - wd| while tracking"},
-      {"samples", "1", "tracked time", "control periods that count as tracking"},
+      {"samples", "1", "tracked periods", "control periods that count as tracking"},
       {"gaze/rms", "rad", "RMS gaze angle",
        "RMS angle between the tool's z axis and the line to the target, after leaveSingularity"},
       {"gaze/max", "rad", "largest gaze angle", "largest such angle"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -82,7 +83,7 @@ Excitation load_excitation(const std::string& path, const std::vector<std::strin
   Excitation e;
   e.frequency = map.number_in("frequency", e.frequency, 1e-3, kFastestHarmonic);
   e.duration = map.number_in("duration", e.duration, 1e-2, kLongestExcitation);
-  e.fade = map.number_in("fade", e.fade, 1e-3, 0.5 * e.duration);
+  e.fade = map.number_in("fade", std::min(e.fade, 0.25 * e.duration), 1e-3, 0.5 * e.duration);
   e.center = yaml::joint_values(map.required("center"), joints);
   e.sine = read_coefficients(map.required("sine"), joints);
   const yaml::Node& cosine = map.required("cosine");

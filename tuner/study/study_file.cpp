@@ -114,9 +114,11 @@ void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constr
 SampleSet read_samples(const yaml::Node& node) {
   yaml::MapReader map(node);
   SampleSet set;
-  constexpr double kMostSamples = 1000.0;
-  set.samples =
-      static_cast<std::size_t>(map.number_in("samples", static_cast<double>(set.samples), 1.0, kMostSamples));
+  constexpr long kMostSamples = 1000;
+  const long samples = map.integer("samples", static_cast<long>(set.samples));
+  if (samples < 1 || samples > kMostSamples)
+    map.required("samples").fail(fmt::format("{}: must lie between 1 and {}", samples, kMostSamples));
+  set.samples = static_cast<std::size_t>(samples);
   const long seed = map.integer("seed", static_cast<long>(set.seed));
   if (seed < 0) map.required("seed").fail("must not be negative");
   set.seed = static_cast<std::uint64_t>(seed);

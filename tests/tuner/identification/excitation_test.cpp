@@ -94,6 +94,14 @@ ExcitationOptions ur10_options() {
   return options;
 }
 
+TEST(Excitation, AShortOneWhoseFileNamesNoFadeFadesWithinItsDuration) {
+  const test::TemporaryFolder folder;
+  const std::string text = "frequency: 0.5\nduration: 3\ncenter: [0]\nsine: {a: [0.1]}\ncosine: {a: [0]}\n";
+  EXPECT_EQ(load_excitation(folder.write("e.yaml", text), {"a"}).fade, 0.75);
+  EXPECT_THAT(test::refusal([&] { load_excitation(folder.write("e.yaml", text + "fade: 2\n"), {"a"}); }),
+              testing::HasSubstr("fade"));
+}
+
 TEST(ExcitationDesign, KeepsTheLimitsAtEveryInstantAndBeatsRandomSeries) {
   const RobotModel arm = test::ur10();
   const std::atomic<bool> never{false};

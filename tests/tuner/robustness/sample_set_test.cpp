@@ -154,6 +154,8 @@ TEST(RobustKeys, ThatAreWrongAreRefusedWithFileAndLine) {
               HasSubstr("'median' is not one of: mean, quantile, worst, cvar"));
   EXPECT_THAT(refused("robust: {level: 1}\n"), HasSubstr("between 0 and 1"));
   EXPECT_THAT(refused("robust: {samples: 0}\n"), HasSubstr("samples"));
+  EXPECT_THAT(refused("robust: {samples: 1001}\n"), HasSubstr("1000"));
+  EXPECT_THAT(refused("robust: {samples: 2.7}\n"), HasSubstr("samples")) << "no half arms";
   EXPECT_THAT(refused("robust: {uncertainty: {mass: 1.5}}\n"),
               testing::AllOf(HasSubstr("study.yaml:"), HasSubstr("mass is 1.5"), HasSubstr("[0, 1)")));
   EXPECT_THAT(refused("robust: {uncertainty: {masses: 0.1}}\n"), HasSubstr("mass"));
