@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/joint_values.hpp"
@@ -12,8 +17,32 @@
 namespace armtune {
 namespace {
 
-constexpr const char* kNamespace = "simple_effort_ctrl";
 constexpr const char* kController = "controller";
+constexpr std::array kPath = {"circularTrajectoryAnchorPosition", "circularTrajectoryRadius",
+                              "circularTrajectoryPeriod"};
+
+/// The map that the fields stand in.
+const yaml::Node& fields_node(const yaml::Node& root) {
+  const yaml::Node* node = &root;
+  while (node->entries().size() == 1 && node->entries()[0].second.kind() == yaml::Node::Kind::kMap)
+    node = &node->entries()[0].second;
+  return *node;
+}
+
+/// With a point, and one before an exponent: 5 is a whole number to ROS 2, and 1e-05 a word to YAML 1.1.
+std::string decimal(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find('.') != std::string::npos) return text;
+  const auto exponent = text.find('e');
+  return exponent == std::string::npos ? text + ".0" : text.insert(exponent, ".0");
+}
+
+std::string value_text(std::span<const double> values, bool is_list) {
+  std::vector<std::string> words;
+  words.reserve(values.size());
+  for (const double value : values) words.push_back(decimal(value));
+  return is_list ? fmt::format("[{}]", fmt::join(words, ", ")) : words.front();
+}
 
 JointVector own_values(const yaml::Node& node, GainShape shape, const std::vector<std::string>& joints) {
   if (shape == GainShape::kJoints) return yaml::joint_values(node, joints);
@@ -49,25 +78,13 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
       field.member);
 }
 
-std::string field_text(const Gains& gains, const GainField& field) {
-  if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) return gains.**flag ? "true" : "false";
-  if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
-    return gains.**reference == SlerpReference::kStart ? "start" : "current";
-  }
-  const auto values = numbers(gains, field);
-  return component_names(field, {}).size() == 1 ? fmt::format("{}", values[0])
-                                                : fmt::format("[{}]", fmt::join(values, ", "));
-}
-
 }  // namespace
 
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
   const yaml::Node root = yaml::parse_file(path);
-  const bool wrapped =
-      root.entries().size() == 1 && root.entries()[0].second.kind() == yaml::Node::Kind::kMap;
-  yaml::MapReader map(wrapped ? root.entries()[0].second : root);
+  yaml::MapReader map(fields_node(root));
   Gains gains;
   if (const yaml::Node* node = map.optional(kController)) {
     try {
@@ -80,27 +97,50 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
     const yaml::Node* node = field.required ? &map.required(field.name) : map.optional(field.name);
     if (node != nullptr) read_field(*node, field, joints, gains);
   }
-  for (const char* key :
-       {"circularTrajectoryAnchorPosition", "circularTrajectoryRadius", "circularTrajectoryPeriod"}) {
-    map.ignore(key);
-  }
+  for (const char* key : kPath) map.ignore(key);
   map.finish();
   validate(gains, joints, path);
   return gains;
 }
 
-std::string gains_yaml(const Gains& gains, const std::vector<std::string>& header) {
+std::string field_text(const Gains& gains, const GainField& field) {
+  if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) return gains.**flag ? "true" : "false";
+  if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
+    return gains.**reference == SlerpReference::kStart ? "start" : "current";
+  }
+  return value_text(numbers(gains, field), component_names(field, {}).size() != 1);
+}
+
+std::vector<std::pair<std::string, std::string>> published_path(const std::string& gains_path) {
+  std::vector<std::pair<std::string, std::string>> path;
+  const yaml::Node root = yaml::parse_file(gains_path);
+  for (const auto& [key, value] : fields_node(root).entries()) {
+    if (std::find(kPath.begin(), kPath.end(), key) == kPath.end()) continue;
+    const bool is_list = value.kind() == yaml::Node::Kind::kSequence;
+    const auto values = is_list ? value.as_numbers() : std::vector<double>{value.as_number()};
+    path.emplace_back(key, value_text(values, is_list));
+  }
+  return path;
+}
+
+std::string gains_yaml(const Gains& gains, const std::vector<std::string>& header, const GainsKeys& keys,
+                       const std::vector<std::pair<std::string, std::string>>& others) {
   std::string text;
-  for (const std::string& line : header) text += fmt::format("# {}\n", line);
-  text += fmt::format("{}:\n", kNamespace);
+  for (const std::string& line : header) text += fmt::format("# {}\n", one_line(line));
+  std::string indent;
+  for (const std::string& key : keys) {
+    text += fmt::format("{}{}:\n", indent, key);
+    indent += "  ";
+  }
   // Files of the published controller do not name one.
   if (gains.controller != Gains().controller)
-    text += fmt::format("  {}: {}\n", kController, gains.controller);
+    text += fmt::format("{}{}: {}\n", indent, kController, gains.controller);
   for (const GainField& field : fields_of(gains)) {
     if (field.is_number() && numbers(gains, field).empty()) continue;
-    text += fmt::format("  # {}{}{}{}\n  {}: {}\n", field.meaning, *field.unit ? " [" : "", field.unit,
-                        *field.unit ? "]" : "", field.name, field_text(gains, field));
+    text += fmt::format("{0}# {1}{2}{3}{4}\n{0}{5}: {6}\n", indent, field.meaning, *field.unit ? " [" : "",
+                        field.unit, *field.unit ? "]" : "", field.name, field_text(gains, field));
   }
+  for (const auto& [key, value] : others) text += fmt::format("{}{}: {}\n", indent, key, value);
   return text;
 }
 

@@ -15,6 +15,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/gains/gains_difference.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
@@ -32,15 +33,17 @@ struct Arguments {
   std::string folder;
   int workers = default_workers();
   bool all_metrics = false;
+  bool gains_only = false;
   double deadline = 0.0;
 };
 
 /// Short and unique: the folder's or file's name.
-std::string label_of(const std::string& set, const std::vector<ComparedSet>& taken) {
+template <class Named>
+std::string label_of(const std::string& set, const std::vector<Named>& taken) {
   const fs::path path(set.ends_with('/') ? set.substr(0, set.size() - 1) : set);
   std::string label = path.has_extension() ? stem(path.string()) : path.filename().string();
   std::replace(label.begin(), label.end(), ',', '_');
-  for (const ComparedSet& other : taken) {
+  for (const Named& other : taken) {
     if (other.name == label) return label + "_" + std::to_string(taken.size() + 1);
   }
   return label;
@@ -82,8 +85,17 @@ report::Scene scene_of(const std::vector<Scenario>& scenarios, const std::vector
                           load_gains(gains_name(args.sets.front()), joints).obstacleInfluenceRadius);
 }
 
+int show_gains(const Arguments& args, const std::vector<std::string>& joints) {
+  std::vector<NamedGains> sets;
+  for (const std::string& set : args.sets)
+    sets.push_back({label_of(set, sets), load_gains(gains_name(set), joints)});
+  fmt::print("{}", gains_difference(sets, joints));
+  return kDone;
+}
+
 int run(const Arguments& args) {
   const auto scenarios = scenarios_of(args);
+  if (args.gains_only) return show_gains(args, joint_names(*scenarios.front().robot));
   for (const std::string& set : args.sets) {
     for (const Scenario& s : scenarios) load_gains(gains_name(set), joint_names(*s.robot));
   }
@@ -154,12 +166,14 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--workers", args->workers, "threads")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
       ->check(CLI::PositiveNumber);
   command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
-  command->add_option("--out", args->folder,
-                      "new folder for comparison.csv, errors_<set>.csv and report.html");
+  CLI::Option* folder = command->add_option(
+      "--out", args->folder, "new folder for comparison.csv, errors_<set>.csv and report.html");
+  command->add_flag("--gains", args->gains_only, "the gains that differ, side by side; nothing is simulated")
+      ->excludes(folder);
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

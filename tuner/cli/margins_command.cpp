@@ -10,6 +10,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -113,7 +114,7 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml");
   command->add_option("--workers", args->options.workers, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command->footer(help_footer);
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

@@ -25,6 +25,8 @@ int report(const std::exception_ptr& failure);
 /// What --help says of --workers, --resume and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
     "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
+/// Its default as --help says it: not this machine's number.
+inline constexpr const char* kWorkersDefault = "one per processor";
 inline constexpr const char* kControllerHelp =
     "tune another controller on the study's task, all of its gains that are tuned by default; "
     "armtune controllers lists them";

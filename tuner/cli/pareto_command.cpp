@@ -266,7 +266,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "The study's constraints hold for every point. Of its search, global, global_share, algorithm and "

@@ -59,6 +59,7 @@ int parse_and_run(int argc, char** argv) {
   add_pareto_command(app, exit_code);
   add_sensitivity_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_export_command(app, exit_code);
   add_robustness_command(app, exit_code);
   add_margins_command(app, exit_code);
   add_report_command(app, exit_code);
@@ -69,6 +70,8 @@ int parse_and_run(int argc, char** argv) {
   add_plan_command(app, exit_code);
   add_yardstick_command(app, exit_code);
 #endif
+  add_man_command(app, exit_code);
+  add_completion_command(app, exit_code);
   if (argc == 1) {
     if (!first) return kDone;
     fmt::print(stderr, "{}", app.help());

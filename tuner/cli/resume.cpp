@@ -25,6 +25,7 @@ constexpr const char* kResume = "--resume";
 constexpr const char* kJournal = "/journal.txt";
 /// Options that results do not depend on, and that a resumed run may be given anew.
 constexpr const char* kFree[] = {"--workers", "--rollout-deadline"};
+constexpr const char* kLive = "--live";  ///< another one, without a value
 
 /// An option and its value cut out of the words, in either spelling; nothing if it is not among them.
 std::optional<std::string> cut(std::vector<std::string>& words, const std::string& option) {
@@ -71,6 +72,7 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   for (const char* option : kFree) {
     if (const auto value = cut(words, option)) all.insert(all.end(), {option, *value});
   }
+  if (std::erase(words, kLive) > 0) all.emplace_back(kLive);
   if (words.size() < 2 || begun.arguments.empty() || words[1] != begun.arguments.front()) {
     throw InputError(fmt::format("{} was begun by 'armtune {}'; resume it with: {} {} --resume {}", *folder,
                                  fmt::join(begun.arguments, " "), program_name(),
@@ -79,8 +81,8 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   if (words.size() > 2) {
     throw InputError(
         fmt::format("--resume goes on with what {} was begun with ('armtune {}'); '{}' cannot be changed, "
-                    "only {}",
-                    *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, " and ")));
+                    "only {} and {}",
+                    *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, ", "), kLive));
   }
   std::error_code gone;
   fs::current_path(begun.working_folder, gone);

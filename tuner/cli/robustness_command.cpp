@@ -264,7 +264,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->options.workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "

@@ -87,7 +87,7 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
       "of the gains fixed at their start");
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
       "importance  what the merit loses when this gain alone goes back to its start\n"

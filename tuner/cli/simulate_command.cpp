@@ -141,7 +141,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
                       "new folder for errors.csv, rollout_<scenario>.csv, report.html and the rest");
   command->add_option("--workers", args->workers, "threads")
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command
       ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))

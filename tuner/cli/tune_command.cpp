@@ -10,6 +10,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/live_report.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -48,6 +49,7 @@ struct Arguments {
   long seed = -1;
   int record_every = 5;
   bool analysis = true;
+  bool live = false;
   bool yardstick = false;
   WarmArguments warm;
 };
@@ -110,6 +112,7 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
 }
 
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
+  if (args.live) fmt::print("watch it: open {}/report.html in a browser\n", args.folder);
   fmt::print("study {}: {} gains over {} scenarios{}, {} in {} and {} at most; results go to {}\n",
              study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
              search_text(study), engine_text(study), budget_text(study.max_evaluations, study.max_minutes),
@@ -143,7 +146,12 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
     if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;
     evaluations->append(phase, e);
   };
+  std::optional<LiveReport> live;
+  if (args.live) live.emplace(args.folder);
   callbacks.progress = [&](const TuneProgress& p) {
+    if (live)
+      live->update(p.evaluations, p.max_evaluations,
+                   seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, study.max_minutes));
     line.show(progress_text(p, workers, seconds_since(began), study.max_minutes));
   };
   TuneResult result;
@@ -270,7 +278,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+      ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command
       ->add_option("--max-evaluations", args->max_evaluations,
@@ -284,6 +292,9 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("!--no-analysis", args->analysis,
                     "leave out what comes after the search: margins, and which gains matter");
+  command->add_flag(
+      "--live", args->live,
+      "keep report.html fresh while the search goes on: open it in a browser, it loads itself again");
   add_yardstick_option(*command, args->yardstick);
   add_warm_options(*command, args->warm);
   command->footer(tune_help);

@@ -20,7 +20,7 @@ bool available() {
   return !page_text().empty();
 }
 
-Written write_report(const std::string& folder, const std::string& path) {
+Written write_report(const std::string& folder, const std::string& path, const std::optional<Live>& live) {
   if (!available()) {
     throw std::runtime_error(
         "this armtune was built without the report's page; install node and npm (scripts/setup does) and "
@@ -30,7 +30,7 @@ Written write_report(const std::string& folder, const std::string& path) {
   // With very many scenarios, or meshes beside them, the first try is too large.
   std::size_t recording_bytes = 4'000'000;
   for (;;) {
-    ReportData data = report_of(folder, recording_bytes);
+    ReportData data = report_of(folder, recording_bytes, live);
     const std::string html = filled_page(page_text(), report_json(data));
     if (html.size() <= kMostBytes || recording_bytes < 100'000) {
       write_text_file(path, html);

@@ -2,8 +2,11 @@
 // report.html: a run folder as one page that needs nothing else.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tuner/report/report_data.hpp"
 
 namespace armtune::report {
 
@@ -17,7 +20,9 @@ struct Written {
 
 /// Writes the report of a run folder to `path`: 6 MB at most, for which plots and replay are made coarser
 /// where it takes that. Throws InputError if it is no folder of a run or if the path cannot be written,
-/// std::runtime_error, which says how to get it, where the page is not built in.
-Written write_report(const std::string& folder, const std::string& path);
+/// std::runtime_error, which says how to get it, where the page is not built in. `live`: the run goes on, and
+/// the page loads itself again.
+Written write_report(const std::string& folder, const std::string& path,
+                     const std::optional<Live>& live = {});
 
 }  // namespace armtune::report

@@ -189,10 +189,20 @@ struct Verdict {
   std::vector<std::string> details;
 };
 
+/// Of a page that is written again and again while its run goes on.
+struct Live {
+  long evaluations = 0;
+  long most_evaluations = 0;
+  double seconds_left = 0.0;  ///< about, of the search
+  double every = 0.0;         ///< [s] the page loads itself again
+  std::string written;        ///< when, "10:15:02 UTC"
+};
+
 struct ReportData {
   RunKind kind = RunKind::kSimulate;
   std::string title;
   Verdict verdict;
+  std::optional<Live> live;
   std::vector<std::string> sets;
   std::vector<Table> tables;
   std::optional<Judged> judged;

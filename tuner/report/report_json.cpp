@@ -143,6 +143,16 @@ void write_pairs(Json& json, const char* key, const std::vector<std::pair<std::s
   });
 }
 
+void write_live(Json& json, const Live& live) {
+  json.begin_object();
+  json.integer("evaluations", live.evaluations);
+  json.integer("most_evaluations", live.most_evaluations);
+  json.number("seconds_left", live.seconds_left);
+  json.number("every", live.every);
+  json.text("written", live.written);
+  json.end_object();
+}
+
 void write_plan(Json& json, const Plan& plan) {
   json.begin_object();
   json.number("start", plan.start);
@@ -164,6 +174,7 @@ std::string report_json(const ReportData& data) {
   json.text("sentence", data.verdict.sentence);
   json.texts("details", data.verdict.details);
   json.end_object();
+  value_if_any(json, "live", data.live, write_live);
   json.texts("sets", data.sets);
   array(json, "tables", data.tables, write_table);
   value_if_any(json, "judged", data.judged, write_judged);

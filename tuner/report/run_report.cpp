@@ -33,9 +33,10 @@ std::optional<CsvTable> table_if_any(const std::string& path) {
 
 class Assembly {
  public:
-  Assembly(std::string folder, std::size_t recording_bytes)
+  Assembly(std::string folder, std::size_t recording_bytes, const std::optional<Live>& live)
       : folder_(std::move(folder)), recording_bytes_(recording_bytes) {
     data_.kind = kind_of(folder_);
+    data_.live = live;
   }
 
   ReportData make() {
@@ -292,9 +293,10 @@ class Assembly {
 
 }  // namespace
 
-ReportData report_of(const std::string& folder, std::size_t recording_bytes) {
+ReportData report_of(const std::string& folder, std::size_t recording_bytes,
+                     const std::optional<Live>& live) {
   return kind_of(folder) == RunKind::kPlan ? plan_report_of(folder, recording_bytes)
-                                           : Assembly(folder, recording_bytes).make();
+                                           : Assembly(folder, recording_bytes, live).make();
 }
 
 }  // namespace armtune::report

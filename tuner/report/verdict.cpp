@@ -53,8 +53,9 @@ Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
     so_far = fmt::format("{} of {} arms keep every limit", data.robustness->kept, data.robustness->samples);
   }
   verdict.sentence =
-      joined({"This run is not finished: it goes on still, or was killed", "so far " + so_far});
-  if (facts.resumable) {
+      joined({data.live ? "This run goes on" : "This run is not finished: it goes on still, or was killed",
+              "so far " + so_far});
+  if (facts.resumable && !data.live) {
     verdict.details.push_back(fmt::format("To go on with it: armtune {} --resume FOLDER", name(data.kind)));
   }
   return verdict;

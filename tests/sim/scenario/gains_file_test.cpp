@@ -104,7 +104,8 @@ TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
 TEST_F(GainsFile, GainsOfEveryControllerReadBackToTheBit) {
   for (const ControllerKind* kind : controller_kinds()) {
     Gains gains = load_gains("published", kJoints);
-    const RobotModel& robot = *test::scenario_of("moving_target").robot;
+    const auto arm = test::scenario_of("moving_target").robot;
+    const RobotModel& robot = *arm;
     gains = controlled_by(*kind, gains, robot, in_si(robot, gains.joint_space_goal));
     double next = 0.7;
     for (JointVector& own : gains.own) {

@@ -142,7 +142,7 @@ export interface Margin {
   scenario: string;
   /** Per set: how far it stands. */
   values: (number | null)[];
-  /** Per set, the value in words: "2 (4 ms)", "≥ 100" where nothing failed, "none" where not even the nominal value
+  /** Per set, the value in words: "2", "≥ 100" where nothing failed, "none" where not even the nominal value
    * stands, empty where it was not looked for. */
   text: string[];
   /** Per set: why it ends there. */
@@ -207,11 +207,24 @@ export interface Robustness {
   worst: { sample: number; text: string }[];
 }
 
+/** Of a page that is written again and again while its run goes on. */
+export interface Live {
+  evaluations: number;
+  most_evaluations: number;
+  /** About, of the search. */
+  seconds_left: number | null;
+  /** Seconds after which the page loads itself again. */
+  every: number;
+  /** When it was written: "10:15:02 UTC". */
+  written: string;
+}
+
 export interface ReportData {
   format: 1;
   kind: "tune" | "simulate" | "pareto" | "robustness" | "compare" | "plan";
   title: string;
   verdict: { sentence: string; details: string[] };
+  live?: Live;
   /** Names of the gain sets; index 0 is the reference, the last is the result. */
   sets: string[];
   tables: Table[];

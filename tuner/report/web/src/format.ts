@@ -70,6 +70,13 @@ export function formatTime(seconds: number, whole = 10): string {
   return `${seconds.toFixed(whole < 2 ? 3 : 2)} s`;
 }
 
+/** A wait in words: "40 s", "12 min", "3.5 h". */
+export function duration(seconds: number): string {
+  if (seconds < 90) return `${Math.ceil(seconds)} s`;
+  if (seconds < 5400) return `${Math.ceil(seconds / 60)} min`;
+  return `${(seconds / 3600).toFixed(1)} h`;
+}
+
 export function formatPercent(portion: number, digits = 1): string {
   return `${(100 * portion).toFixed(digits)} %`;
 }

@@ -1,6 +1,7 @@
 // Reads the data that stand in the page and lays the report out, top to bottom.
 import type { ReportData } from "./data";
 import { element } from "./dom";
+import { liveLine, reloadLater } from "./live";
 import { convergenceSection } from "./sections/convergence";
 import { frontSection } from "./sections/front";
 import { gainsSection } from "./sections/gains";
@@ -49,7 +50,11 @@ function show(data: ReportData): void {
     provenanceSection(data),
   ].filter((one): one is Section => one !== null);
   document.getElementById("top")?.append(contents(sections), themeButton());
-  document.getElementById("page")?.replaceChildren(...sections.map((one) => one.root));
+  const page = document.getElementById("page");
+  page?.replaceChildren(...sections.map((one) => one.root));
+  if (data.live === undefined) return;
+  page?.prepend(liveLine(data.live));
+  reloadLater(data.live);
 }
 
 try {

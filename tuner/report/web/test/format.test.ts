@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { changeOf, fileName, formatNumber, formatRatio, formatUnit, formatValue, ratioOf, shortName, unbroken } from "../src/format";
+import { changeOf, duration, fileName, formatNumber, formatRatio, formatUnit, formatValue, ratioOf, shortName, unbroken } from "../src/format";
 
 test("a number reads back within its digits", () => {
   for (const value of [0.001909, 0.7662, 5134.2, 1.856, 12, 1e-7, 4.2e9, 123456, -0.3, -7e-9]) {
@@ -69,4 +69,12 @@ test("file names hold nothing but plain characters", () => {
 
 test("a number keeps its unit beside it, and words their spaces", () => {
   assert.equal(unbroken("falls by 26 %; 3 joints, 2.5 mm at 2.01 s so far"), "falls by 26\u00a0%; 3 joints, 2.5\u00a0mm at 2.01\u00a0s so far");
+});
+
+test("a wait is said in the unit that a person would use, and not too short", () => {
+  assert.equal(duration(0.2), "1 s");
+  assert.equal(duration(89), "89 s");
+  assert.equal(duration(90), "2 min");
+  assert.equal(duration(3601), "61 min");
+  assert.equal(duration(12600), "3.5 h");
 });

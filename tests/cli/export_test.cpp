@@ -1,0 +1,86 @@
+// Gains on their way to a robot: armtune export, and armtune compare --gains.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/scenario/gains_file.hpp"
+#include "tests/cli/support/program.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+class ExportCommand : public testing::Test {
+ protected:
+  const test::ShortStudy files_;
+  const std::vector<std::string> joints_ = joint_names(*test::scenario_of("moving_target").robot);
+};
+
+TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) {
+  const std::string run = files_ / "run";
+  ASSERT_EQ(run_program({"tune", files_.path(), "--out", run, "--workers", "1"}).exit_code, 0);
+  const std::string written = gains_yaml(load_gains(run + "/gains.yaml", joints_), {});
+  for (const char* format : {"yaml", "ros1", "ros2"}) {
+    const std::string file = files_ / (std::string(format) + ".yaml");
+    const Finished done = run_program({"export", run, "--format", format, "--out", file});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_EQ(done.out, "wrote " + file + "\n");
+    EXPECT_EQ(gains_yaml(load_gains(file, joints_), {}), written);
+    EXPECT_THAT(test::read_text(file),
+                AllOf(HasSubstr("# study: "), HasSubstr("# seed: 1\n"), HasSubstr("# command: armtune tune"),
+                      ContainsRegex("# joint_velocity/max_ratio: 0\\.[0-9]+ in short"),
+                      ContainsRegex("# input bundled robots/ur10.urdf: fnv1a-[0-9a-f]+\n")));
+  }
+  // Nothing there is written over.
+  const Finished again = run_program({"export", run, "--out", files_ / "ros1.yaml"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("is there already"));
+}
+
+TEST_F(ExportCommand, WritesToTheScreenAndForOtherArms) {
+  const Finished ros2 =
+      run_program({"export", "published", "--format", "ros2", "--node", "/ur10/effort_ctrl"});
+  EXPECT_EQ(ros2.exit_code, 0) << ros2.err;
+  EXPECT_THAT(ros2.out, AllOf(testing::StartsWith("# gains: bundled gains/published.yaml, for ur10"),
+                              HasSubstr("\n/ur10/effort_ctrl:\n  ros__parameters:\n"),
+                              HasSubstr("task_space_gains_p: [80.0, 50.0, 50.0, 25.0, 15.0, 3.0]\n")));
+  const Finished panda = run_program({"export", "panda", "--robot", "panda", "--format", "csv"});
+  EXPECT_EQ(panda.exit_code, 0) << panda.err;
+  EXPECT_THAT(panda.out, AllOf(testing::StartsWith("gain,component,value,unit,meaning\n"),
+                               HasSubstr("\ntask_space_gains_d,panda_joint7,")));
+}
+
+TEST_F(ExportCommand, SaysWhatIsWrong) {
+  const auto refused = [](const std::vector<std::string>& arguments) {
+    const Finished done = run_program(arguments);
+    EXPECT_EQ(done.exit_code, 2) << done.out;
+    EXPECT_EQ(std::count(done.err.begin(), done.err.end(), '\n'), 1) << done.err;
+    return done.err;
+  };
+  EXPECT_THAT(refused({"export", "publishd"}), HasSubstr("'published'"));
+  EXPECT_THAT(refused({"export", "panda"}), HasSubstr("--robot")) << "the UR10 has six joints";
+  EXPECT_THAT(refused({"export", "published", "--format", "ros3"}), HasSubstr("ros3"));
+  EXPECT_THAT(refused({"export", "published", "--format", "ros1", "--node", "a b"}),
+              HasSubstr("no name in ROS"));
+  EXPECT_THAT(refused({"export", "published", "--out", files_ / "none/gains.yaml"}),
+              HasSubstr("none/gains.yaml"));
+}
+
+TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
+  const Finished done = run_program({"compare", "published", "extended_tuned", "--gains"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.out, AllOf(ContainsRegex("gain +unit +published +extended_tuned +ratio\n"),
+                              ContainsRegex("task_space_gains_p/x +1/s +80 "), HasSubstr("are the same")));
+  const Finished same = run_program({"compare", "published", "published", "--gains"});
+  EXPECT_THAT(same.out, testing::StartsWith("the same in all"));
+  EXPECT_EQ(run_program({"compare", "published", "--gains", "--out", files_ / "x"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,65 @@
+#include "tuner/gains/gains_origin.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/sim/support/files.hpp"
+#include "tuner/run/file_hash.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Key;
+using testing::Not;
+using testing::Pair;
+
+TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
+  const test::TemporaryFolder run;
+  run.write(
+      "run.yaml",
+      "command: \"armtune tune mine\"\ndate: \"2026-11-25\"\nseed: 7\nworkers: 2\nstudy: \"mine.yaml\"\n"
+      "versions:\n  armtune: \"0.1.0\"\ninputs:\n  \"arm.urdf\": fnv1a-1\n  \"b/c.yaml\": fnv1a-2\n");
+  run.write(
+      "errors.csv",
+      "scenario,status,joint_velocity/max_ratio,joint_velocity/max_ratio_joint,joint_position/min_margin\n"
+      "a,completed,0.25,elbow,1.5\nb,completed,0.75,wrist,0.5\nc,diverged,,,\nd,completed,0.5,base,2\n");
+  run.write("margins.csv",
+            "margin,unit,scenario,nominal,stands,fails,reason\n"
+            "torque_delay,periods,a,0,3,4,x\ntorque_delay,periods,b,0,2,3,x\n"
+            "control_rate,Hz,a,500,160,159,x\ncontrol_rate,Hz,b,500,250,249,x\n");
+  const auto origin = origin_of_run(run.path());
+  EXPECT_THAT(origin, Contains(Pair("command", "armtune tune mine")));
+  EXPECT_THAT(origin, Contains(Pair("study", "mine.yaml")));
+  EXPECT_THAT(origin, Contains(Pair("seed", "7")));
+  EXPECT_THAT(origin, Contains(Pair("version", "0.1.0")));
+  EXPECT_THAT(origin, Contains(Pair("input arm.urdf", "fnv1a-1")));
+  EXPECT_THAT(origin, Contains(Pair("input b/c.yaml", "fnv1a-2")));
+  // The worst: the largest of what is used of a limit, the least of the way to one.
+  EXPECT_THAT(origin, Contains(Pair("joint_velocity/max_ratio",
+                                    testing::AllOf(HasSubstr("0.75"), HasSubstr("in b, wrist")))));
+  EXPECT_THAT(origin, Contains(Pair("joint_position/min_margin",
+                                    testing::AllOf(HasSubstr("0.5"), HasSubstr("in b")))));
+  EXPECT_THAT(origin, Not(Contains(Key("joint_effort/max_ratio")))) << "the run does not say";
+  EXPECT_THAT(origin, Contains(Pair("margin/torque_delay", "2 periods in b")));
+  EXPECT_THAT(origin, Contains(Pair("margin/control_rate", "250 Hz in b")))
+      << "the nearest to the 500 it ran at";
+  EXPECT_THAT(origin, Not(Contains(Key("workers")))) << "says nothing of the gains";
+}
+
+TEST(GainsOrigin, OfAFolderWithGainsAloneIsEmpty) {
+  const test::TemporaryFolder run;
+  EXPECT_TRUE(origin_of_run(run.path()).empty());
+}
+
+TEST(GainsOrigin, OfFilesIsTheirHashes) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("gains.yaml", "a: 1\n");
+  EXPECT_THAT(origin_of_files({file}), Contains(Pair(HasSubstr("gains.yaml"), hash_of_file(file))));
+}
+
+}  // namespace
+}  // namespace armtune

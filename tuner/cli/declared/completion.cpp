@@ -1,0 +1,135 @@
+#include "tuner/cli/declared/completion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/data_files.hpp"
+
+namespace armtune::cli {
+namespace {
+
+/// The words that an option or positional takes.
+std::vector<std::string> words_of(const DeclaredOption& option) {
+  if (!option.choices.empty()) return option.choices;
+  const std::string kind = bundled_kind(option);
+  return kind.empty() ? std::vector<std::string>() : bundled_names(kind);
+}
+
+/// A text in a shell's single quotes.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+std::string short_meaning(const std::string& meaning) {
+  constexpr std::size_t kLongest = 60;
+  const auto end = std::min(meaning.find_first_of(";(:\n"), kLongest);
+  std::string text = meaning.substr(0, end);
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+/// compgen's words for one place of the command line; files where any word is taken.
+std::string place(const std::vector<std::string>& words, bool files) {
+  return fmt::format("words={}; files={}", quoted(fmt::format("{}", fmt::join(words, " "))), files ? 1 : 0);
+}
+
+/// bash: a function whose cases are command and option; zsh runs it by its bashcompinit.
+std::string bash(const DeclaredProgram& program) {
+  std::vector<std::string> names;
+  for (const DeclaredCommand& command : program.commands) names.push_back(command.name);
+  for (const DeclaredOption& option : program.app.options)
+    names.insert(names.end(), option.names.begin(), option.names.end());
+  std::string text = fmt::format(
+      "_armtune() {{\n"
+      "  local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words= files=0\n"
+      "  COMPREPLY=()\n"
+      "  if ((COMP_CWORD == 1)); then\n"
+      "    COMPREPLY=($(compgen -W {} -- \"$current\"))\n"
+      "    return\n"
+      "  fi\n"
+      "  case ${{COMP_WORDS[1]}} in\n",
+      quoted(fmt::format("{}", fmt::join(names, " "))));
+  for (const DeclaredCommand& command : program.commands) {
+    std::vector<std::string> options;
+    std::vector<std::string> positional;
+    bool takes_files = false;
+    std::string cases;
+    for (const DeclaredOption& option : command.options) {
+      if (option.positional) {
+        const auto words = words_of(option);
+        positional.insert(positional.end(), words.begin(), words.end());
+        takes_files = takes_files || option.choices.empty();
+        continue;
+      }
+      options.insert(options.end(), option.names.begin(), option.names.end());
+      if (option.value.empty()) continue;
+      cases += fmt::format("        {}) {} ;;\n", fmt::join(option.names, "|"),
+                           place(words_of(option), option.choices.empty()));
+    }
+    text += fmt::format(
+        "    {})\n"
+        "      case $before in\n{}"
+        "        *) {} ;;\n"
+        "      esac\n"
+        "      [[ $current != -* ]] || {{ {}; }}\n"
+        "      ;;\n",
+        command.name, cases, place(positional, takes_files), place(options, false));
+  }
+  return text +
+         "  esac\n"
+         "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+         "  ((files == 0)) || COMPREPLY+=($(compgen -f -- \"$current\"))\n"
+         "}\n";
+}
+
+std::string fish(const DeclaredProgram& program) {
+  std::string text = "complete -c armtune -n __fish_use_subcommand -f\n";
+  for (const DeclaredCommand& command : program.commands) {
+    text += fmt::format("complete -c armtune -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                        quoted(short_meaning(command.meaning)));
+  }
+  for (const DeclaredCommand& command : program.commands) {
+    const std::string when =
+        fmt::format("complete -c armtune -n '__fish_seen_subcommand_from {}'", command.name);
+    for (const DeclaredOption& option : command.options) {
+      const auto words = words_of(option);
+      const std::string takes = words.empty()
+                                    ? std::string()
+                                    : fmt::format(" -a {}", quoted(fmt::format("{}", fmt::join(words, " "))));
+      if (option.positional) {
+        if (!takes.empty()) text += when + takes + "\n";
+        continue;
+      }
+      text += when;
+      for (const std::string& name : option.names)
+        text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+      if (!option.value.empty()) text += option.choices.empty() ? " -r" : " -x";
+      text += takes + " -d " + quoted(short_meaning(option.meaning)) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& shell_names() {
+  static const std::vector<std::string> names = {"bash", "zsh", "fish"};
+  return names;
+}
+
+std::string completion(const DeclaredProgram& program, const std::string& shell) {
+  if (shell == "bash") return bash(program) + "complete -o filenames -F _armtune armtune\n";
+  if (shell == "zsh") {
+    return "#compdef armtune\nautoload -U +X bashcompinit && bashcompinit\n" + bash(program) +
+           "complete -o filenames -F _armtune armtune\n";
+  }
+  if (shell == "fish") return fish(program);
+  throw InputError(fmt::format("shell '{}': is not one of {}", shell, fmt::join(shell_names(), ", ")));
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,113 @@
+// armtune export: gains in the form a robot loads.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "core/common/error.hpp"
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/gain_set.hpp"
+#include "tuner/gains/gains_formats.hpp"
+#include "tuner/gains/gains_origin.hpp"
+
+namespace armtune::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string set;
+  std::string format = "yaml";
+  std::string robot;
+  std::string node;
+  std::string file;
+};
+
+bool is_run(const std::string& set) {
+  std::error_code ignored;
+  return fs::is_directory(set, ignored);
+}
+
+/// The arm that the gains are for: the one asked for; else the run's; else the UR10.
+std::shared_ptr<const RobotModel> robot_of(const Arguments& args) {
+  if (!args.robot.empty()) return load_robot(args.robot);
+  std::error_code ignored;
+  if (is_run(args.set) && fs::exists(fs::path(args.set) / "study.yaml", ignored))
+    return scenarios_of(args.set, {}, {}).front().robot;
+  return load_robot("ur10");
+}
+
+int run(const Arguments& args) {
+  const GainsFormat format = gains_format_from_name(args.format);
+  const std::string path = find_data_file("gains", gains_name(args.set));
+  const auto robot = robot_of(args);
+  GainsFile file;
+  file.joints = joint_names(*robot);
+  try {
+    file.gains = load_gains(path, file.joints);
+  } catch (const InputError& e) {
+    if (!args.robot.empty() || is_run(args.set)) throw;
+    throw InputError(fmt::format("{}; read for {}: name another arm with --robot", e.what(), robot->name));
+  }
+  file.node = args.node;
+  if (is_run(args.set)) {
+    file.origin = origin_of_run(args.set);
+  } else {
+    std::vector<std::string> files = {path, robot->source};
+    if (!args.robot.empty()) files.push_back(read_robot_file(args.robot).path);
+    file.origin = origin_of_files(files);
+  }
+  file.origin.insert(file.origin.begin(),
+                     {"gains", fmt::format("{}, for {}", shown_path(path), robot->name)});
+  file.others = published_path(path);
+  const std::string text = gains_text(file, format);
+  if (args.file.empty()) {
+    fmt::print("{}", text);
+    return kDone;
+  }
+  std::error_code ignored;
+  if (fs::exists(args.file, ignored))
+    throw InputError(
+        fmt::format("{}: is there already; name another file, or take this one away", args.file));
+  write_text_file(args.file, text);
+  fmt::print("wrote {}\n", args.file);
+  return kDone;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, int& exit_code) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write gains in the form that a robot or a spreadsheet reads");
+  command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
+  command
+      ->add_option(
+          "--format", args->format,
+          "yaml: armtune's own; ros1: for rosparam load; ros2: for --params-file; csv: a row for each number")
+      ->check(CLI::IsMember(gains_format_names()))
+      ->capture_default_str();
+  command->add_option(
+      "--node", args->node,
+      "name space or node that the parameters are of (default: simple_effort_ctrl; of ros2 '/**', "
+      "every node)");
+  command->add_option("--robot", args->robot,
+                      "the arm that the gains are for (default: the run's, else ur10)");
+  command->add_option("--out", args->file, "new file (default: to the screen)");
+  command->footer(
+      "A comment at the top says which study, seed and inputs the gains came from, how much of the joints' "
+      "limits they "
+      "use in simulation, and the order of numbers; each gain stands below its unit. Before the first motion "
+      "of a real "
+      "arm, see docs/ros.md.");
+  command->callback([args, &exit_code] { exit_code = run(*args); });
+}
+
+}  // namespace armtune::cli

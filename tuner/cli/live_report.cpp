@@ -1,0 +1,47 @@
+#include "tuner/cli/live_report.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "tuner/report/report.hpp"
+
+namespace armtune::cli {
+namespace {
+
+constexpr double kLeastSeconds = 3.0;  ///< between two pages
+constexpr double kShare = 20.0;        ///< of the time that is not spent on them
+
+}  // namespace
+
+LiveReport::LiveReport(std::string folder) : folder_(std::move(folder)), every_(kLeastSeconds) {
+  if (!report::available())
+    throw InputError(
+        "--live: this armtune was built without the report's page; install node and npm, and build it again");
+}
+
+void LiveReport::update(long evaluations, long most_evaluations, double seconds_left) {
+  const auto now = Clock::now();
+  if (failed_ || now < next_) return;
+  report::Live live;
+  live.evaluations = evaluations;
+  live.most_evaluations = most_evaluations;
+  live.seconds_left = seconds_left;
+  live.every = every_;
+  live.written = fmt::format("{:%H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+  try {
+    report::write_report(folder_, folder_ + "/report.html", live);
+  } catch (const std::exception& error) {
+    failed_ = true;
+    fmt::print(stderr, "armtune: warning: the live report is not kept any more: {}\n", error.what());
+    return;
+  }
+  const double took = std::chrono::duration<double>(Clock::now() - now).count();
+  every_ = std::ceil(std::max(kLeastSeconds, kShare * took));
+  next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(every_));
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,106 @@
+#include "tuner/gains/gains_difference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "sim/scenario/gains_file.hpp"
+
+namespace armtune {
+namespace {
+
+/// One number or switch of every set.
+struct Row {
+  std::string name;  ///< of the gain and of its part
+  std::string unit;
+  std::vector<std::string> text;              ///< a word for each set
+  std::vector<std::optional<double>> number;  ///< where it is one
+};
+
+const GainField* find(const Gains& gains, const std::string& name) {
+  const auto& fields = fields_of(gains);
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const GainField& f) { return f.name == name; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+/// The fields that any set's controller has, each once.
+std::vector<GainField> all_fields(const std::vector<NamedGains>& sets) {
+  std::vector<GainField> fields;
+  for (const NamedGains& set : sets) {
+    for (const GainField& field : fields_of(set.gains)) {
+      const auto same = [&](const GainField& f) { return std::string(f.name) == field.name; };
+      if (std::none_of(fields.begin(), fields.end(), same)) fields.push_back(field);
+    }
+  }
+  return fields;
+}
+
+void add_rows(const GainField& field, const std::vector<NamedGains>& sets,
+              const std::vector<std::string>& joints, std::vector<Row>& rows) {
+  const auto parts = field.is_number() ? component_names(field, joints) : std::vector<std::string>{""};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Row row{parts[i].empty() ? field.name : fmt::format("{}/{}", field.name, parts[i]), field.unit, {}, {}};
+    for (const auto& [name, gains] : sets) {
+      const GainField* own = find(gains, field.name);
+      std::optional<double> number;
+      if (own != nullptr && own->is_number()) {
+        const auto values = numbers(gains, *own);
+        if (i < values.size()) number = values[i];
+      }
+      row.number.push_back(number);
+      const bool is_switch = own != nullptr && !own->is_number();
+      row.text.push_back(is_switch ? field_text(gains, *own) : number ? fmt::format("{:.6g}", *number) : "-");
+    }
+    rows.push_back(std::move(row));
+  }
+}
+
+/// Of the bits, not of the digits shown.
+bool is_same(const Row& row) {
+  for (std::size_t i = 1; i < row.text.size(); ++i) {
+    if (row.number[i] != row.number[0] || row.text[i] != row.text[0]) return false;
+  }
+  return true;
+}
+
+std::string ratio(const Row& row, std::size_t set) {
+  if (!row.number[set] || !row.number[0] || *row.number[0] == 0.0) return "";
+  return fmt::format("{:.4g}", *row.number[set] / *row.number[0]);
+}
+
+}  // namespace
+
+std::string gains_difference(const std::vector<NamedGains>& sets, const std::vector<std::string>& joints) {
+  std::vector<Row> rows;
+  Row controller{"controller", "", {}, {}};
+  for (const NamedGains& set : sets) {
+    controller.text.push_back(set.gains.controller);
+    controller.number.emplace_back();
+  }
+  rows.push_back(std::move(controller));
+  for (const GainField& field : all_fields(sets)) add_rows(field, sets, joints, rows);
+  const auto all = rows.size();
+  std::erase_if(rows, is_same);
+  if (rows.empty()) return fmt::format("the same in all {} gains\n", all);
+
+  std::size_t width = 4;
+  for (const Row& row : rows) width = std::max(width, row.name.size());
+  std::string text = fmt::format("{:<{}}  {:<10}", "gain", width, "unit");
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    text += fmt::format("  {:>14}", sets[i].name);
+    if (i > 0) text += fmt::format("  {:>9}", "ratio");
+  }
+  for (const Row& row : rows) {
+    text += fmt::format("\n{:<{}}  {:<10}", row.name, width, row.unit);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      text += fmt::format("  {:>14}", row.text[i]);
+      if (i > 0) text += fmt::format("  {:>9}", ratio(row, i));
+    }
+  }
+  return text + fmt::format("\n{} of {} are the same\n", all - rows.size(), all);
+}
+
+}  // namespace armtune

@@ -1,0 +1,86 @@
+#include "tuner/gains/gains_formats.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
+#include "sim/csv/cell.hpp"
+#include "sim/scenario/gains_file.hpp"
+
+namespace armtune {
+namespace {
+
+/// Names of ROS: letters, digits, _ and, between the parts of a name space, /.
+void refuse_node(const std::string& node) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_allowed = [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '/';
+  };
+  const bool begins_well = !node.empty() && (is_letter(node[0]) || node[0] == '/' || node[0] == '_');
+  if (!begins_well || !std::all_of(node.begin(), node.end(), is_allowed)) {
+    throw InputError(
+        fmt::format("node '{}': is no name in ROS; give one of letters, digits, '_' and '/' that begins with "
+                    "none of the digits",
+                    node));
+  }
+}
+
+std::vector<std::string> header_of(const GainsFile& file) {
+  std::vector<std::string> lines;
+  for (const auto& [what, words] : file.origin) lines.push_back(fmt::format("{}: {}", what, words));
+  lines.emplace_back("six numbers of the task: x y z rx ry rz");
+  lines.push_back(fmt::format("numbers of joints: {}", fmt::join(file.joints, " ")));
+  return lines;
+}
+
+GainsKeys keys_of(const GainsFile& file, GainsFormat format) {
+  if (format == GainsFormat::kRos2) return {file.node.empty() ? "/**" : file.node, "ros__parameters"};
+  return file.node.empty() ? kPublishedKeys : GainsKeys{file.node};
+}
+
+std::string gains_csv(const GainsFile& file) {
+  std::string text = "gain,component,value,unit,meaning\n";
+  const auto row = [&text](const std::string& gain, const std::string& component, const std::string& value,
+                           const std::string& unit, const std::string& meaning) {
+    text += fmt::format("{},{},{},{},{}\n", cell(gain), cell(component), value, cell(unit), cell(meaning));
+  };
+  row("controller", "", cell(file.gains.controller), "", "whose gains these are");
+  for (const GainField& field : fields_of(file.gains)) {
+    if (!field.is_number()) {
+      row(field.name, "", cell(field_text(file.gains, field)), field.unit, field.meaning);
+      continue;
+    }
+    const auto values = numbers(file.gains, field);
+    const auto components = component_names(field, file.joints);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      row(field.name, components[i], cell(values[i]), field.unit, field.meaning);
+  }
+  for (const auto& [what, words] : file.origin) row("origin/" + what, "", cell(words), "", "");
+  return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& gains_format_names() {
+  static const std::vector<std::string> names = {"yaml", "ros1", "ros2", "csv"};
+  return names;
+}
+
+GainsFormat gains_format_from_name(const std::string& name) {
+  const auto& names = gains_format_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw InputError(fmt::format("format '{}': is not one of {}", name, fmt::join(names, ", ")));
+  return static_cast<GainsFormat>(found - names.begin());
+}
+
+std::string gains_text(const GainsFile& file, GainsFormat format) {
+  if (format == GainsFormat::kCsv) return gains_csv(file);
+  if (!file.node.empty()) refuse_node(file.node);
+  return gains_yaml(file.gains, header_of(file), keys_of(file, format), file.others);
+}
+
+}  // namespace armtune

@@ -1,0 +1,41 @@
+#pragma once
+// Gains in the forms that robots and spreadsheets read.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/control/gains.hpp"
+
+namespace armtune {
+
+enum class GainsFormat {
+  kYaml,  ///< armtune's own, which is the published form
+  kRos1,  ///< a parameter file for rosparam load
+  kRos2,  ///< a parameter file for --params-file: NODE: ros__parameters:
+  kCsv    ///< a row for each number
+};
+
+/// The names on the command line, in the order above.
+const std::vector<std::string>& gains_format_names();
+/// Throws InputError naming those there are.
+GainsFormat gains_format_from_name(const std::string& name);
+
+struct GainsFile {
+  Gains gains;
+  std::vector<std::string> joints;  ///< names, in the order of joint vectors
+  /// Where they came from: what, and that in words.
+  std::vector<std::pair<std::string, std::string>> origin;
+  /// Keys with values in YAML that are no gains, and that a robot's parameter file has too.
+  std::vector<std::pair<std::string, std::string>> others;
+  /// The controller's name space or node; empty: the published one, of ROS 2 every node.
+  std::string node;
+};
+
+/// The file's text. In YAML the origin and the order of six-vectors stand in comments at the top, unit and
+/// meaning above each field. CSV: gain, component, value, unit, meaning; the origin in rows "origin/WHAT"
+/// behind the gains. Numbers read back to the same bits. load_gains reads every format but CSV. Throws
+/// InputError if the node's name is none that ROS takes.
+std::string gains_text(const GainsFile& file, GainsFormat format);
+
+}  // namespace armtune

@@ -1,0 +1,125 @@
+#include "tuner/gains/gains_origin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "sim/csv/csv_table.hpp"
+#include "sim/metrics/metric.hpp"
+#include "tuner/report/provenance.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+/// run.yaml's keys, and what they are called here.
+constexpr std::pair<const char*, const char*> kOfRun[] = {{"command", "command"},
+                                                          {"study", "study"},
+                                                          {"seed", "seed"},
+                                                          {"date", "date"},
+                                                          {"start", "start gains"},
+                                                          {"evaluations", "evaluations"},
+                                                          {"objective", "objective"},
+                                                          {"feasible", "feasible"},
+                                                          {"engine", "engine"},
+                                                          {"versions/armtune", "version"},
+                                                          {"arithmetic/fingerprint", "arithmetic"}};
+
+bool has(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() || unit == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
+}
+
+/// "0.8480 in target_switch, wrist_1_joint": of every scenario the worst.
+std::string worst_of(const CsvTable& errors, Metric metric) {
+  const auto column = errors.find(name(metric));
+  if (!column) return {};
+  const double sign = larger_is_better(metric) ? -1.0 : 1.0;
+  std::size_t worst = errors.rows();
+  for (std::size_t row = 0; row < errors.rows(); ++row) {
+    const double value = errors.number(row, *column);
+    if (std::isnan(value)) continue;
+    if (worst == errors.rows() || sign * value > sign * errors.number(worst, *column)) worst = row;
+  }
+  if (worst == errors.rows()) return {};
+  const auto joint = errors.find(fmt::format("{}_joint", name(metric)));
+  return fmt::format("{} in {}{}", with_unit(errors.number(worst, *column), field(metric).unit),
+                     errors.text(worst, errors.column("scenario")),
+                     joint ? ", " + errors.text(worst, *joint) : "");
+}
+
+void add_limits(const fs::path& folder, Rows& rows) {
+  const fs::path file = folder / "errors.csv";
+  if (!has(file)) return;
+  const CsvTable errors = CsvTable::read(file.string());
+  for (const Metric metric :
+       {Metric::kJointVelocityMaxRatio, Metric::kJointEffortMaxRatio, Metric::kJointPositionMinMargin}) {
+    const std::string words = worst_of(errors, metric);
+    if (!words.empty()) rows.emplace_back(name(metric), words);
+  }
+}
+
+/// Of each margin what every scenario stands.
+void add_margins(const fs::path& folder, Rows& rows) {
+  const fs::path file = folder / "margins.csv";
+  if (!has(file)) return;
+  const CsvTable table = CsvTable::read(file.string());
+  const std::size_t margin = table.column("margin");
+  const std::size_t stands = table.column("stands");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string what = "margin/" + table.text(row, margin);
+    const auto same = [&](const auto& other) { return other.first == what; };
+    if (std::any_of(rows.begin(), rows.end(), same)) continue;
+    std::size_t least = row;
+    for (std::size_t other = row; other < table.rows(); ++other) {
+      if (table.text(other, margin) != table.text(row, margin)) continue;
+      // A margin that leads downwards (less gain) has its limit below the nominal value.
+      const auto room = [&](std::size_t r) {
+        return std::abs(table.number(r, stands) - table.number(r, table.column("nominal")));
+      };
+      if (!(room(other) >= room(least))) least = other;
+    }
+    rows.emplace_back(
+        what, fmt::format("{} in {}",
+                          with_unit(table.number(least, stands), table.text(least, table.column("unit"))),
+                          table.text(least, table.column("scenario"))));
+  }
+}
+
+}  // namespace
+
+Rows origin_of_run(const std::string& folder) {
+  Rows rows;
+  const fs::path run = fs::path(folder) / "run.yaml";
+  const Rows all = has(run) ? report::read_provenance(run.string()) : Rows{};
+  for (const auto& [key, what] : kOfRun) {
+    for (const auto& [name, value] : all) {
+      if (name == key) rows.emplace_back(what, value);
+    }
+  }
+  add_limits(folder, rows);
+  add_margins(folder, rows);
+  constexpr std::string_view kInput = "inputs/";
+  for (const auto& [name, value] : all) {
+    if (name.starts_with(kInput)) rows.emplace_back("input " + name.substr(kInput.size()), value);
+  }
+  return rows;
+}
+
+Rows origin_of_files(const std::vector<std::string>& files) {
+  Rows rows = {{"version", versions().front().second}};
+  for (const auto& [file, hash] : hashes(files)) rows.emplace_back("input " + file, hash);
+  return rows;
+}
+
+}  // namespace armtune
