@@ -44,3 +44,17 @@ endif()
 # urdfdom ships pkg-config files, and CMake files that name no targets.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(URDFDOM REQUIRED IMPORTED_TARGET urdfdom console_bridge)
+
+# Debian's pybind11 and NumPy are for Debian's Python, whichever other comes first on the PATH.
+if(ARMTUNE_PYTHON)
+  if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python_EXECUTABLE /usr/bin/python3)
+  endif()
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(Python 3.10 COMPONENTS Interpreter Development.Module)
+  find_package(pybind11 2.9 CONFIG)
+  if(NOT pybind11_FOUND OR NOT Python_Development.Module_FOUND)
+    message(STATUS "No pybind11 or no headers of Python: no Python module (pybind11-dev, python3-dev)")
+    set(ARMTUNE_PYTHON OFF)
+  endif()
+endif()

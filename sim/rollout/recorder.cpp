@@ -35,18 +35,23 @@ bool Recorder::operator()(const Observation& o) {
   return true;
 }
 
-void Recorder::write_csv(const std::string& path, bool completed) const {
-  std::vector<double> values = values_;
+std::vector<double> Recorder::rows(bool completed) && {
   const std::size_t width = columns_.size();
   const bool behind_last_row = seen_ > 0 && (seen_ - 1) % stride_ != 0;
   if (behind_last_row && completed) {
-    double* last = values.data() + values.size() - width;
+    double* last = values_.data() + values_.size() - width;
     for (std::size_t c = 0; c < width; ++c) {
       if (columns_[c].over != Over::kThisPeriod) last[c] = folded(columns_[c].over, last[c], row_[c]);
     }
   } else if (behind_last_row) {
-    values.insert(values.end(), row_.begin(), row_.end());
+    values_.insert(values_.end(), row_.begin(), row_.end());
   }
+  return std::move(values_);
+}
+
+void Recorder::write_csv(const std::string& path, bool completed) const {
+  const std::vector<double> values = rows(completed);
+  const std::size_t width = columns_.size();
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   for (std::size_t c = 0; c < width; ++c) fmt::format_to(out, "{}{}", c ? "," : "", columns_[c].name);

@@ -15,9 +15,13 @@ class Recorder {
 
   bool operator()(const Observation& o);
 
-  /// rollout_<scenario>.csv: a header row, then one row per kept period. What columns say of the periods
-  /// behind the last of them goes into its row. completed: otherwise the last period has a row of its own,
-  /// since it is where a rollout that failed shows why. Numbers read back to the same bits; what is not
+  /// Row by row a value for each column, one row per kept period. What columns say of the periods behind the
+  /// last of them goes into its row. completed: otherwise the last period has a row of its own, since it is
+  /// where a rollout that failed shows why.
+  std::vector<double> rows(bool completed = true) &&;
+  std::vector<double> rows(bool completed = true) const& { return Recorder(*this).rows(completed); }
+
+  /// rollout_<scenario>.csv: a header row, then `rows`. Numbers read back to the same bits; what is not
   /// finite is an empty cell. Throws InputError if it cannot be written.
   void write_csv(const std::string& path, bool completed = true) const;
 

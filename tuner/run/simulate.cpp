@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "core/common/error.hpp"
-#include "sim/rollout/recorder.hpp"
 #include "tuner/workers/parallel.hpp"
 #include "tuner/workers/patience.hpp"
 #include "tuner/workers/rollout_plan.hpp"
@@ -36,7 +35,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
   parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t i) {
     Rollout rollout(scenarios[i], options.stepper, options.engine);
     std::optional<Recorder> recorder;
-    if (!options.folder.empty()) recorder.emplace(scenarios[i], options.record_stride);
+    if (!options.folder.empty() || options.recorded) recorder.emplace(scenarios[i], options.record_stride);
     const double deadline = deadline_of(options.deadline, scenarios[i]);
     RunningTime time;
     bool late = false;
@@ -53,8 +52,10 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     }
     const RolloutStatus status = results[i].result.status;
     const bool whole = status == RolloutStatus::kCompleted || status == RolloutStatus::kNoSamples;
-    if (recorder) recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv", whole);
+    if (recorder && !options.recorded)
+      recorder->write_csv(options.folder + "/rollout_" + scenarios[i].name + ".csv", whole);
     const std::lock_guard lock(progress_mutex);
+    if (options.recorded) options.recorded(i, std::move(*recorder), whole);
     ++done;
     if (options.progress) options.progress(done);
   });

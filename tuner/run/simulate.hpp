@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/csv/error_report.hpp"
+#include "sim/rollout/recorder.hpp"
 
 namespace armtune {
 
@@ -17,6 +18,9 @@ struct SimulateOptions {
   int workers = 1;
   std::string folder;     ///< rollout_<scenario>.csv go here; empty: none are written
   int record_stride = 5;  ///< every k-th control period is written
+  /// What becomes of a scenario's recording, in place of a file; any thread's, one call at a time. completed:
+  /// for Recorder::rows.
+  std::function<void(std::size_t scenario, Recorder recorder, bool completed)> recorded;
   /// Of one scenario, wall clock [s]; 0: by its duration (deadline_of). None unless given: what has kept one
   /// in a search already is simulated to its end.
   double deadline = std::numeric_limits<double>::infinity();

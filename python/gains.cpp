@@ -1,0 +1,104 @@
+// Gains by name, as arrays onto their numbers.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tuner/gains/gains_formats.hpp"
+
+namespace py = pybind11;
+
+namespace armtune::python {
+namespace {
+
+const GainField& field_of(const Gains& gains, const std::string& name) {
+  for (const GainField& field : fields_of(gains)) {
+    if (field.name == name) return field;
+  }
+  throw py::key_error(fmt::format("{}: the controller {} has no such gain", name, gains.controller));
+}
+
+std::vector<std::string> names(const NamedJoints& self) {
+  std::vector<std::string> all;
+  for (const GainField& field : fields_of(self.gains)) all.emplace_back(field.name);
+  return all;
+}
+
+/// Numbers: an array onto them; switches: True, False or a word.
+py::object get(py::object self, const std::string& name) {
+  auto& gains = self.cast<NamedJoints&>().gains;
+  const GainField& field = field_of(gains, name);
+  if (field.is_number()) {
+    const auto values = numbers(gains, field);
+    return view(values.data(), values.size(), 1, self, true);
+  }
+  const std::string text = field_text(gains, field);
+  if (std::holds_alternative<bool Gains::*>(field.member)) return py::bool_(text == "true");
+  return py::str(text);
+}
+
+void set(NamedJoints& self, const std::string& name, const py::object& value) {
+  const GainField& field = field_of(self.gains, name);
+  if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
+    self.gains.** flag = value.cast<bool>();
+  } else if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
+    const auto word = value.cast<std::string>();
+    if (word != "start" && word != "current")
+      throw InputError(fmt::format("{}: '{}' is not start or current", name, word));
+    self.gains.** reference = word == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
+  } else {
+    const auto values = numbers(self.gains, field);
+    if (!py::isinstance<py::sequence>(value) && !py::isinstance<py::array>(value)) {
+      std::fill(values.begin(), values.end(), value.cast<double>());
+      return;
+    }
+    const auto given = value.cast<std::vector<double>>();
+    if (given.size() != values.size())
+      throw InputError(fmt::format("{}: {} numbers, must be {}", name, given.size(), values.size()));
+    std::copy(given.begin(), given.end(), values.begin());
+  }
+}
+
+NamedJoints load(const std::string& name, const Scenario& scenario) {
+  NamedJoints loaded{{}, joint_names(*scenario.robot)};
+  loaded.gains = load_gains(name, loaded.joints);
+  return loaded;
+}
+
+std::string text(const NamedJoints& self, const std::string& format) {
+  GainsFile file;
+  file.gains = self.gains;
+  file.joints = self.joints;
+  return gains_text(file, gains_format_from_name(format));
+}
+
+}  // namespace
+
+void bind_gains(py::module_& module) {
+  py::class_<NamedJoints>(module, "Gains",
+                          "A controller's gains for one arm, by the names of its gains file.")
+      .def_readonly("joints", &NamedJoints::joints,
+                    "Names of the arm's joints, in the order of joint vectors.")
+      .def_property_readonly("controller", [](const NamedJoints& self) { return self.gains.controller; })
+      .def("keys", &names, "Names of the gains.")
+      .def("__getitem__", &get, py::arg("name"),
+           "Numbers: a NumPy array onto them, without a copy, so that writing into it changes the gains.")
+      .def("__setitem__", &set, py::arg("name"), py::arg("value"))
+      .def("copy", [](const NamedJoints& self) { return NamedJoints(self); })
+      .def("text", &text, py::arg("format") = "yaml", "The gains as a file: yaml, ros1, ros2 or csv.")
+      .def("__repr__", [](const NamedJoints& self) {
+        return fmt::format("<armtune.Gains of {} for {} joints>", self.gains.controller, self.joints.size());
+      });
+  module.def("load_gains", &load, py::arg("name"), py::arg("scenario"),
+             "Bundled gains by name, or a gains file by path, for a scenario's arm.");
+}
+
+}  // namespace armtune::python

@@ -1,0 +1,67 @@
+#pragma once
+// Long work without Python's lock, which Ctrl-C ends.
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <future>
+#include <optional>
+#include <thread>
+
+namespace armtune::python {
+
+/// A Python function that C++ calls from any thread. What it raises ends the work, and is raised again by
+/// `interruptible`.
+class Callback {
+ public:
+  explicit Callback(pybind11::object function) : function_(std::move(function)) {}
+
+  template <class... Arguments>
+  void operator()(Arguments&&... arguments) {
+    if (function_.is_none()) return;
+    const pybind11::gil_scoped_acquire lock;
+    if (raised_) return;
+    try {
+      function_(std::forward<Arguments>(arguments)...);
+    } catch (pybind11::error_already_set& error) {
+      raised_.emplace(std::move(error));
+      if (stop_ != nullptr) *stop_ = true;
+    }
+  }
+
+  void stops(std::atomic<bool>& stop) { stop_ = &stop; }
+  const std::optional<pybind11::error_already_set>& raised() const { return raised_; }
+
+ private:
+  pybind11::object function_;
+  std::atomic<bool>* stop_ = nullptr;
+  std::optional<pybind11::error_already_set> raised_;
+};
+
+/// work(stop), in a thread of its own and without Python's lock, while this one looks for signals: Ctrl-C
+/// sets `stop`, at which the work has to end soon, and is raised when it has.
+template <class Work>
+auto interruptible(Callback& callback, Work work) {
+  constexpr std::chrono::milliseconds kLook{50};
+  std::atomic<bool> stop{false};
+  callback.stops(stop);
+  std::optional<pybind11::error_already_set> signal;
+  auto done = std::async(std::launch::async, [&] { return work(stop); });
+  {
+    const pybind11::gil_scoped_release without_lock;
+    while (done.wait_for(kLook) != std::future_status::ready) {
+      const pybind11::gil_scoped_acquire lock;
+      if (!signal && PyErr_CheckSignals() != 0) {
+        signal.emplace();
+        stop = true;
+      }
+    }
+  }
+  if (signal) throw std::move(*signal);
+  if (callback.raised()) throw pybind11::error_already_set(*callback.raised());
+  return done.get();
+}
+
+}  // namespace armtune::python

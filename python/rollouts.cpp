@@ -1,0 +1,123 @@
+// Scenarios, and what becomes of them under gains.
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/control/gain_fields.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/interruptible.hpp"
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tuner/run/simulate.hpp"
+
+namespace py = pybind11;
+
+namespace armtune::python {
+namespace {
+
+struct Rolled {
+  ScenarioResult result;
+  std::vector<std::string> names;  ///< of the columns
+  std::vector<double> values;      ///< row by row
+
+  std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
+};
+
+py::object column(py::object self, const std::string& name) {
+  const auto& rolled = self.cast<const Rolled&>();
+  const auto found = std::find(rolled.names.begin(), rolled.names.end(), name);
+  if (found == rolled.names.end())
+    throw py::key_error(fmt::format("{}: no such column; rollout.keys() names them", name));
+  const auto place = static_cast<std::size_t>(found - rolled.names.begin());
+  return view(rolled.values.data() + place, rolled.rows(), rolled.names.size(), self, false);
+}
+
+py::dict metrics(const Rolled& self) {
+  py::dict all;
+  for (const Metric metric : all_metrics()) all[name(metric)] = self.result.result.metrics[metric];
+  return all;
+}
+
+std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const NamedJoints& gains,
+                                 int workers, int record_every, const std::string& stepper,
+                                 py::object progress) {
+  if (workers < 1) throw py::value_error(fmt::format("workers: {}, must be 1 or more", workers));
+  if (record_every < 1)
+    throw py::value_error(fmt::format("record_every: {}, must be 1 or more", record_every));
+  validate(gains.gains, gains.joints, "gains");
+  for (const Scenario& scenario : scenarios) {
+    if (joint_names(*scenario.robot) != gains.joints)
+      throw py::value_error(fmt::format("{}: the gains are for an arm of other joints", scenario.name));
+  }
+  Callback callback(std::move(progress));
+  SimulateOptions options;
+  options.workers = workers;
+  options.record_stride = record_every;
+  options.stepper = stepper_from_name(stepper);
+  options.progress = [&](std::size_t done) { callback(done, scenarios.size()); };
+  std::vector<Rolled> rolled(scenarios.size());
+  options.recorded = [&](std::size_t i, Recorder recorder, bool completed) {
+    for (const Column& c : recorder.columns()) rolled[i].names.push_back(c.name);
+    rolled[i].values = std::move(recorder).rows(completed);
+  };
+  const Gains fixed = gains.gains;  // the caller's may change meanwhile
+  auto results = interruptible(callback, [&](const std::atomic<bool>& stop) {
+    return simulate(
+        scenarios, [&](const Scenario&) { return fixed; }, options, stop);
+  });
+  for (std::size_t i = 0; i < rolled.size(); ++i) rolled[i].result = std::move(results[i]);
+  return rolled;
+}
+
+std::string errors_text(const std::vector<const Rolled*>& rollouts) {
+  std::vector<ScenarioResult> results;
+  for (const Rolled* rolled : rollouts) results.push_back(rolled->result);
+  return errors_csv(results);
+}
+
+}  // namespace
+
+void bind_rollouts(py::module_& module) {
+  py::class_<Scenario>(module, "Scenario",
+                       "A task for an arm: path, targets, obstacles, and what is not ideal.")
+      .def_readonly("name", &Scenario::name)
+      .def_readwrite("duration", &Scenario::duration, "Simulated time [s].")
+      .def_readonly("control_period", &Scenario::control_period, "[s]")
+      .def_property_readonly("joints", [](const Scenario& self) { return joint_names(*self.robot); });
+  module.def("load_scenario", &load_scenario, py::arg("name"),
+             "A bundled scenario by name, or a file by path.");
+
+  py::class_<Rolled>(module, "Rollout", "A simulated scenario: its outcome, metrics and time series.")
+      .def_property_readonly("scenario", [](const Rolled& self) { return self.result.scenario; })
+      .def_property_readonly(
+          "status", [](const Rolled& self) { return name(self.result.result.status); },
+          "'completed', or what became of it.")
+      .def_property_readonly(
+          "reason", [](const Rolled& self) { return self.result.result.reason; },
+          "When, where and why it ended; empty if completed.")
+      .def_property_readonly("metrics", &metrics,
+                             "Every metric by name, SI units; nan where there is no value.")
+      .def(
+          "keys", [](const Rolled& self) { return self.names; }, "Names of the columns.")
+      .def("__getitem__", &column, py::arg("name"),
+           "A column as a read-only NumPy array onto the rollout's own numbers, without a copy.")
+      .def("__len__", &Rolled::rows);
+  module.def("simulate", &simulate_all, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
+             py::arg("workers") = 1, py::arg("record_every") = 5, py::arg("stepper") = "midpoint",
+             py::arg("progress") = py::none(),
+             "Scenarios under gains, in parallel. progress(done, all) is called after each. Ctrl-C ends it.");
+  module.def("errors_csv", &errors_text, py::arg("rollouts"),
+             "The text of errors.csv: one row per rollout, every metric.");
+  module.def(
+      "write_errors",
+      [](const std::vector<const Rolled*>& rollouts, const std::string& path) {
+        write_text_file(path, errors_text(rollouts));
+      },
+      py::arg("rollouts"), py::arg("path"), "Writes errors.csv, whole or not at all.");
+}
+
+}  // namespace armtune::python

@@ -1,0 +1,195 @@
+"""The Python module against the program, and its promises: no copies, no lock while it works, Ctrl-C."""
+
+import ast
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import armtune
+
+armtune.compute_as_the_program()
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PROGRAM = os.environ["ARMTUNE_PROGRAM"]
+
+SHORT = "base: moving_target\nduration: 8\n"
+STUDY = """gains: quick.yaml
+scenarios: [short.yaml]
+parameters:
+  - {name: task_space_gains_p/rx, lower: 10, upper: 60}
+  - {name: slerpDurationErrorGain, lower: 1, upper: 4, scale: linear}
+objective: [{metric: error/orientation/rms, weight: 1}]
+constraints: [{metric: joint_velocity/max_ratio, at_most: 0.9}]
+search: {algorithm: COBYLA, max_evaluations: 8, seed: 1}
+"""
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+class Module(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "short.yaml").write_text(SHORT)
+        (self.folder / "study.yaml").write_text(STUDY)
+        self.scenario = armtune.load_scenario(str(self.folder / "short.yaml"))
+        self.gains = armtune.load_gains("published", self.scenario)
+        self.gains["joint_trajectory_duration"] = 2.0  # so that little of 8 s goes by before it tracks
+        self.quick = self.folder / "quick.yaml"
+        self.quick.write_text(self.gains.text())
+
+    def rollout(self, **options):
+        (rollout,) = armtune.simulate([self.scenario], self.gains, **options)
+        return rollout
+
+    def test_computes_with_the_programs_arithmetic(self):
+        self.assertTrue(armtune.arithmetic()[0].startswith("baseline"), armtune.arithmetic())
+
+    def test_errors_and_columns_are_the_programs_to_the_byte(self):
+        self.assertEqual(run("simulate", self.folder / "short.yaml", "--gains", self.quick, "--out", self.folder / "run").returncode, 0)
+        rollout = self.rollout()
+        armtune.write_errors([rollout], str(self.folder / "errors.csv"))
+        self.assertEqual((self.folder / "errors.csv").read_bytes(), (self.folder / "run/errors.csv").read_bytes())
+        rows = np.genfromtxt(self.folder / "run/rollout_short.csv", delimiter=",", names=None, skip_header=1)
+        self.assertEqual(rows.shape, (len(rollout), len(rollout.keys())))
+        for place, name in enumerate(rollout.keys()):
+            np.testing.assert_array_equal(rollout[name], rows[:, place], err_msg=name)
+
+    def test_columns_are_the_rollouts_own_numbers(self):
+        rollout = self.rollout()
+        first, again = rollout["time"], rollout["time"]
+        self.assertTrue(np.shares_memory(first, again))
+        self.assertFalse(first.flags.owndata)
+        self.assertFalse(first.flags.writeable)
+        self.assertEqual(first.strides[0], 8 * len(rollout.keys()), "row by row, as they were recorded")
+        kept = np.array(first)
+        del rollout, again  # the array keeps what it shows
+        np.testing.assert_array_equal(first, kept)
+        with self.assertRaises(KeyError):
+            self.rollout()["no such column"]
+
+    def test_gains_are_arrays_onto_their_numbers(self):
+        self.gains["task_space_gains_p"][3] = 30.0
+        self.assertEqual(self.gains["task_space_gains_p"][3], 30.0)
+        copy = self.gains.copy()
+        copy["task_space_gains_p"] = [1, 2, 3, 4, 5, 6]
+        copy["slerpDurationErrorGain"] = 1.5
+        copy["gaze_feedforward"] = True
+        self.assertEqual(self.gains["task_space_gains_p"][3], 30.0)
+        (self.folder / "gains.yaml").write_text(copy.text())
+        back = armtune.load_gains(str(self.folder / "gains.yaml"), self.scenario)
+        for name in copy.keys():
+            np.testing.assert_array_equal(back[name], copy[name], err_msg=name)
+        with self.assertRaises(KeyError):
+            self.gains["task_space_gains_q"]
+        with self.assertRaisesRegex(armtune.InputError, "must be 6"):
+            self.gains["task_space_gains_p"] = [1, 2]
+        self.gains["task_space_gains_p"][0] = -1.0
+        with self.assertRaisesRegex(armtune.InputError, "task_space_gains_p"):
+            self.rollout()
+
+    def test_tune_finds_what_the_program_finds(self):
+        self.assertIn(run("tune", self.folder / "study.yaml", "--no-analysis", "--out", self.folder / "run").returncode, (0, 3))
+        seen = []
+        study = armtune.load_study(str(self.folder / "study.yaml"))
+        tuned = armtune.tune(study, workers=2, progress=lambda *figures: seen.append(figures))
+        found = armtune.load_gains(str(self.folder / "run/gains.yaml"), self.scenario)
+        self.assertEqual(tuned.best.text(), found.text())
+        self.assertEqual([figures[0] for figures in seen], list(range(1, 9)))
+        self.assertEqual(tuned.points.shape, (8, 2))
+        self.assertEqual(tuned.objectives[0], 1.0, "the start scores 1")
+        self.assertEqual(tuned.objective, min(tuned.objectives[tuned.violations == 0]))
+
+    def test_python_goes_on_while_it_works(self):
+        counted = [0]
+        done = threading.Event()
+
+        def count():
+            while not done.wait(0.001):
+                counted[0] += 1
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = counted[0]
+        self.rollout()
+        after = counted[0]
+        done.set()
+        thread.join()
+        self.assertGreater(after, before + 10)
+
+    def test_what_progress_raises_ends_the_work(self):
+        def trouble(*_):
+            raise ZeroDivisionError("mine")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            self.rollout(progress=trouble)
+        with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+            armtune.tune(armtune.load_study(str(self.folder / "study.yaml")), progress=trouble)
+
+    def test_ctrl_c_ends_a_long_call(self):
+        script = (
+            "import armtune\n"
+            f"study = armtune.load_study({str(self.folder / 'study.yaml')!r})\n"
+            "study.max_evaluations = 100000\n"
+            "try:\n"
+            "    armtune.tune(study, progress=lambda done, *_: done == 3 and print('under way', flush=True))\n"
+            "except KeyboardInterrupt:\n"
+            "    print('interrupted')\n"
+        )
+        # A search that has no reason to end before.
+        (self.folder / "study.yaml").write_text(STUDY.replace("COBYLA", "CRS2"))
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(child.stdout.close)
+        self.assertEqual(child.stdout.readline(), "under way\n")
+        sent = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        said, _ = child.communicate(timeout=60)
+        took = time.monotonic() - sent
+        print(f"Ctrl-C: returned after {took:.2f} s", file=sys.stderr)
+        self.assertEqual(said, "interrupted\n")
+        self.assertLess(took, 5.0, "1 s is promised; this machine may be busy")
+
+    def test_errors_say_what_to_do(self):
+        with self.assertRaisesRegex(armtune.InputError, "'moving_target'"):
+            armtune.load_scenario("moving_targt")
+        with self.assertRaisesRegex(ValueError, "workers"):
+            self.rollout(workers=0)
+        panda = armtune.load_scenario("panda_moving_target")
+        with self.assertRaisesRegex(ValueError, "other joints"):
+            armtune.simulate([panda], self.gains)
+
+    def test_the_example_gives_the_programs_bytes(self):
+        self.assertEqual(run("simulate", "moving_target", "--out", self.folder / "run").returncode, 0)
+        out = self.folder / "errors.csv"
+        done = subprocess.run([sys.executable, ROOT / "examples/python/published_figures.py", out], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("largest error along x: 0.00", done.stdout)
+        self.assertEqual(out.read_bytes(), (self.folder / "run/errors.csv").read_bytes())
+
+    def test_the_stub_says_what_there_is(self):
+        tree = ast.parse((ROOT / "python/armtune/__init__.pyi").read_text())
+        stub = {node.name: node for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(set(stub), set(armtune.__all__))
+        for name, node in stub.items():
+            if not isinstance(node, ast.ClassDef):
+                continue
+            said = {n.name for n in node.body if isinstance(n, ast.FunctionDef)}
+            said |= {n.target.id for n in node.body if isinstance(n, ast.AnnAssign)}
+            public = {member for member in vars(getattr(armtune, name)) if not member.startswith("_")}
+            public |= {"__getitem__", "__setitem__", "__len__"} & set(vars(getattr(armtune, name)))
+            self.assertEqual(said, public, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
