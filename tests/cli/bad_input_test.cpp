@@ -123,7 +123,7 @@ TEST_F(BadInput, BoundCrossed) {
 }
 
 TEST_F(BadInput, WrongCountOfGains) {
-  const std::string gains = gains_with("task_space_gains_d: [280, ", "task_space_gains_d: [");
+  const std::string gains = gains_with("task_space_gains_d: [280.0, ", "task_space_gains_d: [");
   EXPECT_THAT(
       refused({"simulate", files_ / "short.yaml", "--gains", gains}),
       testing::AllOf(HasSubstr(gains), HasSubstr("task_space_gains_d"), HasSubstr("5"), HasSubstr("6")));

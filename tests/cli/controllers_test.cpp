@@ -134,7 +134,7 @@ TEST(Controllers, AreTunedAndResumedAndReportedByName) {
                    "--out", files / "run", "--workers", "2", "--no-analysis"});
   ASSERT_THAT(tuned.exit_code, testing::AnyOf(0, 3)) << tuned.err << tuned.out;
   EXPECT_THAT(test::read_text(files / "run/gains.yaml"), HasSubstr("controller: computed_torque"));
-  EXPECT_THAT(test::read_text(files / "run/start/gains.yaml"), HasSubstr("computed_torque_d: [60, 60"));
+  EXPECT_THAT(test::read_text(files / "run/start/gains.yaml"), HasSubstr("computed_torque_d: [60.0, 60.0"));
   const test::Csv evaluations(test::read_text(files / "run/evaluations.csv"));
   EXPECT_EQ(std::stod(evaluations.at(0, "computed_torque_d/rx")), 60.0);
   const Finished again = run_program({"tune", "--resume", files / "run"});
