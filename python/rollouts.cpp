@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/error.hpp"
 #include "core/control/gain_fields.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
@@ -73,9 +74,23 @@ std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const N
   return rolled;
 }
 
+/// What a scenario's file may say too.
+void set_duration(Scenario& self, double duration) {
+  constexpr double kMostPeriods = 1e8;  // as in a file
+  const double period = self.control_period;
+  if (!(duration >= period && duration <= kMostPeriods * period)) {
+    throw InputError(fmt::format("duration: {} s; it must lie between one and {:.0e} control periods of {} s",
+                                 duration, kMostPeriods, period));
+  }
+  self.duration = duration;
+}
+
 std::string errors_text(const std::vector<const Rolled*>& rollouts) {
   std::vector<ScenarioResult> results;
-  for (const Rolled* rolled : rollouts) results.push_back(rolled->result);
+  for (const Rolled* rolled : rollouts) {
+    if (rolled == nullptr) throw py::type_error("rollouts: None is no Rollout");
+    results.push_back(rolled->result);
+  }
   return errors_csv(results);
 }
 
@@ -85,7 +100,9 @@ void bind_rollouts(py::module_& module) {
   py::class_<Scenario>(module, "Scenario",
                        "A task for an arm: path, targets, obstacles, and what is not ideal.")
       .def_readonly("name", &Scenario::name)
-      .def_readwrite("duration", &Scenario::duration, "Simulated time [s].")
+      .def_property(
+          "duration", [](const Scenario& self) { return self.duration; }, &set_duration,
+          "Simulated time [s].")
       .def_readonly("control_period", &Scenario::control_period, "[s]")
       .def_property_readonly("joints", [](const Scenario& self) { return joint_names(*self.robot); });
   module.def("load_scenario", &load_scenario, py::arg("name"),

@@ -165,6 +165,11 @@ class Module(unittest.TestCase):
             armtune.load_scenario("moving_targt")
         with self.assertRaisesRegex(ValueError, "workers"):
             self.rollout(workers=0)
+        for duration in (0.0, -1.0, 1e-4, float("nan"), 1e12):
+            with self.assertRaisesRegex(armtune.InputError, "duration"):
+                self.scenario.duration = duration
+        with self.assertRaisesRegex(TypeError, "None"):
+            armtune.errors_csv([None])
         panda = armtune.load_scenario("panda_moving_target")
         with self.assertRaisesRegex(ValueError, "other joints"):
             armtune.simulate([panda], self.gains)

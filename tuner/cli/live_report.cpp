@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "core/common/error.hpp"
 #include "tuner/report/report.hpp"

@@ -33,7 +33,7 @@ inline constexpr const char* kControllerHelp =
 inline constexpr const char* kResumeHelp =
     "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
     "everything "
-    "but --workers and --rollout-deadline is as it was begun";
+    "but --workers, --rollout-deadline and --live is as it was begun";
 inline constexpr const char* kDeadlineHelp =
     "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
     "simulated second)";
