@@ -51,6 +51,9 @@ def compute_as_the_program() -> None:
     tried = "ARMTUNE_ARITHMETIC_TRIED"
     if arithmetic()[0].startswith("baseline") or _os.environ.get(tried) == str(_os.getpid()):
         return
+    script = getattr(_sys.modules["__main__"], "__file__", None)
+    if script is None or not _os.path.isfile(script):
+        return  # typed, piped or in a notebook: it cannot begin again
     _os.environ[tried] = str(_os.getpid())
     _os.environ["GLIBC_TUNABLES"] = baseline_tunables(_os.environ.get("GLIBC_TUNABLES", ""))
     _sys.stdout.flush()

@@ -53,6 +53,7 @@ std::set<std::string> offered(const std::string& script, const std::vector<std::
   for (const std::string& word : words) line += "'" + word + "' ";
   line += ")\nCOMP_CWORD=" + std::to_string(words.size() - 1) +
           "\n_armtune\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
+  folder.write("a file", "");
   const std::string out = folder / "out";
   EXPECT_EQ(std::system(("bash " + folder.write("ask", line) + " > " + out).c_str()), 0);
   return matches(test::read_text(out), "([^\n]+)\n");
@@ -121,6 +122,7 @@ TEST(Completion, OffersTheWordsAndBundledNamesThatAreTaken) {
   const auto tune = offered(script, {"armtune", "tune", ""});
   for (const std::string& study : studies) EXPECT_THAT(tune, Contains(study));
   EXPECT_THAT(tune, Contains("completion")) << "a file of this folder";
+  EXPECT_THAT(tune, Contains("a file")) << "is one word";
   EXPECT_THAT(offered(script, {"armtune", "simulate", "moving_target", "--gains", "publ"}),
               testing::ElementsAre("published"));
 }

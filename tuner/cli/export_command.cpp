@@ -53,7 +53,7 @@ int run(const Arguments& args) {
   try {
     file.gains = load_gains(path, file.joints);
   } catch (const InputError& e) {
-    if (!args.robot.empty() || is_run(args.set)) throw;
+    if (!args.robot.empty()) throw;
     throw InputError(fmt::format("{}; read for {}: name another arm with --robot", e.what(), robot->name));
   }
   file.node = args.node;

@@ -15,13 +15,12 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
-#include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/cli/task_notes.hpp"
+#include "tuner/cli/tune_analysis.hpp"
 #include "tuner/cli/tune_help.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
-#include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/search/last_steps.hpp"
@@ -71,44 +70,6 @@ std::string progress_text(const TuneProgress& p, const Workers& workers, double 
                      p.phase, p.evaluations, p.max_evaluations, p.best->objective,
                      p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(*p.best),
                      static_cast<double>(workers.rollouts_done()) / seconds, left);
-}
-
-/// What the figures alone do not say: how far both loops can be pushed, and which gains matter. Returns false
-/// if interrupted: the run's own files are all there by then.
-bool analyse(const Study& study, const TuneResult& result, const Objective& objective, Workers& workers,
-             const Arguments& args) {
-  ProgressLine line;
-  std::vector<ComparedMargins> sets(2);
-  MarginOptions options;
-  options.stepper = study.stepper;
-  options.engine = engine_of_search(study);
-  options.workers = args.workers;
-  for (ComparedMargins& set : sets) {
-    const bool start = &set == &sets.front();
-    set.name = start ? "start" : "tuned";
-    options.progress = [&](std::size_t done, std::size_t all) {
-      line.show(fmt::format("margins of the {} gains: {} of {}", set.name, done, all));
-    };
-    set.margins =
-        margins(study.scenarios, start ? study.space.start : result.best.gains, options, stop_requested());
-    if (stop_requested()) return false;
-    write_text_file(args.folder + (start ? "/start/margins.csv" : "/margins.csv"),
-                    margins_csv(study.scenarios, set.margins));
-  }
-  line.clear();
-  fmt::print("{}\n", margins_table(study.scenarios, sets));
-
-  const auto found = sensitivity(study, objective, result.best.gains,
-                                 read_evaluations(args.folder + "/evaluations.csv", study), workers,
-                                 stop_requested(), [&line](std::size_t done, std::size_t all) {
-                                   line.show(fmt::format("sensitivity: {} of {} evaluations", done, all));
-                                 });
-  line.clear();
-  if (!found) return false;
-  write_sensitivity(study, *found, args.folder);
-  print_sensitivity(study, *found, kMostShown);
-  print_advice(study, *found);
-  return true;
 }
 
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
@@ -237,8 +198,8 @@ int run(Arguments args, Team& team) {
   }
   fmt::print("{}", comparison_table(sets, headline_metrics()));
   print_gains(study, result.best.gains);
-  const bool analysed =
-      args.analysis && !result.interrupted && analyse(study, result, *objective, workers, args);
+  const bool analysed = args.analysis && !result.interrupted &&
+                        analyse(study, result, *objective, workers, {args.folder, args.workers});
   print_verdict(study, result, *objective);
   const std::string report = add_report(args.folder, [&study] {
     return report::scene_of(study.scenarios,

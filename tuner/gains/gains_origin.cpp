@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "sim/csv/csv_table.hpp"
 #include "sim/metrics/metric.hpp"
 #include "tuner/report/provenance.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune {
@@ -69,30 +69,23 @@ void add_limits(const fs::path& folder, Rows& rows) {
   }
 }
 
-/// Of each margin what every scenario stands.
+/// Of each margin what every scenario stands, from the rows that say it of all.
 void add_margins(const fs::path& folder, Rows& rows) {
   const fs::path file = folder / "margins.csv";
   if (!has(file)) return;
   const CsvTable table = CsvTable::read(file.string());
-  const std::size_t margin = table.column("margin");
-  const std::size_t stands = table.column("stands");
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string what = "margin/" + table.text(row, margin);
-    const auto same = [&](const auto& other) { return other.first == what; };
-    if (std::any_of(rows.begin(), rows.end(), same)) continue;
-    std::size_t least = row;
-    for (std::size_t other = row; other < table.rows(); ++other) {
-      if (table.text(other, margin) != table.text(row, margin)) continue;
-      // A margin that leads downwards (less gain) has its limit below the nominal value.
-      const auto room = [&](std::size_t r) {
-        return std::abs(table.number(r, stands) - table.number(r, table.column("nominal")));
-      };
-      if (!(room(other) >= room(least))) least = other;
+    const auto text = [&](const char* column) { return table.text(row, table.column(column)); };
+    const auto number = [&](const char* column) { return table.number(row, table.column(column)); };
+    if (text("scenario") != "all") continue;
+    const double stands = number("stands");
+    std::string words = "none";
+    if (!std::isnan(stands)) {
+      const char* bound = !std::isnan(number("fails")) ? "" : stands < number("nominal") ? "<= " : ">= ";
+      words = bound + with_unit(stands, text("unit"));
     }
-    rows.emplace_back(
-        what, fmt::format("{} in {}",
-                          with_unit(table.number(least, stands), table.text(least, table.column("unit"))),
-                          table.text(least, table.column("scenario"))));
+    if (!text("reason").empty()) words += "; then " + text("reason");
+    rows.emplace_back("margin/" + text("margin"), words);
   }
 }
 
@@ -109,6 +102,9 @@ Rows origin_of_run(const std::string& folder) {
   }
   add_limits(folder, rows);
   add_margins(folder, rows);
+  // They may have been changed since the run was made.
+  if (const fs::path gains = fs::path(folder) / "gains.yaml"; has(gains))
+    rows.emplace_back("gains file", hash_of_file(gains.string()));
   constexpr std::string_view kInput = "inputs/";
   for (const auto& [name, value] : all) {
     if (name.starts_with(kInput)) rows.emplace_back("input " + name.substr(kInput.size()), value);

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <algorithm>
 
 #include "tests/sim/support/files.hpp"
 #include "tuner/run/file_hash.hpp"
@@ -29,8 +29,9 @@ TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
       "a,completed,0.25,elbow,1.5\nb,completed,0.75,wrist,0.5\nc,diverged,,,\nd,completed,0.5,base,2\n");
   run.write("margins.csv",
             "margin,unit,scenario,nominal,stands,fails,reason\n"
-            "torque_delay,periods,a,0,3,4,x\ntorque_delay,periods,b,0,2,3,x\n"
-            "control_rate,Hz,a,500,160,159,x\ncontrol_rate,Hz,b,500,250,249,x\n");
+            "torque_delay,periods,a,0,3,4,x\ntorque_delay,periods,all,0,2,3,b: saturated\n"
+            "gain_factor,1,all,1,,1,a: did not complete\nvelocity_noise,rad/s,all,0.01,64,,\n"
+            "control_rate,Hz,all,500,10,,\n");
   const auto origin = origin_of_run(run.path());
   EXPECT_THAT(origin, Contains(Pair("command", "armtune tune mine")));
   EXPECT_THAT(origin, Contains(Pair("study", "mine.yaml")));
@@ -44,9 +45,15 @@ TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
   EXPECT_THAT(origin, Contains(Pair("joint_position/min_margin",
                                     testing::AllOf(HasSubstr("0.5"), HasSubstr("in b")))));
   EXPECT_THAT(origin, Not(Contains(Key("joint_effort/max_ratio")))) << "the run does not say";
-  EXPECT_THAT(origin, Contains(Pair("margin/torque_delay", "2 periods in b")));
-  EXPECT_THAT(origin, Contains(Pair("margin/control_rate", "250 Hz in b")))
-      << "the nearest to the 500 it ran at";
+  EXPECT_THAT(origin, Contains(Pair("margin/torque_delay", "2 periods; then b: saturated")));
+  EXPECT_THAT(origin, Contains(Pair("margin/gain_factor", "none; then a: did not complete")));
+  EXPECT_THAT(origin, Contains(Pair("margin/velocity_noise", ">= 64 rad/s"))) << "nothing failed";
+  EXPECT_THAT(origin, Contains(Pair("margin/control_rate", "<= 10 Hz")));
+  EXPECT_EQ(std::count_if(origin.begin(), origin.end(),
+                          [](const auto& row) { return row.first.starts_with("margin/"); }),
+            4);
+  run.write("gains.yaml", "a: 1\n");
+  EXPECT_THAT(origin_of_run(run.path()), Contains(Pair("gains file", hash_of_file(run / "gains.yaml"))));
   EXPECT_THAT(origin, Not(Contains(Key("workers")))) << "says nothing of the gains";
 }
 

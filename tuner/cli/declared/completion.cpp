@@ -46,7 +46,7 @@ std::string bash(const DeclaredProgram& program) {
     names.insert(names.end(), option.names.begin(), option.names.end());
   std::string text = fmt::format(
       "_armtune() {{\n"
-      "  local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words= files=0\n"
+      "  local current=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words= files=0 word\n"
       "  COMPREPLY=()\n"
       "  if ((COMP_CWORD == 1)); then\n"
       "    COMPREPLY=($(compgen -W {} -- \"$current\"))\n"
@@ -82,13 +82,21 @@ std::string bash(const DeclaredProgram& program) {
   }
   return text +
          "  esac\n"
-         "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
-         "  ((files == 0)) || COMPREPLY+=($(compgen -f -- \"$current\"))\n"
+         "  while IFS= read -r word; do COMPREPLY+=(\"$word\"); done < <(\n"
+         "    compgen -W \"$words\" -- \"$current\"\n"
+         "    ((files == 0)) || compgen -f -- \"$current\")\n"
          "}\n";
 }
 
 std::string fish(const DeclaredProgram& program) {
   std::string text = "complete -c armtune -n __fish_use_subcommand -f\n";
+  for (const DeclaredOption& option : program.app.options) {
+    for (const std::string& name : option.names) {
+      if (name.starts_with("--"))
+        text += fmt::format("complete -c armtune -n __fish_use_subcommand -l {} -d {}\n", name.substr(2),
+                            quoted(short_meaning(option.meaning)));
+    }
+  }
   for (const DeclaredCommand& command : program.commands) {
     text += fmt::format("complete -c armtune -n __fish_use_subcommand -a {} -d {}\n", command.name,
                         quoted(short_meaning(command.meaning)));
@@ -125,8 +133,9 @@ const std::vector<std::string>& shell_names() {
 std::string completion(const DeclaredProgram& program, const std::string& shell) {
   if (shell == "bash") return bash(program) + "complete -o filenames -F _armtune armtune\n";
   if (shell == "zsh") {
+    // The first time the file itself is the function, and has to complete what was asked.
     return "#compdef armtune\nautoload -U +X bashcompinit && bashcompinit\n" + bash(program) +
-           "complete -o filenames -F _armtune armtune\n";
+           "complete -o filenames -F _armtune armtune\n_bash_complete -o filenames -F _armtune\n";
   }
   if (shell == "fish") return fish(program);
   throw InputError(fmt::format("shell '{}': is not one of {}", shell, fmt::join(shell_names(), ", ")));

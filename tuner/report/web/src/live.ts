@@ -10,7 +10,7 @@ export function liveLine(live: Live): HTMLElement {
     "div",
     { id: "live", class: "live", role: "status" },
     element("progress", { max: 1, value: share, "aria-label": "Evaluations" }),
-    element("p", {}, `${live.evaluations} of ${live.most_evaluations} evaluations${left}. Written at ${live.written}, loaded again every ${live.every} s; if that time stands still, the run has ended.`),
+    element("p", {}, `${live.evaluations} of ${live.most_evaluations} evaluations${left}. Written at ${live.written}, loaded again every ${live.every} s; in the analysis after the search, and when the run has ended, that time stands still.`),
   );
 }
 
