@@ -20,6 +20,7 @@ Mat3 unit_point_inertia(const Vec3& p) {
 
 constexpr double kInertiaTolerance = 1e-4;  ///< of the largest principal moment: five printed digits
 constexpr double kRotationTolerance = 1e-6;
+constexpr double kHeaviest = 1e6;  ///< kg: beyond every arm's link, below what rounds its inertia away
 
 /// One "FILE: link 'x': value; limit" line at a time.
 class Checker {
@@ -104,6 +105,9 @@ void Checker::link(int i) const {
   name("link", link);
   require(std::isfinite(body.mass) && body.mass > 0.0,
           "link '{}': mass is {:.6g} kg; it moves, so it must be finite and > 0", link, body.mass);
+  require(body.mass <= kHeaviest,
+          "link '{}': mass is {:.6g} kg; a link may have up to {:.0f} kg: give it in kg", link, body.mass,
+          kHeaviest);
   require(body.first_moment.allFinite() && body.inertia.allFinite(),
           "link '{}': centre of mass or inertia is not finite", link);
   const Mat3& I_B = body.inertia;

@@ -15,7 +15,8 @@
 namespace armtune {
 namespace {
 
-/// Of the largest moment of inertia: what a rod's smallest one can be off when it was turned into other axes.
+/// Of the largest moment of inertia, about the link's origin too: what a rod's smallest one can be off when
+/// it was turned into other axes, or moved to the centre of mass by whoever wrote the file.
 constexpr double kRounding = 1e-12;
 
 /// R_CB: the smallest rotation that takes z onto the unit vector `axis`; onto -z, a half turn about x.
@@ -285,7 +286,8 @@ class ArmBuilder {
     // Merging could hide these two; the rest is judged for the whole body.
     if (given.mass < 0.0) refuse("link '{}': mass is {} kg; it must not be negative", link.name, given.mass);
     const double least = given.about_center.diagonal().minCoeff();
-    if (least < -kRounding * given.about_center.diagonal().maxCoeff())
+    const double largest = given.about_center.diagonal().maxCoeff() + given.mass * given.p_LC.squaredNorm();
+    if (least < -kRounding * largest)
       refuse("link '{}': a moment of inertia is {} kg m^2; none may be negative", link.name, least);
     const LinkInertia about_center{given.mass, Vec3::Zero(), given.about_center};
     merge(in_frame(about_center, given.R_LC, given.p_LC), site);

@@ -94,6 +94,20 @@ TEST(UrdfWriter, AThinRodInTurnedAxesReadsBack) {
   EXPECT_LT((back.chain.link[0].inertia - arm.chain.link[0].inertia).norm(), 1e-12);
 }
 
+TEST(UrdfWriter, AHeavyPointFarFromItsOriginReadsBack) {
+  // Its moments about its own centre are less than the rounding of those about the joint.
+  RobotModel arm = test::ur10();
+  for (const double mass : {1e3, 1e6}) {
+    const Vec3 c(0.1, 1.1, 0.3);
+    LinkInertia& body = arm.chain.link[0];
+    body = in_frame({mass, Vec3::Zero(), Vec3(1e-8, 2e-8, 2e-8).asDiagonal()}, Mat3::Identity(), c);
+    EXPECT_NO_THROW(validate(arm));
+    const RobotModel back = read_back(urdf_text(arm));
+    EXPECT_NO_THROW(validate(back));
+    EXPECT_LT((back.chain.link[0].inertia - body.inertia).norm(), 1e-14 * body.inertia.norm());
+  }
+}
+
 TEST(UrdfWriter, ALinkWithoutMassIsWrittenWithFiniteNumbers) {
   RobotModel arm = test::ur10();
   arm.chain.link[1] = {};
