@@ -10,7 +10,7 @@ namespace armtune::yaml {
 [[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
                           std::string_view what);
 
-/// Throws InputError for UTF-16 and for control characters. yaml-cpp ends a file at \x04 without a word,
+/// Throws InputError for UTF-16 and for control characters. yaml-cpp ends a file at the character 4 without a word,
 /// keeps NUL in values and guesses UTF-16.
 void check_characters(std::string_view text, const std::string& file);
 

@@ -25,7 +25,7 @@ struct RecordOptions {
   int workers = 1;
 };
 
-/// Simulates a gain set and leaves gains.yaml, errors.csv and rollout_<scenario>.csv in FOLDER/<below>. For
+/// Simulates a gain set and leaves gains.yaml, errors.csv and rollout_SCENARIO.csv in FOLDER/BELOW. For
 /// use inside `scene` of add_report.
 report::SceneSet record_set(const std::string& name, const std::string& folder, const std::string& below,
                             const std::vector<Scenario>& scenarios, const Gains& gains,

@@ -1,5 +1,5 @@
 #pragma once
-// JSON text that may stand inside an HTML page: `<` is written as \u003c, so that nothing in it ends a script
+// JSON text that may stand inside an HTML page: `<` is written as `\u003c`, so that nothing in it ends a script
 // element or begins a comment.
 
 #include <optional>

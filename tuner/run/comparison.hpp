@@ -17,7 +17,7 @@ struct ComparedSet {
 /// others.
 std::string comparison_table(const std::vector<ComparedSet>& sets, const std::vector<Metric>& metrics);
 
-/// Long CSV: scenario,metric,unit,<set>,...,<set>/ratio,...
+/// Long CSV: scenario,metric,unit,SET,...,SET/ratio,...
 std::string comparison_csv(const std::vector<ComparedSet>& sets);
 
 /// The metrics a person looks at first.
