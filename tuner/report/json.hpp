@@ -1,6 +1,6 @@
 #pragma once
-// JSON text that may stand inside an HTML page: `<` is written as `\u003c`, so that nothing in it ends a script
-// element or begins a comment.
+// JSON text that may stand inside an HTML page: `<` is written as `\u003c`, so that nothing in it ends a
+// script element or begins a comment.
 
 #include <optional>
 #include <string>
