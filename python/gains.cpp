@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 
@@ -45,7 +46,7 @@ py::object get(py::object self, const std::string& name) {
   return py::str(text);
 }
 
-void set(NamedJoints& self, const std::string& name, const py::object& value) {
+void assign(NamedJoints& self, const std::string& name, const py::object& value) {
   const GainField& field = field_of(self.gains, name);
   if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
     self.gains.** flag = value.cast<bool>();
@@ -67,9 +68,21 @@ void set(NamedJoints& self, const std::string& name, const py::object& value) {
   }
 }
 
-NamedJoints load(const std::string& name, const Scenario& scenario) {
+void set(NamedJoints& self, const std::string& name, const py::object& value) {
+  try {
+    assign(self, name, value);
+  } catch (const py::cast_error&) {
+    const GainField& field = field_of(self.gains, name);
+    const char* kind = field.is_number()                                     ? "numbers"
+                       : std::holds_alternative<bool Gains::*>(field.member) ? "True or False"
+                                                                             : "a word";
+    throw py::type_error(fmt::format("{}: {}, must be {}", name, py::repr(value).cast<std::string>(), kind));
+  }
+}
+
+NamedJoints load(const std::filesystem::path& name, const Scenario& scenario) {
   NamedJoints loaded{{}, joint_names(*scenario.robot)};
-  loaded.gains = load_gains(name, loaded.joints);
+  loaded.gains = load_gains(name.string(), loaded.joints);
   return loaded;
 }
 
@@ -92,7 +105,16 @@ void bind_gains(py::module_& module) {
       .def("__getitem__", &get, py::arg("name"),
            "Numbers: a NumPy array onto them, without a copy, so that writing into it changes the gains.")
       .def("__setitem__", &set, py::arg("name"), py::arg("value"))
+      .def("__iter__", [](const NamedJoints& self) { return py::iter(py::cast(names(self))); })
+      .def("__contains__",
+           [](const NamedJoints& self, const std::string& name) {
+             const auto all = names(self);
+             return std::find(all.begin(), all.end(), name) != all.end();
+           })
+      .def("__len__", [](const NamedJoints& self) { return names(self).size(); })
       .def("copy", [](const NamedJoints& self) { return NamedJoints(self); })
+      .def("__copy__", [](const NamedJoints& self) { return NamedJoints(self); })
+      .def("__deepcopy__", [](const NamedJoints& self, const py::dict&) { return NamedJoints(self); })
       .def("text", &text, py::arg("format") = "yaml", "The gains as a file: yaml, ros1, ros2 or csv.")
       .def("__repr__", [](const NamedJoints& self) {
         return fmt::format("<armtune.Gains of {} for {} joints>", self.gains.controller, self.joints.size());

@@ -41,9 +41,10 @@ class Callback {
 };
 
 /// work(stop), in a thread of its own and without Python's lock, while this one looks for signals: Ctrl-C
-/// sets `stop`, at which the work has to end soon, and is raised when it has.
-template <class Work>
-auto interruptible(Callback& callback, Work work) {
+/// sets `stop`, at which the work has to end soon, and is raised when it has. if_interrupted(what the work
+/// returned) may raise something else before.
+template <class Work, class IfInterrupted>
+auto interruptible(Callback& callback, Work work, IfInterrupted if_interrupted) {
   constexpr std::chrono::milliseconds kLook{50};
   std::atomic<bool> stop{false};
   callback.stops(stop);
@@ -59,9 +60,17 @@ auto interruptible(Callback& callback, Work work) {
       }
     }
   }
-  if (signal) throw std::move(*signal);
   if (callback.raised()) throw pybind11::error_already_set(*callback.raised());
+  if (signal) {
+    if (signal->matches(PyExc_KeyboardInterrupt)) if_interrupted(done.get());
+    throw std::move(*signal);
+  }
   return done.get();
+}
+
+template <class Work>
+auto interruptible(Callback& callback, Work work) {
+  return interruptible(callback, std::move(work), [](const auto&) {});
 }
 
 }  // namespace armtune::python

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/control/gain_fields.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
@@ -85,6 +88,16 @@ void set_duration(Scenario& self, double duration) {
   self.duration = duration;
 }
 
+/// It stands in CSV files and in names of files.
+void set_name(Scenario& self, const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+  });
+  if (name.empty() || !plain || is_formula(name) || name[0] == '.')
+    throw InputError(fmt::format("name: {}; give one of letters, digits, '_', '-' and '.'", shown(name)));
+  self.name = name;
+}
+
 std::string errors_text(const std::vector<const Rolled*>& rollouts) {
   std::vector<ScenarioResult> results;
   for (const Rolled* rolled : rollouts) {
@@ -99,14 +112,17 @@ std::string errors_text(const std::vector<const Rolled*>& rollouts) {
 void bind_rollouts(py::module_& module) {
   py::class_<Scenario>(module, "Scenario",
                        "A task for an arm: path, targets, obstacles, and what is not ideal.")
-      .def_readonly("name", &Scenario::name)
+      .def_property(
+          "name", [](const Scenario& self) { return self.name; }, &set_name,
+          "What its results are called by: of two variants that are simulated together one needs another.")
       .def_property(
           "duration", [](const Scenario& self) { return self.duration; }, &set_duration,
           "Simulated time [s].")
       .def_readonly("control_period", &Scenario::control_period, "[s]")
       .def_property_readonly("joints", [](const Scenario& self) { return joint_names(*self.robot); });
-  module.def("load_scenario", &load_scenario, py::arg("name"),
-             "A bundled scenario by name, or a file by path.");
+  module.def(
+      "load_scenario", [](const std::filesystem::path& name) { return load_scenario(name.string()); },
+      py::arg("name"), "A bundled scenario by name, or a file by path.");
 
   py::class_<Rolled>(module, "Rollout", "A simulated scenario: its outcome, metrics and time series.")
       .def_property_readonly("scenario", [](const Rolled& self) { return self.result.scenario; })
@@ -122,7 +138,11 @@ void bind_rollouts(py::module_& module) {
           "keys", [](const Rolled& self) { return self.names; }, "Names of the columns.")
       .def("__getitem__", &column, py::arg("name"),
            "A column as a read-only NumPy array onto the rollout's own numbers, without a copy.")
-      .def("__len__", &Rolled::rows);
+      .def("__contains__",
+           [](const Rolled& self, const std::string& name) {
+             return std::find(self.names.begin(), self.names.end(), name) != self.names.end();
+           })
+      .def("__len__", &Rolled::rows, "Rows: recorded moments.");
   module.def("simulate", &simulate_all, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
              py::arg("workers") = 1, py::arg("record_every") = 5, py::arg("stepper") = "midpoint",
              py::arg("progress") = py::none(),
@@ -131,8 +151,8 @@ void bind_rollouts(py::module_& module) {
              "The text of errors.csv: one row per rollout, every metric.");
   module.def(
       "write_errors",
-      [](const std::vector<const Rolled*>& rollouts, const std::string& path) {
-        write_text_file(path, errors_text(rollouts));
+      [](const std::vector<const Rolled*>& rollouts, const std::filesystem::path& path) {
+        write_text_file(path.string(), errors_text(rollouts));
       },
       py::arg("rollouts"), py::arg("path"), "Writes errors.csv, whole or not at all.");
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
@@ -26,24 +27,7 @@ struct Series {
   std::vector<double> objective, violation, x;
 };
 
-Tuned tune_study(const Study& given, int workers, py::object progress) {
-  if (workers < 1) throw py::value_error(fmt::format("workers: {}, must be 1 or more", workers));
-  const Study study = given;
-  Callback callback(std::move(progress));
-  Series seen;
-  TuneCallbacks callbacks;
-  callbacks.evaluated = [&](const char*, const Evaluation& e) {
-    seen.objective.push_back(e.objective);
-    seen.violation.push_back(e.violation);
-    seen.x.insert(seen.x.end(), e.x.begin(), e.x.end());
-  };
-  callbacks.progress = [&](const TuneProgress& p) {
-    callback(p.evaluations, p.max_evaluations, p.best->objective, p.best->feasible);
-  };
-  const TuneResult result = interruptible(callback, [&](const std::atomic<bool>& stop) {
-    Workers crew(study.scenarios, study.stepper, workers, study.robust);
-    return tune(study, crew, stop, callbacks);
-  });
+Tuned tuned_of(const Study& study, const TuneResult& result, Series seen) {
   const auto joints = joint_names(*study.scenarios.front().robot);
   Tuned tuned;
   tuned.start = {study.space.start, joints};
@@ -58,19 +42,64 @@ Tuned tune_study(const Study& given, int workers, py::object progress) {
   return tuned;
 }
 
+/// Raises armtune.Interrupted, a KeyboardInterrupt that has what was found.
+[[noreturn]] void raise_interrupted(Tuned tuned) {
+  const py::object type = py::module_::import("armtune").attr("Interrupted");
+  const py::object error = type("interrupted; .tuned has what was found");
+  error.attr("tuned") = std::move(tuned);
+  PyErr_SetObject(type.ptr(), error.ptr());
+  throw py::error_already_set();
+}
+
+Tuned tune_study(const Study& given, int workers, py::object progress) {
+  if (workers < 1) throw py::value_error(fmt::format("workers: {}, must be 1 or more", workers));
+  const Study study = given;
+  Callback callback(std::move(progress));
+  Series seen;
+  TuneCallbacks callbacks;
+  callbacks.evaluated = [&](const char*, const Evaluation& e) {
+    seen.objective.push_back(e.objective);
+    seen.violation.push_back(e.violation);
+    seen.x.insert(seen.x.end(), e.x.begin(), e.x.end());
+  };
+  callbacks.progress = [&](const TuneProgress& p) {
+    callback(p.evaluations, p.max_evaluations, p.best->objective, p.best->feasible);
+  };
+  const auto work = [&](const std::atomic<bool>& stop) {
+    Workers crew(study.scenarios, study.stepper, workers, study.robust);
+    return tune(study, crew, stop, callbacks);
+  };
+  const TuneResult found = interruptible(callback, work, [&](const TuneResult& so_far) {
+    if (so_far.evaluations > 0) raise_interrupted(tuned_of(study, so_far, std::move(seen)));
+  });
+  return tuned_of(study, found, std::move(seen));
+}
+
+void set_max_evaluations(Study& self, long most) {
+  if (most < 1) throw py::value_error(fmt::format("max_evaluations: {}, must be 1 or more", most));
+  self.max_evaluations = most;
+}
+
 }  // namespace
 
 void bind_tuning(py::module_& module) {
   py::class_<Study>(module, "Study", "What is tuned, over which scenarios, for what, inside which limits.")
       .def_readonly("name", &Study::name)
       .def_readonly("scenarios", &Study::scenarios)
-      .def_readwrite("max_evaluations", &Study::max_evaluations, "Budget, start and sweep included.")
+      .def_property(
+          "max_evaluations", [](const Study& self) { return self.max_evaluations; }, &set_max_evaluations,
+          "Budget, start and sweep included.")
       .def_property(
           "seed", [](const Study& self) { return self.solver.seed; },
           [](Study& self, std::uint64_t seed) { self.solver.seed = seed; },
           "Of algorithms that draw random numbers.");
-  module.def("load_study", &load_study, py::arg("name"), py::arg("controller") = "",
-             "A bundled study by name, or a file by path; with another controller than its gains are for.");
+  module.def(
+      "load_study",
+      [](const std::filesystem::path& name, const std::string& controller) {
+        return load_study(name.string(), controller);
+      },
+      py::arg("name"), py::arg("controller") = "",
+      "A bundled study by name, or a file by path; with another controller than its gains are for.");
 
   py::class_<Tuned>(module, "Tuned", "A search that is over.")
       .def_readonly("start", &Tuned::start, "The gains it began with.")
@@ -87,7 +116,9 @@ void bind_tuning(py::module_& module) {
       "tune", &tune_study, py::arg("study"), py::kw_only(), py::arg("workers") = 1,
       py::arg("progress") = py::none(),
       "Runs a study; deterministic, whatever the number of workers. progress(evaluations, most, objective, "
-      "feasible) is called after each evaluation, with the best so far. Ctrl-C ends it.");
+      "feasible) is called after each evaluation, with the best so far. Ctrl-C ends it and raises "
+      "Interrupted, a "
+      "KeyboardInterrupt whose `tuned` has what was found.");
 }
 
 }  // namespace armtune::python

@@ -38,6 +38,14 @@ from ._armtune import (  # noqa: E402
 )
 
 __version__ = dict(versions())["armtune"]
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C in tune(): `tuned` has the best gains and the evaluations so far."""
+
+    tuned: Tuned
+
+
 __all__ = [name for name in dir() if not name.startswith("_")] + ["compute_as_the_program"]
 
 

@@ -68,6 +68,13 @@ TEST_F(ExportCommand, SaysWhatIsWrong) {
   EXPECT_THAT(refused({"export", "published", "--format", "ros3"}), HasSubstr("ros3"));
   EXPECT_THAT(refused({"export", "published", "--format", "ros1", "--node", "a b"}),
               HasSubstr("no name in ROS"));
+  EXPECT_THAT(refused({"export", "published", "--format", "csv", "--node", "/arm"}), HasSubstr("no nodes"));
+  const std::string run = files_ / "simulated";
+  ASSERT_EQ(run_program({"simulate", files_ / "short.yaml", "--gains", files_ / "gains.yaml", "--out", run})
+                .exit_code,
+            0);
+  EXPECT_THAT(refused({"export", run}), AllOf(HasSubstr("no study.yaml"), HasSubstr("--robot")));
+  EXPECT_EQ(run_program({"export", run, "--robot", "ur10"}).exit_code, 0);
   EXPECT_THAT(refused({"export", "published", "--out", files_ / "none/gains.yaml"}),
               HasSubstr("none/gains.yaml"));
 }

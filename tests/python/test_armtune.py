@@ -1,6 +1,7 @@
 """The Python module against the program, and its promises: no copies, no lock while it works, Ctrl-C."""
 
 import ast
+import copy
 import os
 import pathlib
 import signal
@@ -82,15 +83,15 @@ class Module(unittest.TestCase):
     def test_gains_are_arrays_onto_their_numbers(self):
         self.gains["task_space_gains_p"][3] = 30.0
         self.assertEqual(self.gains["task_space_gains_p"][3], 30.0)
-        copy = self.gains.copy()
-        copy["task_space_gains_p"] = [1, 2, 3, 4, 5, 6]
-        copy["slerpDurationErrorGain"] = 1.5
-        copy["gaze_feedforward"] = True
+        twin = self.gains.copy()
+        twin["task_space_gains_p"] = [1, 2, 3, 4, 5, 6]
+        twin["slerpDurationErrorGain"] = 1.5
+        twin["gaze_feedforward"] = True
         self.assertEqual(self.gains["task_space_gains_p"][3], 30.0)
-        (self.folder / "gains.yaml").write_text(copy.text())
+        (self.folder / "gains.yaml").write_text(twin.text())
         back = armtune.load_gains(str(self.folder / "gains.yaml"), self.scenario)
-        for name in copy.keys():
-            np.testing.assert_array_equal(back[name], copy[name], err_msg=name)
+        for name in twin.keys():
+            np.testing.assert_array_equal(back[name], twin[name], err_msg=name)
         with self.assertRaises(KeyError):
             self.gains["task_space_gains_q"]
         with self.assertRaisesRegex(armtune.InputError, "must be 6"):
@@ -98,6 +99,29 @@ class Module(unittest.TestCase):
         self.gains["task_space_gains_p"][0] = -1.0
         with self.assertRaisesRegex(armtune.InputError, "task_space_gains_p"):
             self.rollout()
+
+    def test_behaves_like_a_mapping(self):
+        self.assertEqual(list(self.gains), self.gains.keys())
+        self.assertEqual(len(self.gains), len(self.gains.keys()))
+        self.assertIn("task_space_gains_p", self.gains)
+        self.assertNotIn("task_space_gains_q", self.gains)
+        for twin in (copy.copy(self.gains), copy.deepcopy(self.gains)):
+            twin["slerpDurationErrorGain"] = 7.5
+            self.assertNotEqual(self.gains["slerpDurationErrorGain"][0], 7.5)
+        rollout = self.rollout()
+        self.assertIn("time", rollout)
+        self.assertNotIn("tide", rollout)
+
+    def test_variants_of_a_scenario_go_by_names(self):
+        other = armtune.load_scenario(self.folder / "short.yaml")
+        other.duration = 4.0
+        with self.assertRaisesRegex(armtune.InputError, "rename one"):
+            armtune.simulate([self.scenario, other], self.gains)
+        other.name = "shorter"
+        long, short = armtune.simulate([self.scenario, other], self.gains)
+        self.assertEqual((long.scenario, short.scenario), ("short", "shorter"))
+        self.assertLess(len(short), len(long))
+        np.testing.assert_array_equal(short["time"], long["time"][: len(short)])
 
     def test_tune_finds_what_the_program_finds(self):
         self.assertIn(run("tune", self.folder / "study.yaml", "--no-analysis", "--out", self.folder / "run").returncode, (0, 3))
@@ -137,28 +161,53 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(ZeroDivisionError, "mine"):
             armtune.tune(armtune.load_study(str(self.folder / "study.yaml")), progress=trouble)
 
-    def test_ctrl_c_ends_a_long_call(self):
+    def test_ctrl_c_ends_a_search_and_gives_what_it_found(self):
+        # A search that has no reason to end before.
+        (self.folder / "study.yaml").write_text(STUDY.replace("COBYLA", "CRS2"))
         script = (
             "import armtune\n"
             f"study = armtune.load_study({str(self.folder / 'study.yaml')!r})\n"
             "study.max_evaluations = 100000\n"
             "try:\n"
             "    armtune.tune(study, progress=lambda done, *_: done == 3 and print('under way', flush=True))\n"
+            "except KeyboardInterrupt as error:\n"
+            "    tuned = error.tuned\n"
+            "    assert len(tuned.objectives) >= 3 and tuned.reason == 'interrupted'\n"
+            "    feasible = tuned.objectives[tuned.violations == 0]\n"
+            "    assert tuned.objective == feasible.min()\n"
+            "    assert tuned.best.text().count('task_space_gains_p') == 1\n"
+            "    print('interrupted')\n"
+        )
+        self.interrupt(script)
+
+    def test_ctrl_c_ends_one_long_rollout(self):
+        self.interrupt(
+            "import armtune, threading\n"
+            "scenario = armtune.load_scenario('moving_target')\n"
+            "scenario.duration = 20000\n"
+            "gains = armtune.load_gains('published', scenario)\n"
+            "threading.Timer(0.5, lambda: print('under way', flush=True)).start()\n"
+            "try:\n"
+            "    armtune.simulate([scenario], gains, record_every=1000)\n"
             "except KeyboardInterrupt:\n"
             "    print('interrupted')\n"
         )
-        # A search that has no reason to end before.
-        (self.folder / "study.yaml").write_text(STUDY.replace("COBYLA", "CRS2"))
-        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
-        self.addCleanup(child.stdout.close)
-        self.assertEqual(child.stdout.readline(), "under way\n")
-        sent = time.monotonic()
-        child.send_signal(signal.SIGINT)
-        said, _ = child.communicate(timeout=60)
-        took = time.monotonic() - sent
-        print(f"Ctrl-C: returned after {took:.2f} s", file=sys.stderr)
-        self.assertEqual(said, "interrupted\n")
-        self.assertLess(took, 5.0, "1 s is promised; this machine may be busy")
+
+    def interrupt(self, script):
+        """Runs a script in a process of its own, and interrupts it once it says that it is under way."""
+        took = []
+        # A machine that does something else for a second is no fault of ours: of three calls one has to be in time.
+        while len(took) < 3 and min(took, default=9.0) >= 1.0:
+            child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+            self.addCleanup(child.stdout.close)
+            self.assertEqual(child.stdout.readline(), "under way\n")
+            sent = time.monotonic()
+            child.send_signal(signal.SIGINT)
+            said, _ = child.communicate(timeout=60)
+            took.append(time.monotonic() - sent)
+            self.assertEqual(said, "interrupted\n")
+        print(f"Ctrl-C: returned after {min(took):.2f} s", file=sys.stderr)
+        self.assertLess(min(took), 1.0)
 
     def test_errors_say_what_to_do(self):
         with self.assertRaisesRegex(armtune.InputError, "'moving_target'"):
@@ -170,6 +219,19 @@ class Module(unittest.TestCase):
                 self.scenario.duration = duration
         with self.assertRaisesRegex(TypeError, "None"):
             armtune.errors_csv([None])
+        for name, value, must in (
+            ("task_space_gains_p", "much", "numbers"),
+            ("task_space_gains_p", [1, 2, 3, 4, 5, None], "numbers"),
+            ("gaze_feedforward", "much", "True or False"),
+        ):
+            with self.assertRaisesRegex(TypeError, f"{name}: .*, must be {must}"):
+                self.gains[name] = value
+        study = armtune.load_study(self.folder / "study.yaml")
+        with self.assertRaisesRegex(ValueError, "max_evaluations: -5"):
+            study.max_evaluations = -5
+        for name in ("", "a,b", "../up", "=1"):
+            with self.assertRaisesRegex(armtune.InputError, "name: "):
+                self.scenario.name = name
         panda = armtune.load_scenario("panda_moving_target")
         with self.assertRaisesRegex(ValueError, "other joints"):
             armtune.simulate([panda], self.gains)
@@ -192,7 +254,9 @@ class Module(unittest.TestCase):
             said = {n.name for n in node.body if isinstance(n, ast.FunctionDef)}
             said |= {n.target.id for n in node.body if isinstance(n, ast.AnnAssign)}
             public = {member for member in vars(getattr(armtune, name)) if not member.startswith("_")}
-            public |= {"__getitem__", "__setitem__", "__len__"} & set(vars(getattr(armtune, name)))
+            special = {"__getitem__", "__setitem__", "__len__", "__iter__", "__contains__", "__copy__", "__deepcopy__"}
+            public |= special & set(vars(getattr(armtune, name)))
+            public |= set(vars(getattr(armtune, name)).get("__annotations__", {}))
             self.assertEqual(said, public, name)
 
 

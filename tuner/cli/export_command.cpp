@@ -35,17 +35,22 @@ bool is_run(const std::string& set) {
   return fs::is_directory(set, ignored);
 }
 
-/// The arm that the gains are for: the one asked for; else the run's; else the UR10.
+/// The arm that the gains are for: the one asked for; else the run's; else the UR10. Throws InputError for a
+/// run without a study, which does not say which arm it is of.
 std::shared_ptr<const RobotModel> robot_of(const Arguments& args) {
   if (!args.robot.empty()) return load_robot(args.robot);
+  if (!is_run(args.set)) return load_robot("ur10");
   std::error_code ignored;
-  if (is_run(args.set) && fs::exists(fs::path(args.set) / "study.yaml", ignored))
-    return scenarios_of(args.set, {}, {}).front().robot;
-  return load_robot("ur10");
+  if (!fs::exists(fs::path(args.set) / "study.yaml", ignored))
+    throw InputError(fmt::format(
+        "{}: no study.yaml in it says which arm the gains are for; name it with --robot", args.set));
+  return scenarios_of(args.set, {}, {}).front().robot;
 }
 
 int run(const Arguments& args) {
   const GainsFormat format = gains_format_from_name(args.format);
+  if (!args.node.empty() && format == GainsFormat::kCsv)
+    throw InputError("--node: a CSV file has no nodes; leave it out, or take yaml, ros1 or ros2");
   const std::string path = find_data_file("gains", gains_name(args.set));
   const auto robot = robot_of(args);
   GainsFile file;
@@ -98,8 +103,9 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "--node", args->node,
       "name space or node that the parameters are of (default: simple_effort_ctrl; of ros2 '/**', "
       "every node)");
-  command->add_option("--robot", args->robot,
-                      "the arm that the gains are for (default: the run's, else ur10)");
+  command->add_option(
+      "--robot", args->robot,
+      "the arm that the gains are for (default: that of the run's study; of gains alone ur10)");
   command->add_option("--out", args->file, "new file (default: to the screen)");
   command->footer(
       "A comment at the top says which study, seed and inputs the gains came from, how much of the joints' "

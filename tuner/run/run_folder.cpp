@@ -89,9 +89,13 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"nlopt", ARMTUNE_NLOPT_VERSION},
           {"suitesparse", ARMTUNE_SUITESPARSE_VERSION},
           {"urdfdom", ARMTUNE_URDFDOM_VERSION},
+          {"console_bridge", ARMTUNE_CONSOLE_BRIDGE_VERSION},
           {"yaml_cpp", ARMTUNE_YAML_VERSION},
+          {"cli11", ARMTUNE_CLI11_VERSION},
           {"open_mpi", mpi_version()},
-          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+          {"three_js", ARMTUNE_THREE_VERSION},
+          {"uplot", ARMTUNE_UPLOT_VERSION}};
 }
 
 void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs) {
