@@ -5,7 +5,7 @@
 namespace armtune {
 
 Engine engine_from_name(const std::string& text) {
-  for (const Engine engine : {Engine::kSimbody, Engine::kNative}) {
+  for (const Engine engine : kEngines) {
     if (text == name(engine)) return engine;
   }
   throw InputError("engine '" + text + "' is not known; use simbody or native");

@@ -1,6 +1,7 @@
 #pragma once
 // What computes the accelerations of the simulated arm.
 
+#include <array>
 #include <string>
 
 namespace armtune {
@@ -9,6 +10,8 @@ enum class Engine {
   kSimbody,  ///< the judge: every figure that is reported comes from it
   kNative    ///< core's articulated-body dynamics: the same arm several times faster, to search with
 };
+
+inline constexpr std::array kEngines = {Engine::kSimbody, Engine::kNative};
 
 constexpr const char* name(Engine engine) {
   return engine == Engine::kSimbody ? "simbody" : "native";

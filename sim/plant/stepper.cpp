@@ -5,8 +5,7 @@
 namespace armtune {
 
 Stepper stepper_from_name(const std::string& text) {
-  for (const Stepper stepper :
-       {Stepper::kMidpoint, Stepper::kSemiImplicitEuler, Stepper::kRungeKutta4, Stepper::kReference}) {
+  for (const Stepper stepper : kSteppers) {
     if (text == name(stepper)) return stepper;
   }
   throw InputError("stepper '" + text +

@@ -1,6 +1,7 @@
 #pragma once
 // Fixed-step integration of q'' = f(q, q') over one control period.
 
+#include <array>
 #include <string>
 
 #include "core/common/types.hpp"
@@ -13,6 +14,9 @@ enum class Stepper {
   kRungeKutta4,        ///< four accelerations
   kReference           ///< the engine's own error-controlled Runge-Kutta-Merson, accuracy 1e-10
 };
+
+inline constexpr std::array kSteppers = {Stepper::kMidpoint, Stepper::kSemiImplicitEuler,
+                                         Stepper::kRungeKutta4, Stepper::kReference};
 
 constexpr const char* name(Stepper stepper) {
   switch (stepper) {

@@ -118,6 +118,12 @@ TEST(Completion, OffersTheWordsAndBundledNamesThatAreTaken) {
   const std::string script = printed({"completion", "bash"});
   EXPECT_THAT(offered(script, {"armtune", "export", "published", "--format", ""}),
               AllOf(Contains("ros1"), Contains("ros2"), Contains("csv")));
+  EXPECT_THAT(offered(script, {"armtune", "simulate", "moving_target", "--stepper", ""}),
+              testing::UnorderedElementsAre("midpoint", "semi_implicit_euler", "rk4", "reference"));
+  EXPECT_THAT(offered(script, {"armtune", "simulate", "moving_target", "--engine", "na"}),
+              testing::ElementsAre("native"));
+  EXPECT_THAT(offered(script, {"armtune", "tune", "--controller", ""}),
+              AllOf(Contains("adaptive"), Contains("impedance")));
   const auto studies = bundled_names("studies");
   const auto tune = offered(script, {"armtune", "tune", ""});
   for (const std::string& study : studies) EXPECT_THAT(tune, Contains(study));

@@ -12,6 +12,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -162,8 +163,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_option("RUN_OR_GAINS", args->sets, "run folders, gains files or bundled gains")->required();
   command->add_option("--scenarios", args->scenarios,
                       "scenarios (default: those of the first run folder's study, else of the bundled one)");
-  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
-      ->capture_default_str();
+  add_stepper_option(*command, args->stepper);
   command->add_option("--workers", args->workers, "threads")
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);

@@ -10,6 +10,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/robustness/margin_report.hpp"
@@ -109,8 +110,7 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   command->add_option("--limit", args->limits,
                       "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
                       "velocities and positions inside the arm's own");
-  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
-      ->capture_default_str();
+  add_stepper_option(*command, args->stepper);
   command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml");
   command->add_option("--workers", args->options.workers, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))

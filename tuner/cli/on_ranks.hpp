@@ -27,9 +27,6 @@ inline constexpr const char* kWorkersHelp =
     "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
 /// Its default as --help says it: not this machine's number.
 inline constexpr const char* kWorkersDefault = "one per processor";
-inline constexpr const char* kControllerHelp =
-    "tune another controller on the study's task, all of its gains that are tuned by default; "
-    "armtune controllers lists them";
 inline constexpr const char* kResumeHelp =
     "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
     "everything "

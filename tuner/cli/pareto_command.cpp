@@ -14,6 +14,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -247,7 +248,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("pareto", "Find a study's front: what each bit of accuracy costs in joint velocity");
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
-  command->add_option("--controller", args->controller, kControllerHelp);
+  add_controller_option(*command, args->controller);
   command
       ->add_option("--criteria", args->criteria,
                    "two or three of: 'objective' (the study's) and any metric (its worst over the scenarios)")

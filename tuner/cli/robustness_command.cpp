@@ -15,6 +15,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -256,8 +257,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   }
   command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
       ->group("Uncertainty (uniform)");
-  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
-      ->capture_default_str();
+  add_stepper_option(*command, args->stepper);
   command->add_option("--out", args->folder,
                       "new folder for samples.csv, summary.csv, run.yaml and report.html (default: "
                       "runs/robustness_<time>; with --sample none)");

@@ -13,6 +13,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -131,12 +132,8 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("--gains", args->gains, "bundled gains or a YAML file")->capture_default_str();
   command->add_option("--theta", args->theta,
                       "theta.yaml that the controller starts from, in place of what the scenarios say");
-  command->add_option("--stepper", args->stepper, "midpoint, semi_implicit_euler, rk4 or reference")
-      ->capture_default_str();
-  command
-      ->add_option("--engine", args->engine,
-                   "simbody, or native: armtune's own dynamics, several times faster")
-      ->capture_default_str();
+  add_stepper_option(*command, args->stepper);
+  add_engine_option(*command, args->engine);
   command->add_option("--out", args->folder,
                       "new folder for errors.csv, rollout_<scenario>.csv, report.html and the rest");
   command->add_option("--workers", args->workers, "threads")

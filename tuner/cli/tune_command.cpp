@@ -11,6 +11,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/live_report.hpp"
+#include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -234,7 +235,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
   command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
       ->capture_default_str();
-  command->add_option("--controller", args->controller, kControllerHelp);
+  add_controller_option(*command, args->controller);
   command->add_option("--out", args->folder, "new folder for the results (default: runs/<study>_<time>)");
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->workers, kWorkersHelp)

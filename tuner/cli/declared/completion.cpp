@@ -25,11 +25,12 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
+/// Its first clause, or as many words of it as a line beside the option holds.
 std::string short_meaning(const std::string& meaning) {
   constexpr std::size_t kLongest = 60;
-  const auto end = std::min(meaning.find_first_of(";(:\n"), kLongest);
-  std::string text = meaning.substr(0, end);
-  while (text.ends_with(' ')) text.pop_back();
+  std::string text = meaning.substr(0, meaning.find_first_of(";(\n"));
+  if (text.size() > kLongest) text.resize(text.rfind(' ', kLongest));
+  while (text.ends_with(' ') || text.ends_with(',') || text.ends_with(':')) text.pop_back();
   return text;
 }
 
