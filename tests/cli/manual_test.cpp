@@ -98,6 +98,8 @@ TEST(ManualPage, WhatLooksLikeAMacroIsText) {
 }
 
 TEST(ManualPage, OfTheDocsIsWhatTheProgramPrints) {
+  if (printed({"--version"}).find("suitesparse not built in") != std::string::npos)
+    GTEST_SKIP() << "without SuiteSparse there are fewer commands";
   EXPECT_EQ(printed({"man", "--markdown"}), test::read_text(ARMTUNE_SOURCE_DIR "/docs/commands.md"))
       << "armtune man --markdown --out docs/commands.md";
 }
