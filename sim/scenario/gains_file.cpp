@@ -20,6 +20,8 @@ namespace {
 constexpr const char* kController = "controller";
 constexpr std::array kPath = {"circularTrajectoryAnchorPosition", "circularTrajectoryRadius",
                               "circularTrajectoryPeriod"};
+// What `ros2 param dump` says of every node.
+constexpr std::array kOfEveryNode = {"use_sim_time", "qos_overrides", "start_type_description_service"};
 
 /// The map that the fields stand in.
 const yaml::Node& fields_node(const yaml::Node& root) {
@@ -98,6 +100,7 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
     if (node != nullptr) read_field(*node, field, joints, gains);
   }
   for (const char* key : kPath) map.ignore(key);
+  for (const char* key : kOfEveryNode) map.ignore(key);
   map.finish();
   validate(gains, joints, path);
   return gains;

@@ -13,8 +13,8 @@ namespace armtune {
 /// Reads bundled gains by name, or a file by path. `controller: NAME` says whose they are; without it they
 /// are the adaptive one's. The fields stand at the top or under one key of any name (the published
 /// `simple_effort_ctrl`), or one below another (ROS 2's node and `ros__parameters`). The path of the
-/// published file (circularTrajectory*) is accepted and not used: the scenario says where the tool goes.
-/// Validated. Throws InputError.
+/// published file (circularTrajectory*) is accepted and not used: the scenario says where the tool goes; so
+/// are the parameters that ROS 2 gives every node. Validated. Throws InputError.
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to = {});
 

@@ -52,6 +52,19 @@ TEST_F(GainsFile, TheNamespaceMayHaveAnyNameOrNone) {
   EXPECT_EQ(gains_yaml(load(bare), {}), expected);
 }
 
+TEST_F(GainsFile, WhatRos2DumpsOfANodeLoads) {
+  std::string text = kRosParameters;
+  text.replace(text.find("simple_effort_ctrl: "), 20, "/arm/ctrl:\n  ros__parameters:");
+  for (std::size_t at = text.find("joint_space_gains_p"); (at = text.find("\n  ", at)) != std::string::npos;
+       ++at)
+    text.insert(at + 1, "  ");
+  text.replace(text.find("  joint_space_gains_p"), 2, "    ");
+  text +=
+      "\n    use_sim_time: false\n    qos_overrides:\n      /parameter_events:\n        publisher:\n         "
+      " depth: 1000\n";
+  EXPECT_EQ(gains_yaml(load(text), {}), gains_yaml(load(kRosParameters), {}));
+}
+
 TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> exponent(-12.0, 12.0);
