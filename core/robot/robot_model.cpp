@@ -22,6 +22,8 @@ constexpr double kInertiaTolerance = 1e-4;  ///< of the largest principal moment
 constexpr double kRotationTolerance = 1e-6;
 constexpr double kHeaviest = 1e6;  ///< kg: beyond every arm's link, below what rounds its inertia away
 
+constexpr double kFarthest = 1e4;  ///< m: no arm is as long, and squares of it keep their digits
+
 /// One "FILE: link 'x': value; limit" line at a time.
 class Checker {
  public:
@@ -69,6 +71,9 @@ void Checker::characters(const char* kind, const std::string& name) const {
 
 void Checker::rotation(const char* what, const std::string& owner, const Mat3& R, const Vec3& p) const {
   require(p.allFinite() && R.allFinite(), "{} '{}': its pose is not finite", what, owner);
+  require(p.stableNorm() <= kFarthest,
+          "{} '{}': its origin is {:.6g} m from its parent's; it may be up to {:.0f} m", what, owner,
+          p.stableNorm(), kFarthest);
   const bool proper =
       (R * R.transpose() - Mat3::Identity()).norm() < kRotationTolerance && R.determinant() > 0.0;
   require(proper, "{} '{}': its orientation is no rotation matrix (determinant {:.6g}, must be 1)", what,
@@ -110,7 +115,14 @@ void Checker::link(int i) const {
           kHeaviest);
   require(body.first_moment.allFinite() && body.inertia.allFinite(),
           "link '{}': centre of mass or inertia is not finite", link);
+  const double far = (body.first_moment / body.mass).stableNorm();
+  require(far <= kFarthest,
+          "link '{}': its centre of mass is {:.6g} m from its joint; it may be up to {:.0f} m", link, far,
+          kFarthest);
   const Mat3& I_B = body.inertia;
+  require(I_B.stableNorm() <= kHeaviest * kFarthest * kFarthest,
+          "link '{}': its inertia is {:.6g} kg m^2; no link has more than {:.0e}: give it in kg m^2", link,
+          I_B.stableNorm(), kHeaviest * kFarthest * kFarthest);
   require((I_B - I_B.transpose()).norm() <= kRotationTolerance * I_B.norm(),
           "link '{}': inertia is not symmetric (ixy {:.6g}, iyx {:.6g})", link, I_B(0, 1), I_B(1, 0));
 
@@ -151,6 +163,9 @@ void Checker::joint(int i) const {
             joint, limits.lower, unit, limits.upper);
   }
   require(limits.has_position || revolute, "joint '{}': a prismatic joint needs position limits", joint);
+  require(revolute || std::max(std::abs(limits.lower), std::abs(limits.upper)) <= kFarthest,
+          "joint '{}': position limits {} and {} m are beyond {:.0f} m; give what the joint can slide", joint,
+          limits.lower, limits.upper, kFarthest);
   require(std::isfinite(limits.velocity) && limits.velocity > 0.0,
           "joint '{}': velocity limit is {} {}/s; it must be finite and > 0", joint, limits.velocity, unit);
   require(std::isfinite(limits.effort) && limits.effort > 0.0,

@@ -232,10 +232,11 @@ class ArmBuilder {
         limits.lower = -1.0;
         limits.upper = 1.0;
       }
-      if (!(limits.velocity > 0.0)) missing_->velocity.push_back(joint.name);
-      if (!(limits.effort > 0.0)) missing_->effort.push_back(joint.name);
-      if (!(limits.velocity > 0.0)) limits.velocity = 1.0;
-      if (!(limits.effort > 0.0)) limits.effort = 1.0;
+      // 0 stands for one that is not there; what is below it is refused as it is.
+      if (limits.velocity == 0.0) missing_->velocity.push_back(joint.name);
+      if (limits.effort == 0.0) missing_->effort.push_back(joint.name);
+      if (limits.velocity == 0.0) limits.velocity = 1.0;
+      if (limits.effort == 0.0) limits.effort = 1.0;
     }
     return limits;
   }

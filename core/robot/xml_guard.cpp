@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/common/error.hpp"
 #include "core/common/input_file.hpp"
@@ -17,6 +19,9 @@ constexpr int kMaxDepth = 1'000;
 constexpr int kMaxLinks = 10'000;
 constexpr int kMaxElements = 200'000;
 constexpr int kMaxAttributes = 100;  // of one tag: tinyxml searches all of them for every new one
+/// Of a link or joint: urdfdom reads the first and passes over the rest without a word.
+constexpr std::array<std::string_view, 9> kOnce = {
+    "inertial", "origin", "parent", "child", "axis", "limit", "mimic", "dynamics", "safety_controller"};
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr auto kEnd = std::string_view::npos;
 
@@ -88,8 +93,22 @@ class Scanner {
       refuse(at, "more than {} elements; armtune needs a serial arm", kMaxElements);
     if (name == "link" && ++links_ > kMaxLinks)
       refuse(at, "more than {} links; armtune needs a serial arm", kMaxLinks);
+    refuse_second(at, name);
     if (!body.ends_with('/') && ++depth_ > kMaxDepth)
       refuse(at, "elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth);
+  }
+
+  /// The robot's links and joints are at depth 1, and what they hold at depth 2.
+  void refuse_second(std::size_t at, std::string_view name) {
+    if (depth_ == 1) {
+      owner_ = name;
+      seen_.clear();
+    }
+    if (depth_ != 2 || (owner_ != "link" && owner_ != "joint")) return;
+    if (std::find(kOnce.begin(), kOnce.end(), name) == kOnce.end()) return;
+    if (std::find(seen_.begin(), seen_.end(), name) != seen_.end())
+      refuse(at, "a second <{}> in one <{}>; take one of them away", name, owner_);
+    seen_.push_back(name);
   }
 
   /// Checks the attribute value that opens at `quote` in the tag at `at`; returns its closing quote.
@@ -119,6 +138,8 @@ class Scanner {
   int depth_ = 0;
   int elements_ = 0;
   int links_ = 0;
+  std::string_view owner_;              ///< the last element below the robot
+  std::vector<std::string_view> seen_;  ///< what it holds, of kOnce
 };
 
 }  // namespace

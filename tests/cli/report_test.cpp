@@ -70,6 +70,18 @@ TEST_F(Report, OfASimulationAndAComparison) {
   EXPECT_EQ(at(simulated, "kind").as_string(), "simulate");
   EXPECT_EQ(at(simulated, "sets/0").as_string(), "gains");
   expect_replays(simulated, 2, 1);
+  // A recording that was lost, and one that ends at a row before its time, are said.
+  const std::string recording = files_ / "run/rollout_short.csv";
+  const std::string whole = test::read_text(recording);
+  std::ofstream(recording, std::ios::binary) << whole.substr(0, whole.find('\n', whole.size() / 2) + 1);
+  const Finished cut = run_program({"report", files_ / "run"});
+  EXPECT_EQ(cut.exit_code, 0);
+  EXPECT_THAT(cut.err,
+              testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("of 8 s"), HasSubstr("cut off")));
+  std::filesystem::remove(recording);
+  EXPECT_THAT(run_program({"report", files_ / "run"}).err,
+              testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("is not there")));
+  std::ofstream(recording, std::ios::binary) << whole;
   ASSERT_EQ(run_program({"compare", "published", files_ / "run", "--scenarios", files_ / "short.yaml",
                          "--out", files_ / "compared"})
                 .exit_code,

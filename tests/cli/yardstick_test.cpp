@@ -83,6 +83,9 @@ TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {
   EXPECT_TRUE(fs::exists(files_ / "mine.yaml"));
   EXPECT_FALSE(fs::exists(files_ / "run/yardstick.csv"));
   EXPECT_EQ(read_text(files_ / "run/columns.csv"), columns);
+  const Finished again = run_program({"yardstick", files_ / "run", "--out", files_ / "mine.csv"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("mine.csv: is there already"));
 }
 
 TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {

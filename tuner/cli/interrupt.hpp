@@ -1,5 +1,6 @@
 #pragma once
-// SIGINT and SIGTERM as a flag that long work looks at. Signal handlers leave no other way than a global.
+// SIGINT, SIGTERM and SIGHUP as a flag that long work looks at. Signal handlers leave no other way than a
+// global.
 
 #include <atomic>
 #include <string>

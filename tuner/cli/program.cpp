@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
@@ -11,6 +13,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/standard_streams.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -94,13 +97,19 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int run(int argc, char** argv) {
+  open_standard_streams();
+  int exit_code = kDone;
   try {
     // It costs a second start, which a bare --version or --help need not wait for.
     if (argc > 1 && argv[1][0] != '-') fix_arithmetic(argv);
-    return parse_and_run(argc, argv);
+    exit_code = parse_and_run(argc, argv);
   } catch (...) {
-    return report(std::current_exception());
+    exit_code = report(std::current_exception());
   }
+  if (flush_standard_output() || exit_code != kDone) return exit_code;
+  fmt::print(stderr, "armtune: failed: what was to be printed could not all be written: {}\n",
+             std::strerror(errno));
+  return kFailed;
 }
 
 }  // namespace armtune::cli

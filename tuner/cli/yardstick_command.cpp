@@ -72,6 +72,8 @@ int run(const Arguments& args) {
   if (!std::filesystem::is_directory(args.folder))
     throw InputError(args.folder +
                      ": is no folder; give that of a run that was simulated with --out, or tuned");
+  if (!args.out.empty() && std::filesystem::exists(args.out))
+    throw InputError(fmt::format("{}: is there already; name another file, or take this one away", args.out));
   const auto began = std::chrono::steady_clock::now();
   const std::vector<Scenario> scenarios = rollout_scenarios(args.folder, args.scenarios);
   const std::vector<Measure> measures = measure_rollouts(

@@ -105,6 +105,10 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
                                    found.base.rank()));
     }
     found.estimate = regression.solve(prior);
+    if (!found.estimate.theta.allFinite() || !found.estimate.deviation().allFinite()) {
+      throw InputError(fmt::format(
+          "{} samples give no finite estimate: do their columns and units fit the arm?", found.samples));
+    }
     reweighting.update(found.estimate);
     found.torque_rms = (squares / static_cast<double>(rows_seen)).cwiseSqrt();
   }

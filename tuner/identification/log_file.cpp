@@ -21,6 +21,8 @@ constexpr double kJitter = 0.5;
 /// Largest deviation of a stretch's mean step, relative, beside what the jitter of its two ends makes.
 constexpr double kDrift = 0.01;
 constexpr std::size_t kMaxLineBytes = 1U << 20;
+/// In SI units: beyond every arm, within what the sums of squares hold.
+constexpr double kLargest = 1e9;
 
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> cells;
@@ -200,6 +202,11 @@ double LogFile::number(std::size_t column, const LogColumn& what) const {
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
     throw InputError(fmt::format("{}:{}: column '{}': '{}' is no finite number", path_, line_number_,
                                  what.name, text.substr(0, 40)));
+  }
+  if (!(std::abs(value * what.scale) <= kLargest)) {
+    throw InputError(fmt::format(
+        "{}:{}: column '{}': {} times its scale {} is beyond {:.0e}; take the row out, or mend the unit",
+        path_, line_number_, what.name, value, what.scale, kLargest));
   }
   return value * what.scale;
 }

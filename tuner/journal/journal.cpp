@@ -250,7 +250,11 @@ void Journal::take(std::string_view payload, long place) {
   } else if (const auto minutes = minutes_of(kind)) {
     time_was_up_[*minutes] = number_in(rest);
   } else if (kind == "complete") {
-    exit_code_ = static_cast<int>(number_in(rest));
+    constexpr std::uint64_t kLargestExitCode = 255;
+    const std::uint64_t exit_code = number_in(rest);
+    if (exit_code > kLargestExitCode)
+      throw std::invalid_argument(fmt::format("{} is no exit code", exit_code));
+    exit_code_ = static_cast<int>(exit_code);
   } else {
     throw std::invalid_argument(fmt::format("is of the unknown kind {}", shown(kind)));
   }

@@ -203,11 +203,25 @@ class Assembly {
     }
     for (std::size_t set = 0; set < scene_.sets.size(); ++set) {
       const std::string path = file(scene_.sets[set], "rollout_" + name + ".csv");
-      if (!exists(path)) continue;
+      const std::string status = of_set(name, set, &Table::status);
+      if (!exists(path)) {
+        // What was given up or interrupted leaves none.
+        if (status == "completed")
+          data_.left_out.push_back(path + ": is not there; so are its plots and replay");
+        continue;
+      }
       part([&] {
-        Run run = run_of(CsvTable::read(path), s, arm, resolution);
+        const CsvTable recording = CsvTable::read(path);
+        Run run = run_of(recording, s, arm, resolution);
+        // Between two rows the end may lie, but not further off.
+        const double row_after =
+            run.end * (1.0 + 1.5 / static_cast<double>(std::max<std::size_t>(1, recording.rows() - 1)));
+        if (s != nullptr && status == "completed" && row_after < s->duration) {
+          data_.left_out.push_back(fmt::format("{}: what comes after {:.3f} s of {:.6g} s; it was cut off",
+                                               path, run.end, s->duration));
+        }
         run.set = set;
-        run.status = of_set(name, set, &Table::status);
+        run.status = status;
         run.reason = of_set(name, set, &Table::reason);
         if (run.reason.empty() && !run.status.empty() && run.status != "completed") {
           run.reason = fmt::format("{} at {:.3f} s", run.status, run.end);

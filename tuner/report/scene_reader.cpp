@@ -1,3 +1,8 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
 #include "core/common/error.hpp"
 #include "sim/yaml/map_reader.hpp"
 #include "tuner/report/arm_json.hpp"
@@ -50,6 +55,14 @@ Path read_path(const yaml::Node& node) {
   return path;
 }
 
+/// A path below the run's folder: what a scene names is read and shown.
+std::string path_inside(const yaml::Node& node) {
+  const std::filesystem::path path = node.as_string();
+  if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
+    node.fail(fmt::format("'{}' leads out of the run's folder", path.string()));
+  return path.string();
+}
+
 /// A path alone, as it was written when obstacles had no body, is a point's.
 SceneObstacle read_obstacle(const yaml::Node& node) {
   if (node.find("path") == nullptr) return {read_path(node), 0.0};
@@ -83,8 +96,8 @@ Scene read_scene(const std::string& path) {
   Scene scene;
   for (const yaml::Node& item : map.required("sets").items()) {
     yaml::MapReader set(item);
-    scene.sets.push_back({set.required("name").as_string(), set.required("folder").as_string(),
-                          set.required("errors").as_string()});
+    scene.sets.push_back({set.required("name").as_string(), path_inside(set.required("folder")),
+                          path_inside(set.required("errors"))});
     set.finish();
   }
   for (const yaml::Node& item : map.required("robots").items()) scene.arms.push_back(read_arm(item));

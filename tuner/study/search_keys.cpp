@@ -85,14 +85,15 @@ void read_search(const yaml::Node& node, Study& study) {
     study.solver.constraints = read_constraint_handling(map.required("constraints"));
   study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
   study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
-  if (study.max_evaluations < 1) map.required("max_evaluations").fail("must be at least 1");
+  if (study.max_evaluations < 1)
+    map.required("max_evaluations").fail(fmt::format("is {}, must be at least 1", study.max_evaluations));
   study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);
   study.solver.initial_step = map.number_in("initial_step", study.solver.initial_step, 1e-6, 0.5);
   study.solver.x_tolerance = map.number_in("x_tolerance", study.solver.x_tolerance, 0.0, 1.0);
   study.solver.objective_tolerance =
       map.number_in("objective_tolerance", study.solver.objective_tolerance, 0.0, 1.0);
   const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail("must not be negative");
+  if (seed < 0) map.required("seed").fail(fmt::format("is {}, must not be negative", seed));
   study.solver.seed = static_cast<std::uint64_t>(seed);
   read_engine(map, study);
   read_differences(map, study.solver);

@@ -1,11 +1,15 @@
 #pragma once
 // Jobs shared out to threads, in order; results go to slots of their own, so nothing depends on who did what.
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -32,9 +36,11 @@ inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>
     std::vector<std::jthread> threads;
     try {
       for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
-    } catch (...) {
+    } catch (const std::system_error& e) {
       next = count;  // those already there must not do it all first
-      throw;
+      throw std::runtime_error(
+          fmt::format("of {} threads the system starts no more than {} ({}): give fewer workers", workers,
+                      threads.size() + 1, e.what()));
     }
     work(0);
   }

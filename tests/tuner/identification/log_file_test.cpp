@@ -85,6 +85,9 @@ TEST_F(Logs, WhatIsNoWholeLogIsRefusedWithItsPlace) {
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,nan,3,4\n"), AllOf(HasSubstr("log.csv:3:"), HasSubstr("'q2'")));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2x,3,4\n"),
               AllOf(HasSubstr("'2x'"), HasSubstr("no finite number")));
+  EXPECT_THAT(
+      refused(head + "0,1,2,3,4\n1,1,2,1e200,4\n"),
+      AllOf(HasSubstr("log.csv:3:"), HasSubstr("'tau1'"), HasSubstr("1e+200"), HasSubstr("beyond 1e+09")));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n0,1,2,3,4\n"), HasSubstr("does not grow"));
   EXPECT_THAT(refused(head + "0,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n4,1,2,3,4\n5,1,2,3,4\n"),
               AllOf(HasSubstr("log.csv:5:"), HasSubstr("step")));

@@ -105,10 +105,14 @@ TEST_F(JournalFile, RemembersWhenTheTimeWasUpAndThatTheRunIsComplete) {
     journal->time_is_up(6);
     journal->complete(3);
   }
-  const auto journal = resumed(path);
-  EXPECT_EQ(journal->time_was_up(Minutes::kSearch), 4U);
-  EXPECT_EQ(journal->time_was_up(), 6U);
-  EXPECT_EQ(journal->exit_code(), 3);
+  {
+    const auto journal = resumed(path);
+    EXPECT_EQ(journal->time_was_up(Minutes::kSearch), 4U);
+    EXPECT_EQ(journal->time_was_up(), 6U);
+    EXPECT_EQ(journal->exit_code(), 3);
+    journal->complete(256);
+  }
+  EXPECT_THAT(test::refusal([&] { resumed(path); }), testing::HasSubstr("256 is no exit code"));
 }
 
 TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {

@@ -117,6 +117,13 @@ TEST(Scene, NamesWhatIsWrongInAFile) {
   std::string text = scene_json(test::recorded().scene);
   text.replace(text.find("\"robot\": 0"), 10, "\"robot\": 7");
   EXPECT_THAT(refusal(text), HasSubstr("no such robot"));
+  for (const char* folder_elsewhere : {"../secret", "/etc", "start/../.."}) {
+    text = scene_json(test::recorded().scene);
+    const auto at = text.find("\"folder\": \"") + 11;
+    text.replace(at, text.find('"', at) - at, folder_elsewhere);
+    EXPECT_THAT(refusal(text),
+                testing::AllOf(HasSubstr(folder_elsewhere), HasSubstr("out of the run's folder")));
+  }
 }
 
 TEST(Arm, HasTheFramesOfTheChain) {

@@ -1,0 +1,76 @@
+// Programs without a terminal: closed streams, full disks behind them, a terminal that goes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/tuner/support/short_study.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::Program;
+using test::read_text;
+using testing::HasSubstr;
+
+/// What the shell does with the program's streams.
+std::vector<std::string> shell(const std::string& streams) {
+  return {"/bin/sh", "-c", "exec \"$0\" \"$@\" " + streams};
+}
+
+std::vector<std::string> tune(const test::ShortStudy& files, const std::string& run) {
+  return {"tune", files.path(), "--out", files / run, "--workers", "1", "--no-analysis"};
+}
+
+// The lowest free numbers are given to the files that are opened next: the journal among them.
+TEST(Detached, AClosedStreamIsNotTakenForTheJournal) {
+  const test::ShortStudy files;
+  ASSERT_EQ(Program(tune(files, "run"), files / "").wait().exit_code, 0);
+  for (const char* closed : {"<&- >&- 2>&-", ">&-", "2>&-"}) {
+    SCOPED_TRACE(closed);
+    const std::string run = std::string("run") + closed[0] + closed[1];
+    EXPECT_EQ(Program(tune(files, run), files / "", shell(closed)).wait().exit_code, 0);
+    for (const char* file : {"/gains.yaml", "/errors.csv"})
+      EXPECT_EQ(read_text(files / run + file), read_text(files / "run" + file)) << file;
+    const Finished again = test::run_program({"tune", "--resume", files / run});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_THAT(read_text(files / run + "/journal.txt"), testing::Not(HasSubstr("study study:")));
+    std::filesystem::remove_all(files / run);
+  }
+}
+
+TEST(Detached, WhatCannotBePrintedIsAFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const std::vector<std::vector<std::string>> all = {
+      {"export", "published"}, {"robot", "ur10"}, {"--version"}, {"export", "published", "--format", "csv"}};
+  for (const auto& arguments : all) {
+    const test::TemporaryFolder folder;
+    const Finished done = Program(arguments, folder.path(), shell("> /dev/full")).wait();
+    EXPECT_EQ(done.exit_code, 1) << arguments[0];
+    EXPECT_THAT(done.err, HasSubstr("No space left on device"));
+  }
+}
+
+TEST(Detached, ATerminalThatClosesInterruptsARunAndNohupDoesNot) {
+  const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+                               "search: {algorithm: CRS2, max_evaluations: 30, seed: 1}\n");
+  const auto hung_up = [&](const std::string& run, const std::vector<std::string>& launcher) {
+    Program program(tune(files, run), files / "", launcher);
+    while (program.running() && !std::filesystem::exists(files / run + "/evaluations.csv")) {
+    }
+    EXPECT_EQ(::kill(program.pid(), SIGHUP), 0);
+    return program.wait();
+  };
+  const Finished interrupted = hung_up("closed", {});
+  EXPECT_EQ(interrupted.exit_code, 130) << interrupted.err;
+  EXPECT_TRUE(std::filesystem::exists(files / "closed/gains.yaml"));
+  const Finished outlived = hung_up("outlived", {"/usr/bin/nohup"});
+  EXPECT_EQ(outlived.exit_code, 0) << outlived.err;
+}
+
+}  // namespace
+}  // namespace armtune
