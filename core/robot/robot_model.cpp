@@ -167,10 +167,13 @@ void Checker::joint(int i) const {
           "joint '{}': position limits {} and {} m are beyond {:.0f} m; give what the joint can slide", joint,
           limits.lower, limits.upper, kFarthest);
   require(std::isfinite(limits.velocity) && limits.velocity > 0.0,
-          "joint '{}': velocity limit is {} {}/s; it must be finite and > 0", joint, limits.velocity, unit);
+          "joint '{}': velocity limit is {} {}/s; it must be finite and > 0: give it in the URDF, or by "
+          "'limits' in a robot YAML",
+          joint, limits.velocity, unit);
   require(std::isfinite(limits.effort) && limits.effort > 0.0,
-          "joint '{}': effort limit is {} {}; it must be finite and > 0", joint, limits.effort,
-          revolute ? "N m" : "N");
+          "joint '{}': effort limit is {} {}; it must be finite and > 0: give it in the URDF, or by 'limits' "
+          "in a robot YAML",
+          joint, limits.effort, revolute ? "N m" : "N");
   const auto not_negative = [&](const char* what, double value) {
     require(std::isfinite(value) && value >= 0.0, "joint '{}': {} is {}; it must be finite and 0 or more",
             joint, what, value);

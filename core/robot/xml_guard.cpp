@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -25,6 +26,18 @@ constexpr std::array<std::string_view, 9> kOnce = {
 constexpr std::string_view kSpace = " \t\r\n";
 constexpr auto kEnd = std::string_view::npos;
 
+/// The value of an attribute of a tag; nullopt: it has none of that name.
+std::optional<std::string_view> attribute_of(std::string_view body, std::string_view name) {
+  for (std::size_t at = body.find(name); at != kEnd; at = body.find(name, at + 1)) {
+    const std::size_t equals = body.find_first_not_of(kSpace, at + name.size());
+    if (at == 0 || kSpace.find(body[at - 1]) == kEnd || equals == kEnd || body[equals] != '=') continue;
+    const std::size_t quote = body.find_first_not_of(kSpace, equals + 1);
+    if (quote == kEnd || (body[quote] != '"' && body[quote] != '\'')) continue;
+    return body.substr(quote + 1, body.find(body[quote], quote + 1) - quote - 1);
+  }
+  return std::nullopt;
+}
+
 /// One pass over the tags, without recursion. It reads tags as tinyxml does: quotes are skipped inside tags,
 /// comments and CDATA end at their first end mark; a `<` inside a tag is refused, so that the two cannot
 /// disagree on where an element starts.
@@ -42,6 +55,18 @@ class Scanner {
         at = tag(at);
       }
     }
+  }
+
+  /// The text with what was left out put in.
+  std::string completed() const {
+    std::string whole;
+    std::size_t from = 0;
+    for (const auto& [at, words] : put_in_) {
+      whole += text_.substr(from, at - from);
+      whole += words;
+      from = at;
+    }
+    return whole.append(text_.substr(from));
   }
 
  private:
@@ -79,6 +104,8 @@ class Scanner {
     if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag that is not closed by '>'");
     const std::string_view body = text_.substr(at + 1, end - at - 1);
     if (body.starts_with('/')) {
+      if (depth_ == 2 && needs_limit_) put_in_.emplace_back(at, "<limit velocity='0' effort='0'/>");
+      if (depth_ == 2) needs_limit_ = false;
       depth_ = std::max(0, depth_ - 1);
     } else if (!body.starts_with('!') && !body.starts_with('?')) {
       element(at, body);
@@ -94,6 +121,7 @@ class Scanner {
     if (name == "link" && ++links_ > kMaxLinks)
       refuse(at, "more than {} links; armtune needs a serial arm", kMaxLinks);
     refuse_second(at, name);
+    complete_limit(at, name, body);
     if (!body.ends_with('/') && ++depth_ > kMaxDepth)
       refuse(at, "elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth);
   }
@@ -109,6 +137,21 @@ class Scanner {
     if (std::find(seen_.begin(), seen_.end(), name) != seen_.end())
       refuse(at, "a second <{}> in one <{}>; take one of them away", name, owner_);
     seen_.push_back(name);
+  }
+
+  /// A limit that is not given is 0 from here on, which is what armtune calls missing: urdfdom drops the
+  /// whole file for it.
+  void complete_limit(std::size_t at, std::string_view name, std::string_view body) {
+    if (depth_ == 1) {
+      const auto type = attribute_of(body, "type");
+      needs_limit_ = name == "joint" && !body.ends_with('/') && (type == "revolute" || type == "prismatic");
+    }
+    if (depth_ != 2 || owner_ != "joint" || name != "limit") return;
+    needs_limit_ = false;
+    for (const char* limit : {"velocity", "effort"}) {
+      if (!attribute_of(body, limit))
+        put_in_.emplace_back(at + 1 + name.size(), fmt::format(" {}='0'", limit));
+    }
   }
 
   /// Checks the attribute value that opens at `quote` in the tag at `at`; returns its closing quote.
@@ -138,8 +181,10 @@ class Scanner {
   int depth_ = 0;
   int elements_ = 0;
   int links_ = 0;
-  std::string_view owner_;              ///< the last element below the robot
-  std::vector<std::string_view> seen_;  ///< what it holds, of kOnce
+  bool needs_limit_ = false;                                 ///< the joint that is open
+  std::vector<std::pair<std::size_t, std::string>> put_in_;  ///< where, and what
+  std::string_view owner_;                                   ///< the last element below the robot
+  std::vector<std::string_view> seen_;                       ///< what it holds, of kOnce
 };
 
 }  // namespace
@@ -149,8 +194,9 @@ std::string read_guarded_urdf(const std::string& path) {
   if (text.empty()) throw InputError(path + ": is empty");
   if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE") || text.find('\0') != std::string::npos)
     throw InputError(path + ": is UTF-16 or binary; save it as UTF-8");
-  Scanner(path, text).run();
-  return text;
+  Scanner scanner(path, text);
+  scanner.run();
+  return scanner.completed();
 }
 
 }  // namespace armtune

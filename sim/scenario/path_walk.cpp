@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/common/error.hpp"
 #include "core/control/pose_search.hpp"
 #include "core/control/starting_gains.hpp"
 #include "core/control/task_goal.hpp"
+#include "core/robot/kinematics.hpp"
 #include "sim/scenario/data_files.hpp"
 
 namespace armtune {
@@ -26,6 +28,8 @@ constexpr double kAwayShare = 0.1;     // of the range, at most
 constexpr double kCentering = 0.2;     // 1/s, where no gains are known
 constexpr double kEnoughMargin = 0.1;  // of the range: more is no better
 constexpr unsigned kPlacesTried = 30;
+constexpr int kTimesLooked = 20;  // at a path that was lost, for where it cannot be reached at all
+constexpr double kWound = 0.1;    // rad, m: what laps may add up to and still be called the same
 
 /// One turn is as good as many where nothing else moves.
 double walked_time(const Scenario& scenario) {
@@ -58,6 +62,19 @@ ToolGoal beginning(const Scenario& scenario) {
   return goal_at(scenario, scenario.start_time);
 }
 
+/// The smallest distance from the goal's place that the tool was found to have, however it is turned [m].
+double closest(const RobotModel& robot, const ToolGoal& goal) {
+  double least = std::numeric_limits<double>::infinity();
+  Poses poses;
+  for (unsigned start = 0; start < kPlacesTried && least > kOffPath; ++start) {
+    JointVector q = sample_position(robot, start);
+    reach_goal(robot, {goal.tool, {}}, q);
+    forward_kinematics(robot.chain, q, poses);
+    least = std::min(least, (poses.p_0T - goal.tool).norm());
+  }
+  return least;
+}
+
 /// Whether the arm can have its tool there at all, on whatever way.
 bool can_reach(const RobotModel& robot, const ToolGoal& goal) {
   for (unsigned start = 0; start < kPlacesTried; ++start) {
@@ -80,7 +97,10 @@ bool is_clear(const PathWalk& walk) {
   return !is_off_path(walk) && !is_singular(walk) && walk.margin.value >= 0.0;
 }
 
-PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
+namespace {
+
+/// Over `walked` seconds; the joints that it ends with are left in q.
+PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain) {
   const RobotModel& robot = *scenario.robot;
   const double scale = std::min(1.0, std::pow(reach(robot), 3));
   const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
@@ -91,7 +111,6 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
   PathWalk walk;
   walk.manipulability.value = std::numeric_limits<double>::infinity();
   walk.margin.value = std::numeric_limits<double>::infinity();
-  const double walked = walked_time(scenario);
   const double dt = std::clamp(walked / kMostSteps, kStep, kLongestStep);
   const auto steps = static_cast<long>(std::min<double>(kMostSteps, std::ceil(walked / dt)));
   for (long k = 0; k <= steps; ++k) {
@@ -112,6 +131,8 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
     walk.steps = k;
     const double off = (arm.poses.p_0T - path.position).norm();
     const double m = arm.inverse.manipulability();
+    if (!(off <= kOffPath) && walk.left.value == 0.0) walk.left = {time, path.position, off};
+    walk.ended = time;
     if (!(off <= walk.error.value)) walk.error = {time, path.position, off};
     if (!(m >= walk.manipulability.value)) walk.manipulability = {time, path.position, m};
     walk.largest_manipulability = std::max(walk.largest_manipulability, m);
@@ -120,26 +141,69 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
       walk.margin = {time, path.position, tightest.margin};
       walk.joint = tightest.joint;
     }
+    q = joints.position;
     if (!std::isfinite(off)) break;
   }
   return walk;
 }
 
+}  // namespace
+
+PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
+  const double walked = walked_time(scenario);
+  JointVector end = q;
+  PathWalk walk = walk_for(scenario, walked, end, centering_gain);
+  // A lap about the base winds a joint up: the next one does not begin where this one did.
+  const double laps = scenario.duration / walked;
+  if (laps <= 1.0 || !((end - q).lpNorm<Eigen::Infinity>() * laps > kWound)) return walk;
+  end = q;
+  return walk_for(scenario, scenario.duration, end, centering_gain);
+}
+
+namespace {
+
+std::string place(const WalkPlace& at) {
+  return fmt::format("at {:.4g} s, tool at ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
+                     at.tool.z());
+}
+
+/// Where the arm cannot have its tool at all, from where the walk lost the path on; empty: nowhere there.
+std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
+  WalkPlace farthest;
+  std::optional<WalkPlace> turned_wrong;
+  for (int look = 0; look < kTimesLooked; ++look) {
+    const double time = walk.left.time + (walk.ended - walk.left.time) * look / (kTimesLooked - 1);
+    const ToolGoal goal = goal_at(scenario, time);
+    const double distance = closest(*scenario.robot, goal);
+    if (distance > std::max(kOffPath, farthest.value)) farthest = {time, goal.tool, distance};
+    if (distance <= kOffPath && !turned_wrong && !can_reach(*scenario.robot, goal))
+      turned_wrong = {time, goal.tool, 0.0};
+  }
+  const char* how = !tracks_orientation(scenario.mask) ? ""
+                    : scenario.orientation             ? " with the tool turned as it is to be"
+                                                       : " with the tool's z axis on the target";
+  if (farthest.value > kOffPath) {
+    return fmt::format(
+        "the path leaves the workspace of {}, from {:.4g} s on: {} it comes no closer than {:.3g} m; move or "
+        "shrink the path",
+        scenario.robot->name, walk.left.time, place(farthest), farthest.value);
+  }
+  if (!turned_wrong) return {};
+  return fmt::format(
+      "the path leaves the workspace of {}{}, {}: within its joint limits it cannot; move or shrink the "
+      "path, or turn the "
+      "tool otherwise",
+      scenario.robot->name, how, place(*turned_wrong));
+}
+
+}  // namespace
+
 std::string trouble(const PathWalk& walk, const Scenario& scenario) {
-  const auto place = [](const WalkPlace& at) {
-    return fmt::format("at {:.4g} s, tool at ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
-                       at.tool.z());
-  };
   if (is_clear(walk)) return {};
   // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
   // inverse alone may lead.
-  if (is_off_path(walk) &&
-      !(is_singular(walk) && can_reach(*scenario.robot, goal_at(scenario, walk.error.time)))) {
-    return fmt::format(
-        "the path leaves the workspace of {}{}: {} it comes no closer than {:.3g} m; move or shrink the "
-        "path{}",
-        scenario.robot->name, scenario.orientation ? " with the tool turned as it is to be" : "",
-        place(walk.error), walk.error.value, scenario.orientation ? ", or turn the tool otherwise" : "");
+  if (is_off_path(walk)) {
+    if (const std::string beyond = out_of_reach(walk, scenario); !beyond.empty()) return beyond;
   }
   if (is_singular(walk)) {
     return fmt::format(
@@ -148,6 +212,13 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
         "move the path, or give another start",
         scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
         walk.largest_manipulability);
+  }
+  if (is_off_path(walk)) {
+    return fmt::format(
+        "from its start {} cannot keep to the path, {} by {:.3g} m, though it can have its tool there; move "
+        "the path, or "
+        "give another start",
+        scenario.robot->name, place(walk.error), walk.error.value);
   }
   return fmt::format(
       "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",

@@ -17,18 +17,20 @@ struct WalkPlace {
 };
 
 struct PathWalk {
+  WalkPlace left;            ///< first time off the path by more than a millimetre; value 0: never
   WalkPlace error;           ///< largest distance of the tool from the path [m]
   WalkPlace manipulability;  ///< smallest, of the task's components (equation 4)
   WalkPlace margin;          ///< smallest share of a joint's range that is left to its limit
   double largest_manipulability = 0.0;
-  int joint = 0;   ///< whose margin it is
-  long steps = 0;  ///< that were gone
+  int joint = 0;       ///< whose margin it is
+  long steps = 0;      ///< that were gone
+  double ended = 0.0;  ///< [s]
 };
 
 /// From joint positions q (n) that have the tool on the path at scenario.start_time; over the whole scenario,
-/// or a turn of the path where that is shorter and targets rest. In steps of 0.02 s, longer where it takes
-/// more than 400 s; of what takes more than 1000 s the first 1000. Needs a robot, path, targets and a mask;
-/// nothing else. centering_gain: joint_centering_gain [1/s].
+/// or a turn of the path where that is shorter, targets rest, and the joints come round with it. In steps of
+/// 0.02 s, longer where it takes more than 400 s; of what takes more than 1000 s the first 1000. Needs a
+/// robot, path, targets and a mask; nothing else. centering_gain: joint_centering_gain [1/s].
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain);
 
 /// The path is followed to a millimetre, within the joints' limits, and off singularities.

@@ -1,4 +1,4 @@
-// An arm out of a larger tree: base and tip links, held joints, and what the file does not say.
+// An arm out of a larger tree: base and tip links, and held joints.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -292,43 +292,6 @@ TEST_F(UrdfSelection, WhatIsProposedToBeHeldCanBeHeld) {
   EXPECT_THAT(
       refusal(robot(arm + joint("finger_joint", "floating", "arm2", "finger")), with_tip("arm3")),
       AllOf(HasSubstr("'finger_joint'"), HasSubstr("make it fixed"), testing::Not(HasSubstr("hold:"))));
-}
-
-TEST_F(UrdfSelection, EqualPositionLimitsAreMissingOnes) {
-  // What urdfdom makes of a limit element without lower and upper.
-  const std::string text =
-      robot(test::one_joint(test::kInertial, "<axis xyz='0 0 1'/><limit velocity='3' effort='4'/>"));
-  EXPECT_THAT(refusal(text), AllOf(HasSubstr("joint 'j'"), HasSubstr("lower"),
-                                   HasSubstr("missing or the same"), HasSubstr("'limits' in a robot YAML")));
-  const MissingData missing = missing_data(write(text));
-  EXPECT_THAT(missing.position, ElementsAre("j"));
-  EXPECT_THAT(missing.velocity, IsEmpty());
-  UrdfOptions options;
-  options.limits["j"] = {-1.0, 2.0, {}, {}};
-  EXPECT_TRUE(missing_data(write(text), options).empty());
-  EXPECT_EQ(read(text, options).joints[0].limits.upper, 2.0);
-  options.limits["j"] = {1.0, 1.0, {}, {}};
-  EXPECT_THAT(refusal(text, options), HasSubstr("the same"));
-}
-
-TEST_F(UrdfSelection, AllThatIsMissingIsToldAtOnce) {
-  const std::string nothing = "<axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='0' effort='0'/>";
-  const std::string text =
-      robot(link("a") + link("b", "") + joint("j", "revolute", "a", "b", nothing) + link("c") +
-            joint("k", "revolute", "b", "c",
-                  "<axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='2' effort='0'/>") +
-            link("d", "") + joint("f", "fixed", "b", "d"));
-  const MissingData missing = missing_data(write(text));
-  EXPECT_THAT(missing.velocity, ElementsAre("j"));
-  EXPECT_THAT(missing.effort, ElementsAre("j", "k"));
-  EXPECT_THAT(missing.inertia, ElementsAre("b"));
-  UrdfOptions options;
-  options.limits["j"] = {{}, {}, 1.0, 2.0};
-  options.limits["k"] = {{}, {}, {}, 2.0};
-  options.inertia["d"] = {1.0, Vec3::Zero(), Mat3::Identity()};
-  EXPECT_TRUE(missing_data(write(text), options).empty()) << "what is fixed to a link is part of its body";
-  EXPECT_EQ(read(text, options).n(), 2);
-  EXPECT_THAT(missing_data(write(robot(test::one_joint()))).inertia, IsEmpty());
 }
 
 }  // namespace

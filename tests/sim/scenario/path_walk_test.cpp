@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <regex>
+
 #include "core/control/pose_search.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -48,6 +51,41 @@ TEST(PathWalk, SaysWhereThePathLeavesTheWorkspace) {
   scenario.path.center = Vec3(-3.0, 0.0, 0.5);
   EXPECT_THAT(task_trouble(scenario, published(scenario)),
               AllOf(HasSubstr("cannot have its tool at (-3"), HasSubstr("move the path")));
+}
+
+TEST(PathWalk, TheDistanceItNamesIsTheLeastThatTheArmCanHave) {
+  Scenario scenario = load_scenario("moving_target");
+  scenario.path.center = Vec3(-1.2, 0.04, 0.5);
+  scenario.path.terms = {{1, Vec3(0.4, 0.0, 0.0), Vec3(0.0, 0.4, 0.0)}};
+  const std::string trouble = task_trouble(scenario, published(scenario));
+  std::smatch said;
+  ASSERT_TRUE(std::regex_search(
+      trouble, said, std::regex(R"(tool at \((\S+), (\S+), (\S+)\) m it comes no closer than (\S+) m)")))
+      << trouble;
+  const Vec3 place(std::stod(said[1]), std::stod(said[2]), std::stod(said[3]));
+  const double named = std::stod(said[4]);
+  EXPECT_GT(named, 1e-3);
+  const Chain& chain = scenario.robot->chain;
+  double least = 10.0;
+  for (unsigned sample = 0; sample < 20000; ++sample) {
+    least = std::min(least,
+                     (test::poses_at(chain, sample_position(*scenario.robot, sample)).p_0T - place).norm());
+  }
+  EXPECT_LE(named, least + 1e-3) << "printed to three digits";
+  EXPECT_GT(named, least - 0.15) << "so many samples come nearly as close";
+}
+
+TEST(PathWalk, LapsThatWindAJointUpAreAllGone) {
+  Scenario scenario = load_scenario("moving_target");
+  // About the base, its tool down: every lap turns the first joint once, which may turn twice.
+  scenario.path = {
+      Vec3(0.0, 0.0, 0.4), 2.0 * M_PI / 10.0, 0.0, {{1, Vec3(0.7, 0.0, 0.0), Vec3(0.0, 0.7, 0.0)}}};
+  scenario.targets = {{"below", {Vec3(0.0, 0.0, -20.0), 0.0, 0.0, {}}}};
+  scenario.duration = 8.0;
+  EXPECT_EQ(task_trouble(scenario, published(scenario)), "");
+  scenario.duration = 40.0;
+  EXPECT_THAT(task_trouble(scenario, published(scenario)),
+              AllOf(HasSubstr("shoulder_pan_joint leaves its limits"), HasSubstr("at 40 s")));
 }
 
 /// Out by `sway` and back through the place where the UR10's first and last wrist axis are in line, the gaze
