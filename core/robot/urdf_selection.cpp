@@ -1,8 +1,11 @@
 #include "core/robot/urdf_selection.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
@@ -41,6 +44,27 @@ void check_held(const UrdfJoint& joint, double value, const UrdfOptions& options
   if (std::isfinite(value) && value >= lower && value <= upper) return;
   throw InputError(fmt::format("{}: hold: joint '{}' at {} {}; its limits are {} .. {}", source, joint.name,
                                value, joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper));
+}
+
+bool moves(const UrdfJoint& joint, const UrdfOptions& options) {
+  return joint.motion != UrdfMotion::kFixed && !options.held.contains(joint.name);
+}
+
+/// Whether from some link several ways lead on to joints that move.
+bool branches(const UrdfTree& tree, const UrdfOptions& options) {
+  std::map<std::string, const UrdfJoint*> to;  // link: the joint that leads to it
+  for (const auto& [name, joint] : tree.joints) to.emplace(joint.child, &joint);
+  std::set<std::string> leading;       // joints with one that moves at or behind them
+  std::map<std::string, int> ways_on;  // by link
+  for (const auto& [name, moving] : tree.joints) {
+    if (!moves(moving, options)) continue;
+    for (const UrdfJoint* joint = &moving; joint != nullptr && leading.insert(joint->name).second;) {
+      if (++ways_on[joint->parent] > 1) return true;
+      const auto before = to.find(joint->parent);
+      joint = before == to.end() ? nullptr : before->second;
+    }
+  }
+  return false;
 }
 
 /// Joints from the base to the tip; false if the tip is not behind the base.
@@ -85,7 +109,10 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   selection.base = options.base_link.empty() ? tree.root : options.base_link;
   const bool asked = !options.tip_link.empty();
   const std::string tip = asked ? options.tip_link : "tool0";
-  // A tip link that is not there is for the arm's builder, who knows where the tool can be.
+  // A tip link that is not there is for the arm's builder, who knows where the tool can be, but in a tree it
+  // would come to ask which arm is meant.
+  if (asked && !tree.links.contains(tip) && branches(tree, options))
+    require_link(tree, tip, "tip_link", source);
   if (!tree.links.contains(tip)) return selection;
   const bool behind = find_way(tree, selection.base, tip, selection.on_the_way);
   if (asked && !behind) {
@@ -95,10 +122,8 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
                     source, selection.base, tip));
   }
   selection.has_tip =
-      behind &&
-      std::any_of(selection.on_the_way.begin(), selection.on_the_way.end(), [&](const std::string& joint) {
-        return tree.joints.at(joint).motion != UrdfMotion::kFixed && !options.held.contains(joint);
-      });
+      behind && std::any_of(selection.on_the_way.begin(), selection.on_the_way.end(),
+                            [&](const std::string& joint) { return moves(tree.joints.at(joint), options); });
   return selection;
 }
 

@@ -131,16 +131,20 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot) {
     scenario.mask = mask;
     if (components(mask) <= arm.n() && place_task(task)) return task;
   }
-  throw InputError(
-      fmt::format("{}: no place was found where {} can draw even a circle of {:.2g} m; write a scenario with "
-                  "a path of its own",
-                  arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings)));
+  throw InputError(fmt::format(
+      "{}: no place was found where {} can draw even a circle of {:.2g} m{}; write a scenario with "
+      "a path of its own",
+      arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings),
+      arm.n() < components(TaskMask::kPosition)
+          ? fmt::format(": {} joints are too few to have a tool anywhere, which takes three", arm.n())
+          : ""));
 }
 
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot) {
   const Scenario& s = task.scenario;
   const std::string description =
-      fmt::format("a circle where {} moves well, the gaze at two targets that take turns", s.robot->name);
+      fmt::format("a circle where {} moves well{}", s.robot->name,
+                  tracks_orientation(s.mask) ? ", the gaze at two targets that take turns" : "");
   std::string text = fmt::format(
       "description: {0}\nrobot: {1}\nduration: {2}            "
       "# s\ncontrol_period: {3}   # s\nstart_position_deg: [{4:.4g}]\n"

@@ -40,7 +40,8 @@ void add_report_command(CLI::App& app, int& exit_code) {
       "The page needs neither a server nor a network. Whatever the folder does not hold, it leaves out.\n"
       "Meshes of the arm are drawn where they are binary STL within the robot's folder (of its URDF, or with "
       "a\n"
-      "package.xml above it), or within one of the folders in ARMTUNE_MESHES (one:two).\n\n"
+      "package.xml above it), or within one of the folders in ARMTUNE_MESHES (one:two, or "
+      "name_of_a_package=folder).\n\n"
       "Example:\n  armtune report runs/ur10_gaze_20261121-103000\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

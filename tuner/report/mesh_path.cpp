@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -12,14 +13,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> allowed_folders() {
-  std::vector<fs::path> folders;
+struct Allowed {
+  std::string package;  ///< whose folder it is; empty: of any that lies in it
+  fs::path folder;
+};
+
+std::vector<Allowed> allowed_folders() {
+  std::vector<Allowed> folders;
   const char* set = std::getenv(kMeshFolders);
   std::istringstream list(set == nullptr ? "" : set);
-  for (std::string folder; std::getline(list, folder, ':');) {
-    if (!folder.empty()) folders.emplace_back(fs::absolute(folder));
+  for (std::string entry; std::getline(list, entry, ':');) {
+    const std::size_t equals = entry.find('=');
+    const std::string folder = equals == std::string::npos ? entry : entry.substr(equals + 1);
+    if (folder.empty()) continue;
+    folders.push_back({equals == std::string::npos ? "" : entry.substr(0, equals), fs::absolute(folder)});
   }
   return folders;
+}
+
+/// What a folder's package.xml calls it; empty: it has none.
+std::string package_name(const fs::path& folder) {
+  constexpr std::size_t kMostBytes = 1 << 16;
+  constexpr std::string_view kOpening = "<name>";
+  std::ifstream file(folder / "package.xml", std::ios::binary);
+  std::string text(kMostBytes, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  const std::size_t opening = text.find(kOpening);
+  if (opening == std::string::npos) return {};
+  const std::size_t begin = opening + kOpening.size();
+  const std::size_t end = text.find("</name>", begin);
+  return end == std::string::npos ? std::string() : text.substr(begin, end - begin);
 }
 
 std::vector<fs::path> folders_above(const fs::path& folder) {
@@ -49,15 +73,21 @@ std::optional<std::string> mesh_path(const std::string& named, const std::string
   constexpr std::string_view kPackage = "package://";
   constexpr std::string_view kFile = "file://";
   const std::vector<fs::path> above = folders_above(fs::absolute(urdf).lexically_normal().parent_path());
-  std::vector<fs::path> roots = allowed_folders();
+  const std::vector<Allowed> allowed = allowed_folders();
+  std::vector<fs::path> roots;
+  for (const Allowed& one : allowed) roots.push_back(one.folder);
   std::vector<fs::path> places;
   if (named.starts_with(kPackage)) {
     const std::string rest = named.substr(kPackage.size());
     const std::string package = rest.substr(0, rest.find('/'));
-    for (const fs::path& root : roots) places.push_back(root / rest);
+    const fs::path inside = fs::path(rest.substr(package.size())).relative_path();
+    for (const Allowed& one : allowed) {
+      if (one.package.empty()) places.push_back(one.folder / rest);
+      if (one.package == package) places.push_back(one.folder / inside);
+    }
     for (const fs::path& folder : above) {
-      if (package.empty() || folder.filename() != package) continue;
-      places.push_back(folder.parent_path() / rest);
+      if (package.empty() || (folder.filename() != package && package_name(folder) != package)) continue;
+      places.push_back(folder / inside);
       roots.push_back(folder);
     }
   } else {

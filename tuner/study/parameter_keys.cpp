@@ -43,6 +43,14 @@ Parameter default_parameter(const GainEntry& entry, const Gains& start) {
   return p;
 }
 
+/// Whether it acts on the tool's orientation alone.
+bool turns_tool(const GainEntry& entry) {
+  constexpr std::size_t kRotations = 3;  // of x y z rx ry rz
+  if (const auto* scalar = std::get_if<double Gains::*>(&entry.field->member))
+    return *scalar == &Gains::slerpDurationErrorGain;
+  return component_names(*entry.field, {}).size() == 6 && entry.component >= kRotations;
+}
+
 template <typename List>
 auto find_by_name(List& list, const std::string& name) {
   return std::find_if(list.begin(), list.end(), [&name](const auto& p) { return p.entry.name == name; });
@@ -91,8 +99,8 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
 
 }  // namespace
 
-ParameterSpace read_space(const yaml::Node* node, const Gains& start,
-                          const std::vector<std::string>& joints) {
+ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
+                          bool orientation) {
   ParameterSpace space;
   space.start = start;
   auto all = gain_entries(fields_of(start), joints);
@@ -101,7 +109,8 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start,
     for (const GainEntry& entry : all) {
       // Factors on a gain that is zero, and so switched off, are none.
       const bool off = entry.field->search == SearchRange::kFactor && value(start, entry) == 0.0;
-      if (entry.field->search != SearchRange::kNone && !off)
+      const bool idle = !orientation && turns_tool(entry);
+      if (entry.field->search != SearchRange::kNone && !off && !idle)
         space.free.push_back(default_parameter(entry, start));
     }
     return space;

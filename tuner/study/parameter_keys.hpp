@@ -10,9 +10,10 @@
 namespace armtune {
 
 /// The entries of `parameters`; without the key (null) all gains that are searched by default, between their
-/// default bounds. start: what they are where the file does not say. Throws InputError with file, line and
-/// key.
-ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints);
+/// default bounds. start: what they are where the file does not say. orientation: whether any scenario holds
+/// one; where none does, gains of it are not searched by default. Throws InputError with file, line and key.
+ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
+                          bool orientation);
 
 /// The axes of `sweep`, over parameters of the space. all: every gain of the arm. Throws InputError with
 /// file, line and key.

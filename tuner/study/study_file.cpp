@@ -184,7 +184,9 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   const std::string& meant = named != nullptr ? named->as_string() : read.controller;
   const bool another = start.controller != meant;
   const yaml::Node* parameters = map.optional("parameters");
-  study.space = read_space(another ? nullptr : parameters, start, joints);
+  const bool orientation = std::any_of(study.scenarios.begin(), study.scenarios.end(),
+                                       [](const Scenario& s) { return tracks_orientation(s.mask); });
+  study.space = read_space(another ? nullptr : parameters, start, joints, orientation);
   validate(study.space, path);
   const std::size_t n = study.space.free.size();
   for (const auto& corner :

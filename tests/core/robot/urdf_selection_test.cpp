@@ -294,5 +294,13 @@ TEST_F(UrdfSelection, WhatIsProposedToBeHeldCanBeHeld) {
       AllOf(HasSubstr("'finger_joint'"), HasSubstr("make it fixed"), testing::Not(HasSubstr("hold:"))));
 }
 
+TEST_F(UrdfSelection, ATipLinkThatATreeDoesNotHaveIsNamedFirst) {
+  const std::string tree = robot(link("base") + link("left") + joint("l", "revolute", "base", "left") +
+                                 link("right") + joint("r", "revolute", "base", "right"));
+  EXPECT_THAT(refusal(tree, with_tip("rigth")),
+              AllOf(HasSubstr("tip_link 'rigth': there is no such link"), HasSubstr("'right'")));
+  EXPECT_THAT(refusal(tree), HasSubstr("name the tip_link"));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -1,6 +1,7 @@
 #include "sim/scenario/default_task.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/control/starting_gains.hpp"
@@ -72,6 +73,12 @@ TEST(DefaultTask, ARobotsNameMayLookLikeYaml) {
 TEST(DefaultTask, AnArmOfThreeJointsHoldsItsPositionOnly) {
   const DefaultTask task = default_task(std::make_shared<const RobotModel>(test::random_arm(3, 5, false)));
   EXPECT_EQ(task.scenario.mask, TaskMask::kPosition);
+  EXPECT_EQ(default_task_yaml(task, "arm.yaml").find("gaze"), std::string::npos);
+}
+
+TEST(DefaultTask, TwoJointsAreTooFewToHaveAToolAnywhere) {
+  const auto arm = std::make_shared<const RobotModel>(test::random_arm(2, 5, false));
+  EXPECT_THAT(test::refusal([&] { default_task(arm); }), testing::HasSubstr("2 joints are too few"));
 }
 
 }  // namespace

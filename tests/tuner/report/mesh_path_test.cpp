@@ -48,6 +48,18 @@ TEST_F(MeshPath, FollowsTheNamesThatUrdfsUse) {
   EXPECT_TRUE(refuses("package:///meshes/link.stl"));
 }
 
+TEST_F(MeshPath, APackageIsCalledWhatItsFileSays) {
+  EXPECT_TRUE(refuses("package://arm_description/meshes/link.stl"));
+  folder_.write("my_arm/package.xml", "<package>\n  <name>arm_description</name>\n</package>\n");
+  EXPECT_TRUE(finds("package://arm_description/meshes/link.stl", mesh_));
+  EXPECT_TRUE(finds("package://my_arm/meshes/link.stl", mesh_));
+  EXPECT_TRUE(refuses("package://arm_description/../other/meshes/link.stl"));
+  EXPECT_TRUE(refuses("package://other_description/meshes/link.stl"));
+  ::setenv(kMeshFolders, (folder_ / "nowhere:other_description=" + (folder_ / "other")).c_str(), 1);
+  EXPECT_TRUE(finds("package://other_description/meshes/link.stl", secret_));
+  EXPECT_TRUE(refuses("package://third/meshes/link.stl"));
+}
+
 TEST_F(MeshPath, StaysInTheRobotsFolder) {
   for (const std::string named :
        {"../../other/meshes/link.stl", "package://other/meshes/link.stl",

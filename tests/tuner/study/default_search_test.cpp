@@ -1,5 +1,6 @@
 // How a study searches that does not say so.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/tuner/support/short_study.hpp"
@@ -28,6 +29,24 @@ TEST(DefaultSearch, OfAStudyThatNamesNoAlgorithmHasTwoPhases) {
   EXPECT_EQ(global_of(named), "");
   EXPECT_EQ(named.solver.algorithm, "BOBYQA");
   EXPECT_EQ(named.solver.constraints, ConstraintHandling::kAuto);
+}
+
+TEST(DefaultSearch, OfPositionsAloneLeavesGainsOfTheOrientationOut) {
+  const ShortStudy files("", "objective: [{metric: error/position/rms}]\n", "");
+  const auto names = [&files](const std::string& mask) {
+    files.write("short.yaml", "base: moving_target\nduration: 8\ntask_mask: " + mask + "\n");
+    files.write("short_realistic.yaml", "base: realistic_moving_target\nduration: 8\ntask_mask: position\n");
+    std::vector<std::string> all;
+    for (const Parameter& p : load_study(files.path()).space.free) all.push_back(p.entry.name);
+    return all;
+  };
+  for (const char* rotation : {"task_space_gains_p/rx", "task_space_gains_i/rz", "slerpDurationErrorGain"}) {
+    EXPECT_THAT(names("pose"), testing::Contains(rotation)) << "one scenario of two";
+    EXPECT_THAT(names("position"), testing::Not(testing::Contains(rotation)));
+  }
+  for (const char* position :
+       {"task_space_gains_p/x", "task_space_gains_d/wrist_3_joint", "trajectoryDurationErrorGain"})
+    EXPECT_THAT(names("position"), testing::Contains(position));
 }
 
 TEST(DefaultSearch, AWarmStartGoesWithoutAGlobalSearchThatNobodyNamed) {
