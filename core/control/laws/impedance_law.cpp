@@ -6,6 +6,9 @@ namespace armtune {
 namespace {
 
 constexpr double kStiffRate = 40.0;  // 1/s
+/// Outside the task nothing is stiff: there the joints' dampers alone hold an arm on its references against
+/// what the model has wrong, or it drifts to its limits.
+constexpr double kDampedRate = 20.0;  // 1/s
 
 class ImpedanceLaw final : public TorqueLaw {
  public:
@@ -54,7 +57,7 @@ ControllerKind impedance_controller() {
             const Vec6 inertia = task_inertia(robot, q);
             own(gains, "impedance_k") = kStiffRate * kStiffRate * inertia;
             own(gains, "impedance_d") = 2.0 * kStiffRate * inertia;
-            own(gains, "impedance_joint_d") = joint_inertia(robot, q);
+            own(gains, "impedance_joint_d") = kDampedRate * joint_inertia(robot, q);
           }};
 }
 

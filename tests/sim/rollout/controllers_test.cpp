@@ -85,6 +85,8 @@ TEST_P(Controllers, DoTheFirstTaskOfEveryBundledRobotWithTheirStartingGains) {
     EXPECT_GT(result.metrics[Metric::kSamples], 5000.0) << name;
     EXPECT_LT(result.metrics[Metric::kPositionMax], 0.5 * task.scenario.path.terms[0].cosine.norm()) << name;
     EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], 1.0) << name;
+    EXPECT_GT(result.metrics[Metric::kJointPositionMinMargin], 0.0)
+        << name << " within its limits, free joints too";
   }
 }
 
