@@ -89,6 +89,8 @@ TEST(OneDeclaration, OfAGainReachesFilesHelpDocsSearchSpaceReportAndJournal) {
   bool in_file = false;
   for (const Column& column : evaluation_columns(study)) in_file = in_file || column.name == "declared_here";
   EXPECT_TRUE(in_file) << "evaluations.csv";
+  EXPECT_THAT(study_yaml(study, "gains.yaml"), HasSubstr("declared_here"))
+      << "study.yaml and the journal's head";
 
   const auto shown = report::gains_of({{"declared_here", 42.5, 8.5, 212.5, "log"}},
                                       joint_names(*study.scenarios[0].robot), {files / "damper.yaml"});

@@ -35,6 +35,37 @@ TEST_P(RandomArms, FollowTheirPathAndLookWhereTheyCan) {
   }
 }
 
+TEST_P(RandomArms, DoTheWholeJobWithinTheirVelocityLimits) {
+  const int n = GetParam();
+  for (const unsigned seed : {1U, 2U}) {
+    for (const bool sliding : {false, true}) {
+      Job job = test::whole_job(n, 100U * static_cast<unsigned>(n) + seed, sliding);
+      SCOPED_TRACE(fmt::format("{} joints, seed {}, {}", n, seed, sliding ? "sliding" : "turning"));
+      const auto run = [&job] {
+        return Rollout(job.scenario, Stepper::kMidpoint, Engine::kNative).run(job.gains);
+      };
+      const RolloutResult result = run();
+      ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+      // Of 8000 periods: it avoids the obstacle, returns, and follows again.
+      EXPECT_GT(result.metrics[Metric::kSamples], 4000.0);
+      EXPECT_LT(result.metrics[Metric::kSamples], 7500.0);
+      EXPECT_LT(result.metrics[Metric::kObstacleMinClearance], job.gains.obstacleInfluenceRadius);
+      EXPECT_GT(result.metrics[Metric::kObstacleMinClearance], 0.02) << "a ball of 5 cm is let past";
+      // The governor keeps the references under its margin; what is measured may be a little above them.
+      EXPECT_LT(result.metrics[Metric::kJointVelocityMaxRatio], job.gains.velocity_margin + 0.05);
+      EXPECT_LT(result.metrics[Metric::kPositionRms], 5e-3) << "a quarter of the circle";
+      if (tracks_orientation(job.scenario.mask)) {
+        EXPECT_LT(result.metrics[Metric::kOrientationMax], 0.02);
+        EXPECT_LT(result.metrics[Metric::kReacquisitionTime], 1.0) << "of the 4 s that a target has";
+      }
+      job.gains.adaptation_gain = 0.0;
+      const RolloutResult unlearned = run();
+      EXPECT_LT(result.metrics[Metric::kCompensationErrorRms],
+                0.9 * unlearned.metrics[Metric::kCompensationErrorRms]);
+    }
+  }
+}
+
 TEST_P(RandomArms, MoveInSimbodyAsInArmtunesOwnDynamics) {
   const int n = GetParam();
   const Job job = random_job(n, 100U * static_cast<unsigned>(n) + 1U, true);

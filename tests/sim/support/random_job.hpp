@@ -80,4 +80,43 @@ inline Job random_job(int n, unsigned seed, bool with_prismatic) {
   return job;
 }
 
+/// The same with all that a main job has: velocity limits that matter, under the extended law; theta a tenth
+/// off, and learnt; two targets that take turns; an obstacle that comes as close to the last link's joint as
+/// half its influence, and goes again.
+inline Job whole_job(int n, unsigned seed, bool with_prismatic) {
+  Job job = random_job(n, seed, with_prismatic);
+  Scenario& scenario = job.scenario;
+  RobotModel arm = *scenario.robot;
+  for (JointInfo& joint : arm.joints) joint.limits.velocity = 2.0;
+  const Poses poses = poses_at(arm.chain, scenario.start_position);
+  scenario.robot = std::make_shared<const RobotModel>(std::move(arm));
+  scenario.duration = 16.0;
+  scenario.theta.model_scale = 0.9;
+  scenario.switch_every = 4.0;
+  const Vec3 aside = 0.1 * poses.R_0T.col(0);
+  const Vec3 ahead = poses.p_0T + 0.8 * poses.R_0T.col(2);
+  scenario.targets = {{"one", {ahead - aside, 0.0, 0.0, {}}}, {"other", {ahead + aside, 0.0, 0.0, {}}}};
+
+  Gains& gains = job.gains;
+  gains.velocity_margin = 0.8;
+  gains.velocity_barrier_gain = 1.0;
+  gains.variable_damping = true;
+  gains.adaptation_projection = true;
+  gains.adaptation_gain = 1.0;
+  gains.joint_goal_follows_task = true;
+  gains.slerp_start_angle = 0.03;
+  gains.obstacleInfluenceRadius = 0.1;
+  gains.force_control_gains.setConstant(20.0);
+  // On the far side of that joint from the base, so that nothing else is as close.
+  const Vec3 joint = poses.p_0B[static_cast<std::size_t>(n - 1)];
+  const Vec3 out = joint.normalized();
+  const double near = 0.05;
+  const double sway = 0.5;  // there at 10 s: cos(w t) = 1
+  scenario.obstacles = {
+      {"passer",
+       {joint + (near + sway) * out, 2.0 * M_PI / 10.0, 0.0, {{1, -sway * out, Vec3::Zero()}}},
+       0.0}};
+  return job;
+}
+
 }  // namespace armtune::test
