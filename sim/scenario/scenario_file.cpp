@@ -8,6 +8,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
+#include "core/robot/kinematics.hpp"
 #include "core/robot/link_radius.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/orientation_file.hpp"
@@ -118,8 +119,19 @@ void read_planned(const yaml::Node& node, Scenario& scenario) {
   scenario.start_velocity = scenario.planned->knots().front().velocity;
 }
 
+/// A planned motion alone: what is left to do then is to stay where it ends, the tool as it is.
+void hold_the_end(Scenario& scenario) {
+  constexpr double kAhead = 1.0;  // m
+  Poses poses;
+  forward_kinematics(scenario.robot->chain, scenario.planned->knots().back().position, poses);
+  scenario.path = Path{poses.p_0T, 0.0, 0.0, {}};
+  scenario.targets = {{"ahead", Path{poses.p_0T + kAhead * poses.R_0T.col(2), 0.0, 0.0, {}}}};
+}
+
 /// The tool's path, and what it looks at or how it is turned.
 void read_task(yaml::MapReader& map, Scenario& scenario) {
+  const bool has_task = map.has("path") || map.has("orientation") || map.has("targets");
+  if (scenario.planned && !has_task) return hold_the_end(scenario);
   const yaml::Node* orientation = map.optional("orientation");
   yaml::MapReader tool_path(map.required("path"));
   // Tool poses stand in one file.

@@ -159,6 +159,26 @@ TEST_F(PlannedRollout, WhatIsLeftOfTheTimeGoesToTheScenariosOwnPath) {
   EXPECT_TRUE(applies(Metric::kPositionMax, s));
 }
 
+TEST_F(PlannedRollout, AloneItEndsWithTheToolHeldWhereItIs) {
+  folder_.write("plan.csv", test::plan_csv(*base_.robot, plan_));
+  const Scenario s = load_scenario(folder_.write(
+      "alone.yaml",
+      "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\nduration: 6\ntheta_start: {model_scale: 1}\n"));
+  const RolloutResult result = Rollout(s, Stepper::kMidpoint, Engine::kNative).run(published_gains(s));
+  ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_GT(result.metrics[Metric::kSamples], 1000.0) << "the seconds behind the plan's two";
+  EXPECT_LT(result.metrics[Metric::kPositionMax], 1e-3);
+  EXPECT_LT(result.metrics[Metric::kOrientationMax], 1e-2);
+  // With any part of a task of its own, a scenario has to have it whole.
+  EXPECT_THAT(test::refusal([&] {
+                load_scenario(folder_.write(
+                    "half.yaml",
+                    "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\ntargets: [{name: a, "
+                    "center: [1, 0, 0]}]\ntheta_start: {model_scale: 1}\n"));
+              }),
+              testing::HasSubstr("path"));
+}
+
 TEST_F(PlannedRollout, TheRecordHasPlanAndErrorOfEveryJointWhileItIsFollowed) {
   const Scenario s = scenario("moving_target", "2.1");
   Recorder recorder(s, 50);
