@@ -28,8 +28,9 @@ constexpr double kAwayShare = 0.1;     // of the range, at most
 constexpr double kCentering = 0.2;     // 1/s, where no gains are known
 constexpr double kEnoughMargin = 0.1;  // of the range: more is no better
 constexpr unsigned kPlacesTried = 30;
-constexpr int kTimesLooked = 20;  // at a path that was lost, for where it cannot be reached at all
-constexpr double kWound = 0.1;    // rad, m: what laps may add up to and still be called the same
+constexpr int kTimesLooked = 20;    // at a path that was lost, for where it cannot be reached at all
+constexpr double kAtTarget = 0.02;  // m: as close no gaze can turn as fast as the line does
+constexpr double kWound = 0.1;      // rad, m: what laps may add up to and still be called the same
 
 /// One turn is as good as many where nothing else moves.
 double walked_time(const Scenario& scenario) {
@@ -111,6 +112,7 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
   PathWalk walk;
   walk.manipulability.value = std::numeric_limits<double>::infinity();
   walk.margin.value = std::numeric_limits<double>::infinity();
+  walk.sight.value = std::numeric_limits<double>::infinity();
   const double dt = std::clamp(walked / kMostSteps, kStep, kLongestStep);
   const auto steps = static_cast<long>(std::min<double>(kMostSteps, std::ceil(walked / dt)));
   for (long k = 0; k <= steps; ++k) {
@@ -124,6 +126,9 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
       aim.orientation = &wanted;
     } else {
       aim.target = scenario.targets[scenario.active_target(time)].path.at(time);
+      const double sight = (aim.target.position - path.position).norm();
+      if (tracks_orientation(scenario.mask) && sight < walk.sight.value)
+        walk.sight = {time, path.position, sight};
     }
     const MotionPoint<JointVector>& joints =
         motion.step(robot.chain, path, aim, damping, scenario.mask, centering, dt);
@@ -200,6 +205,11 @@ std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
 
 std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   if (is_clear(walk)) return {};
+  if (walk.sight.value < kAtTarget) {
+    return fmt::format(
+        "the tool passes the target that it looks at, {}, {:.3g} m from it; move the path or the target",
+        place(walk.sight), walk.sight.value);
+  }
   // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
   // inverse alone may lead.
   if (is_off_path(walk)) {

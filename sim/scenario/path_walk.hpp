@@ -21,6 +21,7 @@ struct PathWalk {
   WalkPlace error;           ///< largest distance of the tool from the path [m]
   WalkPlace manipulability;  ///< smallest, of the task's components (equation 4)
   WalkPlace margin;          ///< smallest share of a joint's range that is left to its limit
+  WalkPlace sight;           ///< smallest distance from the path to the target that is looked at [m]
   double largest_manipulability = 0.0;
   int joint = 0;       ///< whose margin it is
   long steps = 0;      ///< that were gone
@@ -36,8 +37,8 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
 /// The path is followed to a millimetre, within the joints' limits, and off singularities.
 bool is_clear(const PathWalk& walk);
 
-/// What is wrong with it in one sentence, with place and figure: the path leaves the workspace, a joint its
-/// limits, or a singularity is passed. Empty: nothing, it is clear.
+/// What is wrong with it in one sentence, with place and figure: it passes its own target, the path leaves
+/// the workspace, a joint its limits, or a singularity is passed. Empty: nothing, it is clear.
 std::string trouble(const PathWalk& walk, const Scenario& scenario);
 
 /// The joint positions (n) to begin the task at: the tool on the path at scenario.start_time, looking at the

@@ -116,6 +116,13 @@ TEST(PathWalk, SaysWhereASingularityIsPassed) {
   EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), HasSubstr("manipulability is")));
 }
 
+TEST(PathWalk, SaysWhereTheToolPassesItsOwnTarget) {
+  Scenario scenario = load_scenario("moving_target");
+  scenario.targets = {{"on_it", {scenario.path.at(5.0).position + Vec3(0.0, 0.0, 0.005), 0.0, 0.0, {}}}};
+  EXPECT_THAT(task_trouble(scenario, published(scenario)),
+              AllOf(HasSubstr("passes the target that it looks at"), HasSubstr("m from it")));
+}
+
 TEST(PathWalk, APathThatIsLostInASingularityHasNotLeftTheWorkspace) {
   // Aside to the line on which the wrist could turn over in time.
   const Scenario scenario = through_the_wrist(Vec3(0.15, 0.0, 0.0), 2.0);
