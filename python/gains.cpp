@@ -34,7 +34,7 @@ std::vector<std::string> names(const NamedJoints& self) {
 }
 
 /// Numbers: an array onto them; switches: True, False or a word.
-py::object get(py::object self, const std::string& name) {
+py::object get(const py::object& self, const std::string& name) {
   auto& gains = self.cast<NamedJoints&>().gains;
   const GainField& field = field_of(gains, name);
   if (field.is_number()) {
@@ -87,6 +87,7 @@ NamedJoints load(const std::filesystem::path& name, const Scenario& scenario) {
 }
 
 std::string text(const NamedJoints& self, const std::string& format) {
+  validate(self.gains, self.joints, "gains");
   GainsFile file;
   file.gains = self.gains;
   file.joints = self.joints;

@@ -31,7 +31,7 @@ struct Rolled {
   std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
 };
 
-py::object column(py::object self, const std::string& name) {
+py::object column(const py::object& self, const std::string& name) {
   const auto& rolled = self.cast<const Rolled&>();
   const auto found = std::find(rolled.names.begin(), rolled.names.end(), name);
   if (found == rolled.names.end())
@@ -49,7 +49,7 @@ py::dict metrics(const Rolled& self) {
 std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const NamedJoints& gains,
                                  int workers, int record_every, const std::string& stepper,
                                  py::object progress) {
-  if (workers < 1) throw py::value_error(fmt::format("workers: {}, must be 1 or more", workers));
+  check_workers(workers);
   if (record_every < 1)
     throw py::value_error(fmt::format("record_every: {}, must be 1 or more", record_every));
   validate(gains.gains, gains.joints, "gains");
@@ -68,10 +68,10 @@ std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const N
     for (const Column& c : recorder.columns()) rolled[i].names.push_back(c.name);
     rolled[i].values = std::move(recorder).rows(completed);
   };
-  const Gains fixed = gains.gains;  // the caller's may change meanwhile
+  const Gains given = gains.gains;  // the caller's may change meanwhile
   auto results = interruptible(callback, [&](const std::atomic<bool>& stop) {
     return simulate(
-        scenarios, [&](const Scenario&) { return fixed; }, options, stop);
+        scenarios, [&](const Scenario&) { return given; }, options, stop);
   });
   for (std::size_t i = 0; i < rolled.size(); ++i) rolled[i].result = std::move(results[i]);
   return rolled;

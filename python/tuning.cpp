@@ -4,6 +4,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <limits>
+
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/interruptible.hpp"
@@ -31,9 +33,11 @@ Tuned tuned_of(const Study& study, const TuneResult& result, Series seen) {
   const auto joints = joint_names(*study.scenarios.front().robot);
   Tuned tuned;
   tuned.start = {study.space.start, joints};
-  tuned.best = {result.best.gains, joints};
-  tuned.objective = result.best.objective;
-  tuned.feasible = result.best.feasible;
+  // Before the first evaluation is done the start is all there is.
+  const bool none = result.evaluations == 0;
+  tuned.best = {none ? study.space.start : result.best.gains, joints};
+  tuned.objective = none ? std::numeric_limits<double>::quiet_NaN() : result.best.objective;
+  tuned.feasible = !none && result.best.feasible;
   tuned.reason = result.reason;
   const auto rows = static_cast<py::ssize_t>(seen.objective.size());
   tuned.objectives = owning(std::move(seen.objective), {rows});
@@ -52,7 +56,7 @@ Tuned tuned_of(const Study& study, const TuneResult& result, Series seen) {
 }
 
 Tuned tune_study(const Study& given, int workers, py::object progress) {
-  if (workers < 1) throw py::value_error(fmt::format("workers: {}, must be 1 or more", workers));
+  check_workers(workers);
   const Study study = given;
   Callback callback(std::move(progress));
   Series seen;
@@ -70,9 +74,14 @@ Tuned tune_study(const Study& given, int workers, py::object progress) {
     return tune(study, crew, stop, callbacks);
   };
   const TuneResult found = interruptible(callback, work, [&](const TuneResult& so_far) {
-    if (so_far.evaluations > 0) raise_interrupted(tuned_of(study, so_far, std::move(seen)));
+    raise_interrupted(tuned_of(study, so_far, std::move(seen)));
   });
   return tuned_of(study, found, std::move(seen));
+}
+
+void set_seed(Study& self, std::int64_t seed) {
+  if (seed < 0) throw py::value_error(fmt::format("seed: {}, must not be negative", seed));
+  self.solver.seed = static_cast<std::uint64_t>(seed);
 }
 
 void set_max_evaluations(Study& self, long most) {
@@ -90,8 +99,7 @@ void bind_tuning(py::module_& module) {
           "max_evaluations", [](const Study& self) { return self.max_evaluations; }, &set_max_evaluations,
           "Budget, start and sweep included.")
       .def_property(
-          "seed", [](const Study& self) { return self.solver.seed; },
-          [](Study& self, std::uint64_t seed) { self.solver.seed = seed; },
+          "seed", [](const Study& self) { return self.solver.seed; }, &set_seed,
           "Of algorithms that draw random numbers.");
   module.def(
       "load_study",

@@ -9,9 +9,9 @@ namespace armtune {
 /// The text of an expanded URDF, safe to hand to urdfdom; velocity and effort limits that a moving joint does
 /// not give stand in it as 0. Throws InputError naming file and line for: a file that cannot be read, is a
 /// directory, empty, larger than 32 MB, UTF-16 or binary; a tag or comment without its end; a second
-/// <inertial>, <axis>, ... in one link or joint; elements nested deeper than 1,000; more than 10,000 links,
-/// 200,000 elements, or 100 attributes in one tag; xacro that is not expanded; a `%` or a character reference
-/// in any attribute but `filename`. All other errors are left to urdfdom.
+/// `<inertial>`, `<axis>`, ... in one link or joint; elements nested deeper than 1,000; more than 10,000
+/// links, 200,000 elements, or 100 attributes in one tag; xacro that is not expanded; a `%` or a character
+/// reference in any attribute but `filename`. All other errors are left to urdfdom.
 std::string read_guarded_urdf(const std::string& path);
 
 }  // namespace armtune

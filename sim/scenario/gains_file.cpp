@@ -31,6 +31,16 @@ const yaml::Node& fields_node(const yaml::Node& root) {
   return *node;
 }
 
+/// ROS 2's parameter files may hold several nodes.
+void refuse_several(const yaml::Node& fields) {
+  const auto is_node = [](const auto& entry) {
+    return entry.second.kind() == yaml::Node::Kind::kMap && entry.second.find("ros__parameters") != nullptr;
+  };
+  const auto& entries = fields.entries();
+  if (std::count_if(entries.begin(), entries.end(), is_node) > 1)
+    fields.fail("parameters of several nodes; keep those of the controller's alone");
+}
+
 /// With a point, and one before an exponent: 5 is a whole number to ROS 2, and 1e-05 a word to YAML 1.1.
 std::string decimal(double value) {
   std::string text = fmt::format("{}", value);
@@ -86,7 +96,9 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
                  const std::string& relative_to) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
   const yaml::Node root = yaml::parse_file(path);
-  yaml::MapReader map(fields_node(root));
+  const yaml::Node& fields = fields_node(root);
+  refuse_several(fields);
+  yaml::MapReader map(fields);
   Gains gains;
   if (const yaml::Node* node = map.optional(kController)) {
     try {

@@ -213,7 +213,7 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
   // inverse alone may lead.
   if (is_off_path(walk)) {
-    if (const std::string beyond = out_of_reach(walk, scenario); !beyond.empty()) return beyond;
+    if (std::string beyond = out_of_reach(walk, scenario); !beyond.empty()) return beyond;
   }
   if (is_singular(walk)) {
     return fmt::format(

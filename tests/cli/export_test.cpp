@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "sim/scenario/gains_file.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/tuner/support/short_study.hpp"
@@ -37,6 +39,22 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
                       ContainsRegex("# joint_velocity/max_ratio: 0\\.[0-9]+ in short"),
                       ContainsRegex("# input bundled robots/ur10.urdf: fnv1a-[0-9a-f]+\n")));
   }
+  // Other gains of the run are of its arm, but its figures are not theirs; nor are they once gains.yaml is changed, or the
+  // arm is another.
+  const auto without_figures = [](const std::vector<std::string>& arguments, const std::string& why) {
+    const Finished done = run_program(arguments);
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_THAT(done.out, AllOf(HasSubstr("# warning: "), HasSubstr(why), HasSubstr("# study: "),
+                                testing::Not(HasSubstr("# joint_velocity/max_ratio")), testing::Not(HasSubstr("# objective"))));
+  };
+  without_figures({"export", run + "/start"}, "not of these gains, which stand beside it");
+  std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf");
+  urdf.replace(urdf.find("<mass value=\""), 13, "<mass value=\"1");
+  without_figures({"export", run, "--robot", files_.write("heavier.urdf", urdf)}, "not of these gains on this arm");
+  std::string gains = test::read_text(run + "/gains.yaml");
+  gains.replace(gains.find("slerpDurationErrorGain: "), 24, "slerpDurationErrorGain: 1");
+  std::ofstream(run + "/gains.yaml") << gains;
+  without_figures({"export", run}, "was changed after the run");
   // Nothing there is written over.
   const Finished again = run_program({"export", run, "--out", files_ / "ros1.yaml"});
   EXPECT_EQ(again.exit_code, 2);
@@ -87,6 +105,13 @@ TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
   const Finished same = run_program({"compare", "published", "published", "--gains"});
   EXPECT_THAT(same.out, testing::StartsWith("the same in all"));
   EXPECT_EQ(run_program({"compare", "published", "--gains", "--out", files_ / "x"}).exit_code, 2);
+  EXPECT_EQ(run_program({"compare", "published", "extended", "--gains", "--stepper", "rk4"}).exit_code, 2);
+  EXPECT_THAT(run_program({"compare", "published", "--gains"}).err, HasSubstr("two or more"));
+  const Finished arms = run_program({"compare", "panda", "panda_tuned", "--gains"});
+  EXPECT_EQ(arms.exit_code, 2);
+  EXPECT_THAT(arms.err, HasSubstr("--robot"));
+  EXPECT_THAT(run_program({"compare", "panda", "panda_tuned", "--gains", "--robot", "panda"}).out,
+              HasSubstr("task_space_gains_d/panda_joint7"));
 }
 
 }  // namespace

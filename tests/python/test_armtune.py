@@ -180,6 +180,17 @@ class Module(unittest.TestCase):
         )
         self.interrupt(script)
 
+    def test_a_search_interrupted_at_once_has_its_start(self):
+        study = armtune.load_study(self.folder / "study.yaml")
+        threading.Timer(0.01, signal.raise_signal, [signal.SIGINT]).start()
+        with self.assertRaises(armtune.Interrupted) as caught:
+            armtune.tune(study)
+        tuned = caught.exception.tuned
+        self.assertEqual(tuned.points.shape[1], 2)
+        if len(tuned.objectives) == 0:
+            self.assertEqual(tuned.best.text(), tuned.start.text())
+            self.assertTrue(np.isnan(tuned.objective))
+
     def test_ctrl_c_ends_one_long_rollout(self):
         self.interrupt(
             "import armtune, threading\n"
@@ -229,6 +240,14 @@ class Module(unittest.TestCase):
         study = armtune.load_study(self.folder / "study.yaml")
         with self.assertRaisesRegex(ValueError, "max_evaluations: -5"):
             study.max_evaluations = -5
+        with self.assertRaisesRegex(ValueError, "seed: -1"):
+            study.seed = -1
+        with self.assertRaisesRegex(ValueError, "workers: 100000"):
+            self.rollout(workers=100000)
+        broken = self.gains.copy()
+        broken["task_space_gains_p"][0] = float("nan")
+        with self.assertRaisesRegex(armtune.InputError, "task_space_gains_p/x"):
+            broken.text("ros1")
         for name in ("", "a,b", "../up", "=1"):
             with self.assertRaisesRegex(armtune.InputError, "name: "):
                 self.scenario.name = name

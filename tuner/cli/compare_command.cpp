@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "sim/scenario/robot_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
@@ -36,6 +38,7 @@ struct Arguments {
   bool all_metrics = false;
   bool gains_only = false;
   double deadline = 0.0;
+  std::string robot;  ///< of --gains alone
 };
 
 /// Short and unique: the folder's or file's name.
@@ -86,17 +89,27 @@ report::Scene scene_of(const std::vector<Scenario>& scenarios, const std::vector
                           load_gains(gains_name(args.sets.front()), joints).obstacleInfluenceRadius);
 }
 
-int show_gains(const Arguments& args, const std::vector<std::string>& joints) {
+int show_gains(const Arguments& args) {
+  if (args.sets.size() < 2) throw InputError("--gains: shows what differs between sets; name two or more");
+  const auto joints =
+      joint_names(args.robot.empty() ? *scenarios_of(args).front().robot : *load_robot(args.robot));
   std::vector<NamedGains> sets;
-  for (const std::string& set : args.sets)
-    sets.push_back({label_of(set, sets), load_gains(gains_name(set), joints)});
+  for (const std::string& set : args.sets) {
+    try {
+      sets.push_back({label_of(set, sets), load_gains(gains_name(set), joints)});
+    } catch (const InputError& e) {
+      if (!args.robot.empty()) throw;
+      throw InputError(fmt::format("{}; read for an arm of {} joints: name another with --robot", e.what(),
+                                   joints.size()));
+    }
+  }
   fmt::print("{}", gains_difference(sets, joints));
   return kDone;
 }
 
 int run(const Arguments& args) {
+  if (args.gains_only) return show_gains(args);
   const auto scenarios = scenarios_of(args);
-  if (args.gains_only) return show_gains(args, joint_names(*scenarios.front().robot));
   for (const std::string& set : args.sets) {
     for (const Scenario& s : scenarios) load_gains(gains_name(set), joint_names(*s.robot));
   }
@@ -163,17 +176,23 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->add_option("RUN_OR_GAINS", args->sets, "run folders, gains files or bundled gains")->required();
   command->add_option("--scenarios", args->scenarios,
                       "scenarios (default: those of the first run folder's study, else of the bundled one)");
-  add_stepper_option(*command, args->stepper);
-  command->add_option("--workers", args->workers, "threads")
-      ->check(CLI::Range(1, 1024))
-      ->default_str(kWorkersDefault);
-  command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
+  CLI::Option* stepper = add_stepper_option(*command, args->stepper);
+  CLI::Option* workers = command->add_option("--workers", args->workers, "threads")
+                             ->check(CLI::Range(1, 1024))
+                             ->default_str(kWorkersDefault);
+  CLI::Option* deadline = command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
+                              ->check(CLI::PositiveNumber);
+  CLI::Option* all =
+      command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
   CLI::Option* folder = command->add_option(
       "--out", args->folder, "new folder for comparison.csv, errors_<set>.csv and report.html");
-  command->add_flag("--gains", args->gains_only, "the gains that differ, side by side; nothing is simulated")
-      ->excludes(folder);
+  CLI::Option* gains = command->add_flag("--gains", args->gains_only,
+                                         "the gains that differ, side by side; nothing is simulated");
+  for (CLI::Option* of_simulation : {stepper, workers, deadline, all, folder}) gains->excludes(of_simulation);
+  command
+      ->add_option("--robot", args->robot,
+                   "with --gains: the arm they are for (default: that of the scenarios)")
+      ->needs(gains);
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

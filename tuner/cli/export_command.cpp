@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -16,6 +17,7 @@
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/gains/gains_formats.hpp"
 #include "tuner/gains/gains_origin.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -30,21 +32,50 @@ struct Arguments {
   std::string file;
 };
 
-bool is_run(const std::string& set) {
+bool is_folder(const std::string& set) {
   std::error_code ignored;
   return fs::is_directory(set, ignored);
 }
 
-/// The arm that the gains are for: the one asked for; else the run's; else the UR10. Throws InputError for a
-/// run without a study, which does not say which arm it is of.
-std::shared_ptr<const RobotModel> robot_of(const Arguments& args) {
+/// The arm that the gains are for: the one asked for; else that of the run's study; else the UR10. Throws
+/// InputError for a run without a study, which does not say which arm it is of.
+std::shared_ptr<const RobotModel> robot_of(const Arguments& args, const std::string& run) {
   if (!args.robot.empty()) return load_robot(args.robot);
-  if (!is_run(args.set)) return load_robot("ur10");
+  if (!run.empty()) return scenarios_of(run, {}, {}).front().robot;
+  if (!is_folder(args.set)) return load_robot("ur10");
+  throw InputError(fmt::format(
+      "{}: no study.yaml in it says which arm the gains are for; name it with --robot", args.set));
+}
+
+/// Where the gains came from; figures only where they are these gains' on this arm.
+std::vector<std::pair<std::string, std::string>> origin_of(const Arguments& args, const std::string& path,
+                                                           const std::string& run, const std::string& robot) {
+  std::vector<std::string> files = {robot};
+  if (!args.robot.empty()) files.push_back(read_robot_file(args.robot).path);
+  const auto of_robot = origin_of_files(files);
+  if (run.empty() && !is_folder(args.set)) {
+    files.push_back(path);
+    return origin_of_files(files);
+  }
+  const std::string& folder = run.empty() ? args.set : run;
+  auto origin = origin_of_run(folder);
+  const auto is_known = [&origin](const auto& row) {
+    return !row.first.starts_with("input ") || std::find(origin.begin(), origin.end(), row) != origin.end();
+  };
+  const bool of_other_arm = !std::all_of(of_robot.begin(), of_robot.end(), is_known);
   std::error_code ignored;
-  if (!fs::exists(fs::path(args.set) / "study.yaml", ignored))
-    throw InputError(fmt::format(
-        "{}: no study.yaml in it says which arm the gains are for; name it with --robot", args.set));
-  return scenarios_of(args.set, {}, {}).front().robot;
+  const fs::path own = fs::path(folder) / "gains.yaml";  // a front has none
+  const bool of_other_gains = !fs::exists(own, ignored) || hash_of_file(path) != hash_of_file(own.string());
+  if (!of_other_arm && !of_other_gains) return origin;
+  origin = origin_of_run(folder, false);
+  origin.insert(
+      origin.begin(),
+      {"warning", fmt::format("the figures of this run are not of these {}: simulate them",
+                              of_other_arm ? "gains on this arm" : "gains, which stand beside it")});
+  for (const auto& row : of_robot) {
+    if (!is_known(row)) origin.push_back(row);
+  }
+  return origin;
 }
 
 int run(const Arguments& args) {
@@ -52,7 +83,8 @@ int run(const Arguments& args) {
   if (!args.node.empty() && format == GainsFormat::kCsv)
     throw InputError("--node: a CSV file has no nodes; leave it out, or take yaml, ros1 or ros2");
   const std::string path = find_data_file("gains", gains_name(args.set));
-  const auto robot = robot_of(args);
+  const std::string run = run_above(path);
+  const auto robot = robot_of(args, run);
   GainsFile file;
   file.joints = joint_names(*robot);
   try {
@@ -62,13 +94,7 @@ int run(const Arguments& args) {
     throw InputError(fmt::format("{}; read for {}: name another arm with --robot", e.what(), robot->name));
   }
   file.node = args.node;
-  if (is_run(args.set)) {
-    file.origin = origin_of_run(args.set);
-  } else {
-    std::vector<std::string> files = {path, robot->source};
-    if (!args.robot.empty()) files.push_back(read_robot_file(args.robot).path);
-    file.origin = origin_of_files(files);
-  }
+  file.origin = origin_of(args, path, run, robot->source);
   file.origin.insert(file.origin.begin(),
                      {"gains", fmt::format("{}, for {}", shown_path(path), robot->name)});
   file.others = published_path(path);
@@ -108,7 +134,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "the arm that the gains are for (default: that of the run's study; of gains alone ur10)");
   command->add_option("--out", args->file, "new file (default: to the screen)");
   command->footer(
-      "A comment at the top says which study, seed and inputs the gains came from, how much of the joints' "
+      "A comment at the top (of CSV, rows at the end) says which study, seed and inputs the gains came from, "
+      "how much of the joints' "
       "limits they "
       "use in simulation, and the order of numbers; each gain stands below its unit. Before the first motion "
       "of a real "

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <thread>
 
 #include "tuner/workers/transport.hpp"
@@ -10,11 +12,24 @@ namespace armtune::cli {
 namespace {
 
 // A signal handler reaches nothing but globals.
-std::atomic<bool> stop{false};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<bool> stop{false};       // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<std::int64_t> first{0};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+/// A launcher may hand one interrupt on twice, to its child and to the group.
+constexpr std::int64_t kOneInterrupt = 500'000'000;  // ns
+
+std::int64_t now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);  // safe in a handler
+  return std::int64_t{1'000'000'000} * time.tv_sec + time.tv_nsec;
+}
+
 void on_signal(int signal) {
-  if (stop.exchange(true)) {
+  if (!stop.exchange(true)) {
+    first = now();
+  } else if (now() - first > kOneInterrupt) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }

@@ -8,7 +8,8 @@
 
 namespace armtune::cli {
 
-/// True once the user asked to stop. The first signal is polite; a second one ends the program at once.
+/// True once the user asked to stop. The first signal is polite; another, half a second later
+/// or more, ends the program at once.
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
 /// Of a process that another one tells when to stop.

@@ -1,6 +1,5 @@
 #include "tuner/cli/live_report.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +31,7 @@ void LiveReport::update(long evaluations, long most_evaluations, double seconds_
   live.most_evaluations = most_evaluations;
   live.seconds_left = seconds_left;
   live.every = every_;
-  live.written = fmt::format("{:%H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
+  live.written = static_cast<long>(std::time(nullptr));
   try {
     report::write_report(folder_, folder_ + "/report.html", live);
   } catch (const std::exception& error) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <vector>
 
 #include "core/control/laws/controller_kind.hpp"
@@ -15,36 +16,33 @@ namespace {
 
 /// Shows the names in --help, the manual page and shell completion. What is none of them is refused by the
 /// function that takes the name, which says more than a list.
-CLI::Validator names_shown(const std::vector<std::string>& names) {
+template <typename List, typename NameOf>
+CLI::Validator names_shown(const List& list, NameOf name_of) {
+  std::vector<std::string> names(list.size());
+  std::transform(list.begin(), list.end(), names.begin(), name_of);
   return {[](std::string&) { return std::string(); }, fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
 }  // namespace
 
 CLI::Option* add_stepper_option(CLI::App& command, std::string& stepper) {
-  std::vector<std::string> names;
-  for (const Stepper one : kSteppers) names.emplace_back(name(one));
   return command.add_option("--stepper", stepper, "how a control period is stepped")
-      ->check(names_shown(names))
+      ->check(names_shown(kSteppers, [](Stepper one) { return name(one); }))
       ->capture_default_str();
 }
 
 CLI::Option* add_engine_option(CLI::App& command, std::string& engine) {
-  std::vector<std::string> names;
-  for (const Engine one : kEngines) names.emplace_back(name(one));
   return command.add_option("--engine", engine, "native: armtune's own dynamics, several times faster")
-      ->check(names_shown(names))
+      ->check(names_shown(kEngines, [](Engine one) { return name(one); }))
       ->capture_default_str();
 }
 
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller) {
-  std::vector<std::string> names;
-  for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
   return command
       .add_option("--controller", controller,
                   "tune another controller on the study's task, all of its gains that are tuned by default; "
                   "armtune controllers says more of each")
-      ->check(names_shown(names));
+      ->check(names_shown(controller_kinds(), [](const ControllerKind* kind) { return kind->name; }));
 }
 
 }  // namespace armtune::cli

@@ -20,6 +20,7 @@
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
 
@@ -58,7 +59,9 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
   add_inputs(scenarios, p.inputs);
   p.workers = args.workers;
   p.wall_seconds = seconds;
-  p.extra = {{"stepper", args.stepper}, {"engine", args.engine}};
+  p.extra = {{"stepper", args.stepper},
+             {"engine", args.engine},
+             {"gains_file", hash_of_file(folder + "/gains.yaml")}};
   p.seed = scenarios.front().seed;
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }

@@ -14,6 +14,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
+#include "tuner/run/file_hash.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/workers/simulate_points.hpp"
@@ -163,7 +164,8 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
                                          {"engine", engine_text(study)},
                                          {"ended", result.reason},
                                          {"feasible", result.best.feasible ? "true" : "false"},
-                                         {"objective", fmt::format("{}", result.best.objective)}});
+                                         {"objective", fmt::format("{}", result.best.objective)},
+                                         {"gains_file", hash_of_file(folder + "/gains.yaml")}});
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 

@@ -66,9 +66,24 @@ bool is_same(const Row& row) {
   return true;
 }
 
+/// As many digits as it takes for numbers that differ to look so.
+void tell_apart(Row& row) {
+  const auto looks_same = [&row](std::size_t i) {
+    return row.number[i] && row.number[0] && row.number[i] != row.number[0] && row.text[i] == row.text[0];
+  };
+  bool any = false;
+  for (std::size_t i = 1; i < row.text.size(); ++i) any = any || looks_same(i);
+  if (!any) return;
+  for (std::size_t i = 0; i < row.text.size(); ++i) {
+    if (row.number[i]) row.text[i] = fmt::format("{}", *row.number[i]);
+  }
+}
+
 std::string ratio(const Row& row, std::size_t set) {
   if (!row.number[set] || !row.number[0] || *row.number[0] == 0.0) return "";
-  return fmt::format("{:.4g}", *row.number[set] / *row.number[0]);
+  const double exact = *row.number[set] / *row.number[0];
+  std::string text = fmt::format("{:.4g}", exact);
+  return text == "1" && row.number[set] != row.number[0] ? fmt::format("1{:+.1e}", exact - 1.0) : text;
 }
 
 }  // namespace
@@ -84,6 +99,7 @@ std::string gains_difference(const std::vector<NamedGains>& sets, const std::vec
   for (const GainField& field : all_fields(sets)) add_rows(field, sets, joints, rows);
   const auto all = rows.size();
   std::erase_if(rows, is_same);
+  for (Row& row : rows) tell_apart(row);
   if (rows.empty()) return fmt::format("the same in all {} gains\n", all);
 
   std::size_t width = 4;

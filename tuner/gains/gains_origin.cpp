@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -60,7 +61,10 @@ std::string worst_of(const CsvTable& errors, Metric metric) {
 
 void add_limits(const fs::path& folder, Rows& rows) {
   const fs::path file = folder / "errors.csv";
-  if (!has(file)) return;
+  if (!has(file)) {
+    rows.emplace_back("limits", "not known, the run's errors.csv is not there");
+    return;
+  }
   const CsvTable errors = CsvTable::read(file.string());
   for (const Metric metric :
        {Metric::kJointVelocityMaxRatio, Metric::kJointEffortMaxRatio, Metric::kJointPositionMinMargin}) {
@@ -91,20 +95,43 @@ void add_margins(const fs::path& folder, Rows& rows) {
 
 }  // namespace
 
-Rows origin_of_run(const std::string& folder) {
+std::string run_above(const std::string& path) {
+  constexpr int kLevels = 3;
+  fs::path folder = fs::absolute(path).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  for (int level = 0; level < kLevels; ++level, folder = folder.parent_path()) {
+    if (has(folder / "run.yaml") && has(folder / "study.yaml")) return folder.string();
+  }
+  return {};
+}
+
+Rows origin_of_run(const std::string& folder, bool with_figures) {
   Rows rows;
   const fs::path run = fs::path(folder) / "run.yaml";
   const Rows all = has(run) ? report::read_provenance(run.string()) : Rows{};
+  const fs::path gains = fs::path(folder) / "gains.yaml";
+  const std::string hash = has(gains) ? hash_of_file(gains.string()) : std::string();
+  const auto is_changed = [&hash](const auto& entry) {
+    return entry.first == "gains_file" && !hash.empty() && entry.second != hash;
+  };
+  const bool changed = std::any_of(all.begin(), all.end(), is_changed);
+  const bool figures = with_figures && !changed;
+  if (changed) {
+    rows.emplace_back("warning",
+                      "gains.yaml was changed after the run, whose objective, limits and margins are not "
+                      "these gains'; simulate them");
+  }
   for (const auto& [key, what] : kOfRun) {
+    const bool of_best = std::string_view(key) == "objective" || std::string_view(key) == "feasible";
     for (const auto& [name, value] : all) {
-      if (name == key) rows.emplace_back(what, value);
+      if (name == key && (figures || !of_best)) rows.emplace_back(what, value);
     }
   }
-  add_limits(folder, rows);
-  add_margins(folder, rows);
-  // They may have been changed since the run was made.
-  if (const fs::path gains = fs::path(folder) / "gains.yaml"; has(gains))
-    rows.emplace_back("gains file", hash_of_file(gains.string()));
+  if (figures && !all.empty()) {
+    add_limits(folder, rows);
+    add_margins(folder, rows);
+  }
+  if (!hash.empty()) rows.emplace_back("gains file", hash);
   constexpr std::string_view kInput = "inputs/";
   for (const auto& [name, value] : all) {
     if (name.starts_with(kInput)) rows.emplace_back("input " + name.substr(kInput.size()), value);

@@ -74,8 +74,9 @@ std::optional<std::string> mesh_path(const std::string& named, const std::string
   constexpr std::string_view kFile = "file://";
   const std::vector<fs::path> above = folders_above(fs::absolute(urdf).lexically_normal().parent_path());
   const std::vector<Allowed> allowed = allowed_folders();
-  std::vector<fs::path> roots;
-  for (const Allowed& one : allowed) roots.push_back(one.folder);
+  std::vector<fs::path> roots(allowed.size());
+  std::transform(allowed.begin(), allowed.end(), roots.begin(),
+                 [](const Allowed& one) { return one.folder; });
   std::vector<fs::path> places;
   if (named.starts_with(kPackage)) {
     const std::string rest = named.substr(kPackage.size());

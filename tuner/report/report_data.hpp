@@ -195,7 +195,7 @@ struct Live {
   long most_evaluations = 0;
   double seconds_left = 0.0;  ///< about, of the search
   double every = 0.0;         ///< [s] the page loads itself again
-  std::string written;        ///< when, "10:15:02 UTC"
+  long written = 0;           ///< when, seconds since 1970
 };
 
 struct ReportData {

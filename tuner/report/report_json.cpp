@@ -149,7 +149,7 @@ void write_live(Json& json, const Live& live) {
   json.integer("most_evaluations", live.most_evaluations);
   json.number("seconds_left", live.seconds_left);
   json.number("every", live.every);
-  json.text("written", live.written);
+  json.integer("written", live.written);
   json.end_object();
 }
 

@@ -65,6 +65,13 @@ TEST_F(GainsFile, WhatRos2DumpsOfANodeLoads) {
   EXPECT_EQ(gains_yaml(load(text), {}), gains_yaml(load(kRosParameters), {}));
 }
 
+TEST_F(GainsFile, ParametersOfSeveralNodesAreRefusedAsThat) {
+  EXPECT_THAT(test::refusal([&] {
+                load("manager:\n  ros__parameters: {update_rate: 100}\nctrl:\n  ros__parameters: {slerpDurationErrorGain: 2}\n");
+              }),
+              HasSubstr("several nodes"));
+}
+
 TEST_F(GainsFile, AllNumbersReadBackToTheBit) {
   std::mt19937_64 generator(4);
   std::uniform_real_distribution<double> exponent(-12.0, 12.0);

@@ -215,8 +215,8 @@ export interface Live {
   seconds_left: number | null;
   /** Seconds after which the page loads itself again. */
   every: number;
-  /** When it was written: "10:15:02 UTC". */
-  written: string;
+  /** When it was written: seconds since 1970. */
+  written: number;
 }
 
 export interface ReportData {

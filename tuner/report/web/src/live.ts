@@ -3,14 +3,28 @@ import type { Live } from "./data";
 import { element } from "./dom";
 import { duration } from "./format";
 
+/** A run that has written no page for so long is in its analysis, or is none any more. */
+const SILENT_S = 120;
+
+/** `now`: seconds since 1970. */
+export function liveWords(live: Live, now: number): string {
+  const age = now - live.written;
+  const done = `${live.evaluations} of ${live.most_evaluations} evaluations`;
+  if (age > Math.max(SILENT_S, 10 * live.every)) {
+    return `${done}. Nothing new for ${duration(age)}: the search is over and its analysis goes on, or the run was killed (then "armtune tune --resume" goes on with it). Loaded again every ${live.every} s.`;
+  }
+  const left = live.seconds_left === null ? "" : `, about ${duration(live.seconds_left)} left`;
+  const written = new Date(1000 * live.written).toISOString().slice(11, 19);
+  return `${done}${left}. Written at ${written} UTC, loaded again every ${live.every} s; in the analysis after the search that time stands still.`;
+}
+
 export function liveLine(live: Live): HTMLElement {
   const share = Math.min(1, live.evaluations / Math.max(1, live.most_evaluations));
-  const left = live.seconds_left === null ? "" : `, about ${duration(live.seconds_left)} left`;
   return element(
     "div",
     { id: "live", class: "live", role: "status" },
     element("progress", { max: 1, value: share, "aria-label": "Evaluations" }),
-    element("p", {}, `${live.evaluations} of ${live.most_evaluations} evaluations${left}. Written at ${live.written}, loaded again every ${live.every} s; in the analysis after the search, and when the run has ended, that time stands still.`),
+    element("p", {}, liveWords(live, Date.now() / 1000)),
   );
 }
 
