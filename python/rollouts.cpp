@@ -68,7 +68,7 @@ std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const N
     for (const Column& c : recorder.columns()) rolled[i].names.push_back(c.name);
     rolled[i].values = std::move(recorder).rows(completed);
   };
-  const Gains given = gains.gains;  // the caller's may change meanwhile
+  Gains given = gains.gains;  // the caller's may change meanwhile
   auto results = interruptible(callback, [&](const std::atomic<bool>& stop) {
     return simulate(
         scenarios, [&](const Scenario&) { return given; }, options, stop);
