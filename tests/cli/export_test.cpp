@@ -39,18 +39,20 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
                       ContainsRegex("# joint_velocity/max_ratio: 0\\.[0-9]+ in short"),
                       ContainsRegex("# input bundled robots/ur10.urdf: fnv1a-[0-9a-f]+\n")));
   }
-  // Other gains of the run are of its arm, but its figures are not theirs; nor are they once gains.yaml is changed, or the
-  // arm is another.
+  // Other gains of the run are of its arm, but its figures are not theirs; nor are they once gains.yaml is
+  // changed, or the arm is another.
   const auto without_figures = [](const std::vector<std::string>& arguments, const std::string& why) {
     const Finished done = run_program(arguments);
     ASSERT_EQ(done.exit_code, 0) << done.err;
     EXPECT_THAT(done.out, AllOf(HasSubstr("# warning: "), HasSubstr(why), HasSubstr("# study: "),
-                                testing::Not(HasSubstr("# joint_velocity/max_ratio")), testing::Not(HasSubstr("# objective"))));
+                                testing::Not(HasSubstr("# joint_velocity/max_ratio")),
+                                testing::Not(HasSubstr("# objective"))));
   };
   without_figures({"export", run + "/start"}, "not of these gains, which stand beside it");
   std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf");
   urdf.replace(urdf.find("<mass value=\""), 13, "<mass value=\"1");
-  without_figures({"export", run, "--robot", files_.write("heavier.urdf", urdf)}, "not of these gains on this arm");
+  without_figures({"export", run, "--robot", files_.write("heavier.urdf", urdf)},
+                  "not of these gains on this arm");
   std::string gains = test::read_text(run + "/gains.yaml");
   gains.replace(gains.find("slerpDurationErrorGain: "), 24, "slerpDurationErrorGain: 1");
   std::ofstream(run + "/gains.yaml") << gains;

@@ -197,9 +197,21 @@ const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t paramete
   return info;
 }
 
+/// NLopt takes a start that is no number, and says of bounds only that they are wrong.
+void check_start(const SolverProblem& problem) {
+  for (std::size_t i = 0; i < problem.start.size(); ++i) {
+    const double lower = problem.lower_bound(i);
+    const double upper = problem.upper_bound(i);
+    if (lower <= problem.start[i] && problem.start[i] <= upper) continue;
+    throw InputError(fmt::format("coordinate {} of the start is {}; its bounds are {} .. {}", i + 1,
+                                 problem.start[i], lower, upper));
+  }
+}
+
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options,
                             const Oracle& oracle) {
   algorithm_for(options.algorithm, problem.start.size());
+  check_start(problem);
   const Offered& chosen = find(options.algorithm);
   const std::size_t n = problem.start.size();
   nlopt_srand(options.seed);  // of this thread only

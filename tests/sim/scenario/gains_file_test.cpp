@@ -67,7 +67,9 @@ TEST_F(GainsFile, WhatRos2DumpsOfANodeLoads) {
 
 TEST_F(GainsFile, ParametersOfSeveralNodesAreRefusedAsThat) {
   EXPECT_THAT(test::refusal([&] {
-                load("manager:\n  ros__parameters: {update_rate: 100}\nctrl:\n  ros__parameters: {slerpDurationErrorGain: 2}\n");
+                load(
+                    "manager:\n  ros__parameters: {update_rate: 100}\nctrl:\n  ros__parameters: "
+                    "{slerpDurationErrorGain: 2}\n");
               }),
               HasSubstr("several nodes"));
 }

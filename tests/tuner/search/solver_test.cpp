@@ -196,6 +196,28 @@ TEST(Solver, AnUnknownAlgorithmIsRefusedWithTheNearest) {
   for (const std::string& name : algorithm_names()) EXPECT_THAT(message, testing::HasSubstr(name));
 }
 
+TEST(Solver, AStartThatIsNoNumberOrOutsideItsBoundsIsRefusedByItsPlace) {
+  SolverProblem problem;
+  problem.evaluate = [](const std::vector<SolverPoint>&, std::vector<SolverValue>&) {
+    ADD_FAILURE() << "asked for a point";
+    return false;
+  };
+  const auto refused = [&problem](double start, double lower, double upper) {
+    problem.start = {0.5, start};
+    problem.lower = {0.0, lower};
+    problem.upper = {1.0, upper};
+    SolverOptions options;
+    options.algorithm = "COBYLA";
+    return test::refusal([&] { minimize(problem, options); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refused(nan, 0.0, 1.0),
+              testing::HasSubstr("coordinate 2 of the start is nan; its bounds are 0 .. 1"));
+  EXPECT_THAT(refused(1.5, 0.0, 1.0), testing::HasSubstr("coordinate 2 of the start is 1.5"));
+  EXPECT_THAT(refused(0.5, 1.0, 0.0), testing::HasSubstr("bounds are 1 .. 0"));
+  EXPECT_THAT(refused(0.5, nan, 1.0), testing::HasSubstr("bounds are nan .. 1"));
+}
+
 TEST(Solver, DoesNotOfferWhatNLoptDoesBadly) {
   // NEWUOA_BOUND, AGS, STOGO and PRAXIS, by NLopt's names with and without what it puts in front of them.
   for (const char* name :
