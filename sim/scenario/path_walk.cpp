@@ -30,7 +30,6 @@ constexpr double kEnoughMargin = 0.1;  // of the range: more is no better
 constexpr unsigned kPlacesTried = 30;
 constexpr int kTimesLooked = 20;    // at a path that was lost, for where it cannot be reached at all
 constexpr double kAtTarget = 0.02;  // m: as close no gaze can turn as fast as the line does
-constexpr double kWound = 0.1;      // rad, m: what laps may add up to and still be called the same
 
 /// One turn is as good as many where nothing else moves.
 double walked_time(const Scenario& scenario) {
@@ -158,9 +157,10 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
   const double walked = walked_time(scenario);
   JointVector end = q;
   PathWalk walk = walk_for(scenario, walked, end, centering_gain);
-  // A lap about the base winds a joint up: the next one does not begin where this one did.
-  const double laps = scenario.duration / walked;
-  if (laps <= 1.0 || !((end - q).lpNorm<Eigen::Infinity>() * laps > kWound)) return walk;
+  // A lap about the base winds a joint up: the next one does not begin where this one did. Where as many as
+  // there are may lead to a limit, all of them are gone.
+  const JointVector wound = q + scenario.duration / walked * (end - q);
+  if (walked >= scenario.duration || tightest_joint(*scenario.robot, wound).margin >= 0.0) return walk;
   end = q;
   return walk_for(scenario, scenario.duration, end, centering_gain);
 }

@@ -29,9 +29,10 @@ struct PathWalk {
 };
 
 /// From joint positions q (n) that have the tool on the path at scenario.start_time; over the whole scenario,
-/// or a turn of the path where that is shorter, targets rest, and the joints come round with it. In steps of
-/// 0.02 s, longer where it takes more than 400 s; of what takes more than 1000 s the first 1000. Needs a
-/// robot, path, targets and a mask; nothing else. centering_gain: joint_centering_gain [1/s].
+/// or a turn of the path where that is shorter, targets rest, and the joints come round with it, or stay
+/// within their limits as they drift. In steps of 0.02 s, longer where it takes more than 400 s; of what
+/// takes more than 1000 s the first 1000. Needs a robot, path, targets and a mask; nothing else.
+/// centering_gain: joint_centering_gain [1/s].
 PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain);
 
 /// The path is followed to a millimetre, within the joints' limits, and off singularities.

@@ -86,6 +86,16 @@ TEST(PathWalk, LapsThatWindAJointUpAreAllGone) {
   scenario.duration = 40.0;
   EXPECT_THAT(task_trouble(scenario, published(scenario)),
               AllOf(HasSubstr("shoulder_pan_joint leaves its limits"), HasSubstr("at 40 s")));
+  // It winds up, not down: only the upper limit is in its way.
+  auto free_below = std::make_shared<RobotModel>(*scenario.robot);
+  free_below->joints[0].limits.lower = -100.0;
+  free_below->joints[5].limits.lower = -100.0;  // it winds as well
+  free_below->joints[5].limits.upper = 100.0;
+  scenario.robot = free_below;
+  EXPECT_THAT(task_trouble(scenario, published(scenario)), HasSubstr("shoulder_pan_joint leaves its limits"));
+  free_below->joints[0].limits = {true, -6.3, 100.0, free_below->joints[0].limits.velocity,
+                                  free_below->joints[0].limits.effort};
+  EXPECT_EQ(task_trouble(scenario, published(scenario)), "");
 }
 
 /// Out by `sway` and back through the place where the UR10's first and last wrist axis are in line, the gaze
