@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <ostream>
 
@@ -63,14 +63,15 @@ const std::vector<Beyond> kBeyond = {
 class ReferenceExtremes : public testing::TestWithParam<Beyond> {};
 
 TEST_P(ReferenceExtremes, EndWithAStatusBeforeTheDeadline) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::seconds kDeadline(60);  // the release build needs a few
+  // Of this process's own time, whatever else runs on the machine; the release build needs a few.
+  constexpr double kDeadline = 60.0;  // s
+  const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
   const Scenario scenario = test::scenario_of(GetParam().scenario, 1.0);
   Gains gains = test::quick_gains(scenario);
   GetParam().change(gains);
-  const Clock::time_point begin = Clock::now();
+  const double begin = used();
   const RolloutResult result = Rollout(scenario, Stepper::kReference).run(gains, [&](const Observation&) {
-    return Clock::now() - begin < kDeadline;
+    return used() - begin < kDeadline;
   });
   EXPECT_NE(result.status, RolloutStatus::kInterrupted) << "not done after 60 s: " << result.reason;
   EXPECT_LE(result.end_time, scenario.duration + 1e-9);
