@@ -21,7 +21,6 @@ Mat3 unit_point_inertia(const Vec3& p) {
 constexpr double kInertiaTolerance = 1e-4;  ///< of the largest principal moment: five printed digits
 constexpr double kRotationTolerance = 1e-6;
 constexpr double kHeaviest = 1e6;  ///< kg: beyond every arm's link, below what rounds its inertia away
-
 constexpr double kFarthest = 1e4;  ///< m: no arm is as long, and squares of it keep their digits
 
 /// One "FILE: link 'x': value; limit" line at a time.
