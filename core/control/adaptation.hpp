@@ -1,7 +1,15 @@
 #pragma once
 // Model compensation and its adaptation (equations 5 and 6):
 //   theta <- theta - gamma Y^T S dt,   S = q' - qr';   compensation torque Y theta.
-// Two things keep theta from wandering off on noise; the published law has neither: leakage and projection.
+//
+// The published law takes Y along the measured motion, Y(q, q', qr', qr''). The noise n of the measured
+// velocities is in S, and through the feedback also in qr'' = ... - Kp n. The two correlate: the inertia
+// estimates grow by gamma Kp E[n^2] per second, and no amount of time ends that. Three options bound theta;
+// the published law has none of them:
+//   - Y along the filtered motion (adaptation_filter.hpp), in which there is hardly any noise;
+//   - leakage towards the start of theta;
+//   - projection to physically valid parameters, which bounds theta from one side only: the cone of physical
+//     parameters has no upper bound.
 
 #include "core/common/select.hpp"
 #include "core/robot/physical_theta.hpp"
@@ -20,9 +28,11 @@ class AdaptationT {
   /// Where leakage leads back to.
   ParameterVectorT<T>& start() { return start_; }
 
-  /// One explicit Euler step of length dt [s], where it is to be done; `motion` holds Y and S of this period.
-  void step(const SlotineLiT<T>& motion, const T& gamma, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
-    slotine_li_gradient(motion, gradient_);
+  /// Takes one explicit Euler step of length dt [s] in the lanes `where`. Y is that of `along`, S that of
+  /// `measured`; both are of this period.
+  void step(const SlotineLiT<T>& along, const SlotineLiT<T>& measured, const T& gamma, const T& dt,
+            const MaskT<T>& where = T(0) < T(1)) {
+    slotine_li_gradient(along, measured, gradient_);
     const T rate = gamma * dt;
     for (Eigen::Index i = 0; i < theta_.size(); ++i) {
       theta_[i] = select(where, theta_[i] - rate * gradient_[i], theta_[i]);

@@ -31,6 +31,7 @@ ControlLogic::ControlLogic(std::shared_ptr<const RobotModel> model, const Gains&
       damping_(inverse_damping(gains)),
       mask_(mask),
       centering_(joint_centering(*model_, gains.joint_centering_gain)),
+      roll_(*model_, gains.roll_centering_gain, mask),
       period_(period) {
   if (gains_.release_radius == 0.0) gains_.release_radius = gains_.obstacleInfluenceRadius;
 }
@@ -160,11 +161,17 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
   std::optional<GazeControl::SpeedBound> speed;
   if (gains_.velocity_margin > 0.0)
     speed.emplace(GazeControl::SpeedBound{std::ref(inverse), velocity_bound_});
-  const GazeControl::Output gaze =
+  GazeControl::Output gaze =
       tracks_orientation(mask_)
           ? gaze_.update(gains_, arm.R_0T, Q_0T, tool, aim(scene), time - lag_, speed)
           : GazeControl::Output{
                 {Q_0T, Vec3::Zero(), Vec3::Zero()}, false, aim(scene).turn(arm.R_0T, arm.p_0T)};
+  if (scene.orientation == nullptr && roll_.is_on()) {
+    // A slerp from the current orientation begins anew in every period: no roll is behind it.
+    const bool frozen_start = gaze.slerping && gains_.slerp_reference == SlerpReference::kStart;
+    roll_.step(measured.q, period_, frozen_start);
+    roll_.add_to(gaze.desired);
+  }
   out_.slerping = gaze.slerping;
   out_.desired_gaze = gaze.desired;
   out_.gaze_turn = gaze.turn;

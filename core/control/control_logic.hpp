@@ -9,6 +9,7 @@
 #include "core/control/control_output.hpp"
 #include "core/control/gains.hpp"
 #include "core/control/gaze_control.hpp"
+#include "core/control/roll_centering.hpp"
 #include "core/control/task_goal.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/return_trajectory.hpp"
@@ -80,6 +81,7 @@ class ControlLogic {
   InverseDamping damping_;
   TaskMask mask_;
   JointCentering centering_;
+  RollCentering roll_;
   double period_;
 
   bool started_ = false;

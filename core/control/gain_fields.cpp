@@ -71,6 +71,11 @@ std::vector<GainField> make_fields() {
       {"joint_centering_gain", "1/s",
        "rate at which joints that the task does not need go to the middle of their limits; 0: they rest",
        &Gains::joint_centering_gain, false},
+      {"roll_centering_gain", "1/s",
+       "rate at which a gaze rolls the tool so that the last joint goes to the middle of its limits; 0: it "
+       "does "
+       "not",
+       &Gains::roll_centering_gain, false},
       share("slerp_start", "interpolation parameter at the start of a slerp (the released code: 0.2)",
             &Gains::slerp_start),
       {"release_radius", "m",
@@ -103,6 +108,9 @@ std::vector<GainField> make_fields() {
        &Gains::velocity_barrier_gain, false},
       of_law({"adaptation_leakage", "1/s", "rate at which theta falls back to where it started",
               &Gains::adaptation_leakage, false}),
+      of_law({"adaptation_filter", "Hz",
+              "corner of the low-pass filter of the motion along which theta adapts; 0: no filter",
+              &Gains::adaptation_filter, false}),
       of_law({"adaptation_projection", "",
               "whether theta is kept physically valid: masses and inertias of bodies that can be, no "
               "negative friction",

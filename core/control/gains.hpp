@@ -34,6 +34,7 @@ struct Gains {
   double manipulability_threshold = 0.1;
   double manipulability_damping = 0.05;
   double joint_centering_gain = 0.0;
+  double roll_centering_gain = 0.0;
   double slerp_start = 0.0;
   double release_radius = 0.0;
   SlerpReference slerp_reference = SlerpReference::kStart;
@@ -47,6 +48,7 @@ struct Gains {
   double velocity_barrier_start = 0.8;
   double velocity_barrier_gain = 0.0;
   double adaptation_leakage = 0.0;
+  double adaptation_filter = 0.0;
   bool adaptation_projection = false;
 };
 

@@ -44,6 +44,9 @@ Gains starting_gains(const RobotModel& robot, const JointVector& start, const Jo
   gains.velocity_barrier_gain = 1.0;
   gains.adapt_while_avoiding = false;
   gains.adaptation_projection = true;
+  gains.adaptation_filter = 5.0;
+  gains.adaptation_leakage = 0.001;
+  gains.roll_centering_gain = 0.1;
   return gains;
 }
 

@@ -10,14 +10,21 @@ constexpr double kTaskGoalGain = 3.0;
 
 const MotionPoint<JointVector>& TaskGoal::step(const Chain& chain, const MotionPoint<Vec3>& path,
                                                const ToolAim& aim, const InverseDamping& damping,
-                                               TaskMask mask, const JointCentering& centering, double dt) {
+                                               TaskMask mask, const JointCentering& centering, double dt,
+                                               RollCentering* roll) {
   motion_.position += step_;
   // Not measure(): the twist is that of the velocity still to be found.
   Poses& poses = arm_.poses;
   forward_kinematics(chain, motion_.position, poses);
   tool_jacobian(chain, poses, arm_.J);
   arm_.inverse.compute(arm_.J, damping, mask, poses.R_0T);
-  const TurnRate gaze = aim.rate({poses.p_0T, path.velocity, path.acceleration});
+  TurnRate gaze = aim.rate({poses.p_0T, path.velocity, path.acceleration});
+  if (roll != nullptr && roll->is_on()) {
+    roll->step(motion_.position, dt, false);
+    OrientationPoint turned{Eigen::Quaterniond(poses.R_0T), gaze.velocity, gaze.acceleration};
+    roll->add_to(turned);
+    gaze = {turned.angular_velocity, turned.angular_acceleration};
+  }
   TaskReference wanted;
   wanted.rate << path.velocity - kTaskGoalGain * (poses.p_0T - path.position),
       gaze.velocity + kTaskGoalGain * aim.turn(poses.R_0T, poses.p_0T);

@@ -7,6 +7,7 @@
 // on a configuration of its own:  q' = J+ (xd' - K e),  q'' = J+ (xd'' - K e' - J' q'),  integrated from the
 // start. It knows nothing of the joints' position limits, like the Cartesian law that takes over from it.
 
+#include "core/control/roll_centering.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/control/tool_aim.hpp"
 
@@ -23,10 +24,11 @@ class TaskGoal {
 
   /// The goal's q, q', q'' now, then one step of length dt [s]. path: desired tool motion, aim: where the
   /// tool is to be turned. damping: of the inverse. mask: the part of both that is the task. centering: of
-  /// joints that it does not need.
+  /// joints that it does not need. roll: turns the tool about its z axis as well; null: nothing does.
   const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path, const ToolAim& aim,
                                        const InverseDamping& damping, TaskMask mask,
-                                       const JointCentering& centering, double dt);
+                                       const JointCentering& centering, double dt,
+                                       RollCentering* roll = nullptr);
 
  private:
   MotionPoint<JointVector> motion_;

@@ -136,19 +136,26 @@ Eigen::Matrix<T, kLinkParameters, 1> link_power_gradient(const SlotineLiT<T>& s,
   return gradient;
 }
 
-/// Y^T S (13 n) with S = q' - qr': the body motions of S are v - vr, so no further recursion is needed.
+/// Writes Y^T S (13 n) with the Y of one motion and the S = q' - qr' of another, both at the same q. The body
+/// motions of S are v - vr, so no further recursion is needed.
 template <typename T>
-void slotine_li_gradient(const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
+void slotine_li_gradient(const SlotineLiT<T>& along, const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
   gradient.resize(s.n * (kLinkParameters + kJointParameters));
   for (int i = 0; i < s.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const T S = s.qd[i] - s.qdr[i];
     gradient.template segment<kLinkParameters>(i * kLinkParameters) =
-        link_power_gradient<T>(s, k, s.velocity[k].first() - s.reference[k].first(),
+        link_power_gradient<T>(along, k, s.velocity[k].first() - s.reference[k].first(),
                                s.velocity[k].second() - s.reference[k].second());
-    gradient.template segment<kJointParameters>(joint_parameter_index(s.n, i)) << S * s.qddr[i], S * s.qd[i],
-        S * s.coulomb[i];
+    gradient.template segment<kJointParameters>(joint_parameter_index(s.n, i)) << S * along.qddr[i],
+        S * along.qd[i], S * along.coulomb[i];
   }
+}
+
+/// Writes Y^T S (13 n) of one motion.
+template <typename T>
+void slotine_li_gradient(const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
+  slotine_li_gradient(s, s, gradient);
 }
 
 /// Y (n x 13 n) itself, for identification and tests.

@@ -19,6 +19,7 @@ struct LaneControl {
   InverseDamping damping;
   double adaptation_gain = 0.0;     ///< gamma
   double adaptation_leakage = 0.0;  ///< [1/s]
+  double filter_share = 0.0;        ///< of the adaptation's filter; 0: none
 };
 
 /// Where a tool's pose (9 numbers of R, column by column, and 3) and (v, w) are to go; base frame.

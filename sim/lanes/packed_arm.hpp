@@ -5,6 +5,7 @@
 
 #include "core/common/pack.hpp"
 #include "core/control/adaptation.hpp"
+#include "core/control/adaptation_filter.hpp"
 #include "core/control/obstacle_impedance.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/robot/forward_dynamics.hpp"
@@ -33,6 +34,7 @@ class PackedArm final : public ArmLanes {
     }
     adaptation_ = AdaptationT<T>(ParameterVectorT<T>::Zero(parameter_count(chain_)));
     theta_true_ = adaptation_.theta();
+    filter_.start(kind.n);
     obstacle_count_ = kind.most_obstacles;
     obstacles_ = std::make_unique<ObstacleT<T>[]>(obstacle_count_);
   }
@@ -50,6 +52,9 @@ class PackedArm final : public ArmLanes {
     gamma_.set(lane, control.adaptation_gain);
     leakage_.set(lane, control.adaptation_leakage);
     leaks_ = any(leakage_ > T(0));
+    filter_share_.set(lane, control.filter_share);
+    filters_ = filter_share_ > T(0);
+    filter_.rest(lane);
   }
   void put_centering(int lane, const double* middle, const double* rate) override {
     put(lane, middle, centering_.middle);
@@ -121,6 +126,9 @@ class PackedArm final : public ArmLanes {
     for (Eigen::Index i = 0; i < chain_.n; ++i) {
       commanded_[i] -= Kd_[i] * (measured_qd_[i] - reference_.velocity[i]);
     }
+    if (any(filters_)) {
+      filter_.take(filter_share_, measured_qd_, reference_.velocity, reference_.acceleration);
+    }
   }
   void get_commanded(int lane, double* torque) const override { get(lane, commanded_, torque); }
 
@@ -128,7 +136,13 @@ class PackedArm final : public ArmLanes {
     typename T::Mask where{};
     for (int lane = 0; lane < W; ++lane) where[lane] = adapting[lane] ? -1 : 0;
     if (!any(where)) return;
-    adaptation_.step(motion_, gamma_, T(period_), where);
+    const typename T::Mask filtered = where & filters_;
+    if (any(filtered)) {
+      filter_.motion(chain_, arm_.poses, smoothed_);
+      adaptation_.step(smoothed_, motion_, gamma_, T(period_), filtered);
+    }
+    const typename T::Mask unfiltered = where & ~filters_;
+    if (any(unfiltered)) adaptation_.step(motion_, motion_, gamma_, T(period_), unfiltered);
     if (leaks_) adaptation_.leak(leakage_, T(period_), where & (leakage_ > T(0)));
   }
   void get_theta(int lane, double* theta) const override { get(lane, adaptation_.theta(), theta); }
@@ -198,6 +212,9 @@ class PackedArm final : public ArmLanes {
   JointCenteringT<T> centering_;
   T gamma_{0.0}, leakage_{0.0};
   bool leaks_ = false;
+  T filter_share_{0.0};
+  typename T::Mask filters_{};
+  AdaptationFilterT<T> filter_;
   Joints q_, qd_;
   Joints measured_q_, measured_qd_;
   std::unique_ptr<ObstacleT<T>[]> obstacles_;
@@ -208,7 +225,7 @@ class PackedArm final : public ArmLanes {
   TaskReferenceT<T> task_;
   JointReferenceT<T> reference_, resolved_;
   Joints Kd_, commanded_;
-  SlotineLiT<T> motion_;
+  SlotineLiT<T> motion_, smoothed_;
   AdaptationT<T> adaptation_;
   bool exact_ = true;
   PosesT<T> true_poses_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "core/control/adaptation_filter.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 #include "sim/plant/flush_denormals.hpp"
@@ -118,7 +119,9 @@ void RolloutLanes::start(int lane, LaneJob job) {
   for (int l = 0; l < lanes(); ++l) {
     if (l != lane && !(first && !is_busy(l))) continue;
     arms_->put_chains(l, control.data(), plant.data());
-    arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage});
+    const double share =
+        gains.adaptation_filter > 0.0 ? filter_share(gains.adaptation_filter, kind_.control_period) : 0.0;
+    arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage, share});
     const JointCentering& centering = place->logic.centering();
     arms_->put_centering(l, centering.middle.data(), centering.rate.data());
     arms_->put_theta(l, scenario.theta_start.data(), scenario.theta_true.data());

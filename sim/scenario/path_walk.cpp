@@ -100,11 +100,13 @@ bool is_clear(const PathWalk& walk) {
 namespace {
 
 /// Over `walked` seconds; the joints that it ends with are left in q.
-PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain) {
+PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain,
+                  double roll_gain) {
   const RobotModel& robot = *scenario.robot;
   const double scale = std::min(1.0, std::pow(reach(robot), 3));
   const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
   const JointCentering centering = joint_centering(robot, centering_gain);
+  RollCentering roll(robot, scenario.orientation ? 0.0 : roll_gain, scenario.mask);
   TaskGoal motion;
   motion.start(q);
   MeasuredArm arm;
@@ -130,7 +132,7 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
         walk.sight = {time, path.position, sight};
     }
     const MotionPoint<JointVector>& joints =
-        motion.step(robot.chain, path, aim, damping, scenario.mask, centering, dt);
+        motion.step(robot.chain, path, aim, damping, scenario.mask, centering, dt, &roll);
     arm.measure(robot.chain, joints.position, joints.velocity, damping, scenario.mask);
     walk.steps = k;
     const double off = (arm.poses.p_0T - path.position).norm();
@@ -153,16 +155,16 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
 
 }  // namespace
 
-PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain) {
+PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain, double roll_gain) {
   const double walked = walked_time(scenario);
   JointVector end = q;
-  PathWalk walk = walk_for(scenario, walked, end, centering_gain);
+  PathWalk walk = walk_for(scenario, walked, end, centering_gain, roll_gain);
   // A lap about the base winds a joint up: the next one does not begin where this one did. Where as many as
   // there are may lead to a limit, all of them are gone.
   const JointVector wound = q + scenario.duration / walked * (end - q);
   if (walked >= scenario.duration || tightest_joint(*scenario.robot, wound).margin >= 0.0) return walk;
   end = q;
-  return walk_for(scenario, scenario.duration, end, centering_gain);
+  return walk_for(scenario, scenario.duration, end, centering_gain, roll_gain);
 }
 
 namespace {
@@ -257,17 +259,22 @@ JointVector best_start_of_task(const Scenario& scenario) {
                                        : ""));
 }
 
-std::string task_trouble(const Scenario& scenario, const Gains& gains) {
+TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {
   if (scenario.planned) return {};
   JointVector q = in_si(*scenario.robot, with_goal(gains, scenario).joint_space_goal);
   if (!reach_goal(*scenario.robot, beginning(scenario), q)) {
     try {
       q = best_start_of_task(scenario);
     } catch (const InputError& error) {
-      return error.what();
+      return {error.what()};
     }
   }
-  return trouble(walk_path(scenario, q, gains.joint_centering_gain), scenario);
+  const PathWalk walk = walk_path(scenario, q, gains.joint_centering_gain, gains.roll_centering_gain);
+  const bool leaves_limits = !is_off_path(walk) && !is_singular(walk) && walk.margin.value < 0.0;
+  // The roll of a gaze drifts by itself; a roll control would hold it.
+  const bool roll_drifts = RollCentering(*scenario.robot, 1.0, scenario.mask).is_on() &&
+                           !scenario.orientation && gains.roll_centering_gain == 0.0;
+  return {trouble(walk, scenario), leaves_limits && !roll_drifts};
 }
 
 JointVector off_goal(const RobotModel& robot, const JointVector& goal) {

@@ -32,8 +32,9 @@ struct PathWalk {
 /// or a turn of the path where that is shorter, targets rest, and the joints come round with it, or stay
 /// within their limits as they drift. In steps of 0.02 s, longer where it takes more than 400 s; of what
 /// takes more than 1000 s the first 1000. Needs a robot, path, targets and a mask; nothing else.
-/// centering_gain: joint_centering_gain [1/s].
-PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain);
+/// centering_gain: joint_centering_gain, roll_gain: roll_centering_gain [1/s].
+PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain,
+                   double roll_gain = 0.0);
 
 /// The path is followed to a millimetre, within the joints' limits, and off singularities.
 bool is_clear(const PathWalk& walk);
@@ -47,10 +48,20 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario);
 /// the limits. Throws InputError if there are none, naming the place.
 JointVector best_start_of_task(const Scenario& scenario);
 
-/// `trouble` on the way that begins closest to the joint_space_goal of `gains`, where there is one, as
-/// leaveSingularity leads there; or that there is no such way. Empty: nothing is wrong, or the scenario
-/// follows a plan.
-std::string task_trouble(const Scenario& scenario, const Gains& gains);
+/// What is wrong with a task under given gains.
+struct TaskTrouble {
+  std::string text;  ///< one sentence; empty: nothing is wrong
+  /// The path itself winds a joint up until it leaves its position limits, and no gain prevents it.
+  bool winds = false;
+};
+
+/// Returns the `trouble` on the way that begins closest to the joint_space_goal of `gains`, where there is
+/// one, as leaveSingularity leads there; or that there is no such way. A scenario that follows a plan has no
+/// trouble.
+TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains);
+inline std::string task_trouble(const Scenario& scenario, const Gains& gains) {
+  return find_task_trouble(scenario, gains).text;
+}
 
 /// A position (n) to begin a simulation with when none is given: off `goal` by 20 degrees or 0.1 m, a tenth
 /// of the joint's range at most, towards the middle of each joint's limits.

@@ -4,13 +4,15 @@
 
 #include <cstdio>
 
+#include "core/common/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/path_walk.hpp"
 
 namespace armtune::cli {
 
 void warn_of_task(const Scenario& scenario, const Gains& gains) {
-  const std::string trouble = task_trouble(scenario, gains);
+  const auto [trouble, winds] = find_task_trouble(scenario, gains);
+  if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
   if (!trouble.empty()) fmt::print(stderr, "armtune: warning: {}: {}\n", scenario.name, trouble);
   if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
     fmt::print(

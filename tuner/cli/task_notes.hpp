@@ -6,8 +6,9 @@
 
 namespace armtune::cli {
 
-/// A line to stderr if the scenario's path leaves the workspace, a joint's limits, or runs through a
-/// singularity; another if the controller would have to learn what it cannot.
+/// Prints a line to stderr if the scenario's path leaves the workspace, a joint's limits, or runs through a
+/// singularity, and another if the controller would have to learn what it cannot. Throws InputError if the
+/// path itself winds a joint up beyond its limits within the scenario's duration, which no gain prevents.
 void warn_of_task(const Scenario& scenario, const Gains& gains);
 
 }  // namespace armtune::cli

@@ -1,6 +1,7 @@
 #include "core/control/laws/adaptive_law.hpp"
 
 #include "core/control/adaptation.hpp"
+#include "core/control/adaptation_filter.hpp"
 
 namespace armtune {
 namespace {
@@ -8,7 +9,14 @@ namespace {
 class AdaptiveLaw final : public TorqueLaw {
  public:
   explicit AdaptiveLaw(const LawSetup& setup)
-      : TorqueLaw(setup), gains_(setup.gains), period_(setup.period), adaptation_(setup.theta) {}
+      : TorqueLaw(setup),
+        gains_(setup.gains),
+        period_(setup.period),
+        filters_(setup.gains.adaptation_filter > 0.0),
+        share_(filter_share(setup.gains.adaptation_filter, setup.period)),
+        adaptation_(setup.theta) {
+    filter_.start(setup.model.n());
+  }
 
   void torque(const LawInput& in, JointVector& tau) override {
     const JointReference& reference = in.control.reference;
@@ -16,11 +24,14 @@ class AdaptiveLaw final : public TorqueLaw {
                        motion_);
     slotine_li_torque(chain_, in.arm.poses, motion_, adaptation_.theta(), tau);
     tau -= in.Kd.cwiseProduct(in.control.S);
+    if (!filters_) return;
+    filter_.take(share_, in.measured.qd, reference.velocity, reference.acceleration);
+    filter_.motion(chain_, in.arm.poses, smoothed_);
   }
 
   void conclude(bool learning) override {
     if (!learning) return;
-    adaptation_.step(motion_, gains_.adaptation_gain, period_);
+    adaptation_.step(filters_ ? smoothed_ : motion_, motion_, gains_.adaptation_gain, period_);
     if (gains_.adaptation_leakage > 0.0) adaptation_.leak(gains_.adaptation_leakage, period_);
     if (gains_.adaptation_projection) adaptation_.project();
   }
@@ -31,6 +42,10 @@ class AdaptiveLaw final : public TorqueLaw {
  private:
   const Gains& gains_;
   double period_;
+  bool filters_;
+  double share_;  ///< of the filter
+  AdaptationFilter filter_;
+  SlotineLi smoothed_;
   Adaptation adaptation_;
 };
 
@@ -40,7 +55,8 @@ ControllerKind adaptive_controller() {
   return {"adaptive",
           "adaptive Cartesian PID: Y theta - Kd S, with theta learnt on the way (Slotine and Li)",
           {"task_space_gains_p", "task_space_gains_i", "task_space_gains_d", "interpolation_gain_scale",
-           "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage", "adaptation_projection"},
+           "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage", "adaptation_filter",
+           "adaptation_projection"},
           {},
           [](const LawSetup& setup) { return std::make_unique<AdaptiveLaw>(setup); },
           {},

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/control/adaptation_filter.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
@@ -43,7 +44,7 @@ TEST(Adaptation, StepsAgainstTheTransposedRegressorTimesS) {
     const ParameterVector theta = theta_of(arm.chain);
     Adaptation adaptation(theta);
     EXPECT_EQ(adaptation.theta(), theta);
-    adaptation.step(m.y, kGamma, kPeriod);
+    adaptation.step(m.y, m.y, kGamma, kPeriod);
     worst.compare(ParameterVector(adaptation.theta() - theta),
                   ParameterVector(-kGamma * kPeriod * (Y.transpose() * m.S)), arm.name, 1e-3);
   }
@@ -63,7 +64,7 @@ TEST(Adaptation, LowersThePowerThatTheParameterErrorPutsIntoS) {
     };
     double last = power();
     for (int step = 0; step < 10; ++step) {
-      adaptation.step(m.y, kGamma, kPeriod);
+      adaptation.step(m.y, m.y, kGamma, kPeriod);
       EXPECT_LT(power(), last) << arm.name;
       last = power();
     }
@@ -76,11 +77,11 @@ TEST(Adaptation, StandsStillWhereSIsZeroOrGammaIs) {
     const ParameterVector theta = theta_of(arm.chain);
     Adaptation adaptation(theta);
     Motion m = random_motion(generator, arm);
-    adaptation.step(m.y, 0.0, kPeriod);
+    adaptation.step(m.y, m.y, 0.0, kPeriod);
     EXPECT_EQ(adaptation.theta(), theta) << arm.name;
     const JointVector qd = random_vector(generator, arm.n(), 1.0);
     slotine_li_forward(arm.chain, m.poses, qd, qd, qd, m.y);
-    adaptation.step(m.y, kGamma, kPeriod);
+    adaptation.step(m.y, m.y, kGamma, kPeriod);
     EXPECT_EQ(adaptation.theta(), theta) << arm.name;
   }
 }
@@ -92,7 +93,10 @@ TEST(Adaptation, LeaksTowardsWhereItStartedAndNowhereElse) {
   Adaptation adaptation(start);
   adaptation.leak(0.3, kPeriod);
   EXPECT_EQ(adaptation.theta(), start) << "the start itself";
-  for (int step = 0; step < 20; ++step) adaptation.step(random_motion(generator, arm).y, 1.0, kPeriod);
+  for (int step = 0; step < 20; ++step) {
+    const Motion m = random_motion(generator, arm);
+    adaptation.step(m.y, m.y, 1.0, kPeriod);
+  }
   const ParameterVector away = adaptation.theta() - start;
   ASSERT_GT(away.norm(), 0.1);
   // e^(-rate t); an Euler step of rate dt = 6e-4 is off by half of that per unit of rate t.
@@ -108,7 +112,8 @@ TEST(Adaptation, ProjectsThetaToThePhysicalOne) {
   std::mt19937 generator(545);
   for (const RobotModel& arm : test::all_arms()) {
     Adaptation adaptation(ParameterVector::Zero(parameter_count(arm.chain)));
-    adaptation.step(random_motion(generator, arm).y, kGamma, kPeriod);
+    const Motion m = random_motion(generator, arm);
+    adaptation.step(m.y, m.y, kGamma, kPeriod);
     ParameterVector expected = adaptation.theta();
     project_to_physical(expected);
     EXPECT_NE(adaptation.theta(), expected) << arm.name << ": one step from nothing is not physical";
@@ -128,7 +133,7 @@ struct Standing {
   double largest_half = 0.0;
   double largest_whole = 0.0;
 
-  Standing(const RobotModel& arm, double leakage) {
+  Standing(const RobotModel& arm, double leakage, double corner = 0.0) {
     std::mt19937 generator(546);
     std::normal_distribution<double> noise(0.0, kNoise);
     const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
@@ -137,11 +142,18 @@ struct Standing {
     Adaptation adaptation(start);
     JointVector qd(arm.n());
     SlotineLi y;
+    SlotineLi smoothed;
+    AdaptationFilter filter;
+    filter.start(arm.n());
     const int periods = static_cast<int>(std::lround(kSeconds / kPeriod));
     for (int k = 1; k <= periods; ++k) {
       for (double& v : qd) v = noise(generator);
       slotine_li_forward(arm.chain, poses, qd, zero, zero, y);
-      adaptation.step(y, kGamma, kPeriod);
+      if (corner > 0.0) {
+        filter.take(filter_share(corner, kPeriod), qd, zero, zero);
+        filter.motion(arm.chain, poses, smoothed);
+      }
+      adaptation.step(corner > 0.0 ? smoothed : y, y, kGamma, kPeriod);
       adaptation.leak(leakage, kPeriod);
       if (k == periods / 2 || k == periods) {
         const ParameterVector away = adaptation.theta() - start;
@@ -183,6 +195,63 @@ TEST(Adaptation, LeakageBoundsWhatNoiseDoes) {
   }
   EXPECT_LT(leaking.largest_whole, 1.2 * leaking.largest_half);
   EXPECT_LT(leaking.largest_whole, 0.1 * Standing(arm, 0.0).largest_whole);
+}
+
+TEST(Adaptation, StepsAgainstTheRegressorOfOneMotionTimesTheSOfAnother) {
+  std::mt19937 generator(547);
+  WorstError worst("step", 1e-12);  // rounding
+  for (const RobotModel& arm : test::all_arms()) {
+    const Motion m = random_motion(generator, arm);
+    SlotineLi desired;
+    const JointVector qd = random_vector(generator, arm.n(), 1.0);
+    slotine_li_forward(arm.chain, m.poses, qd, qd, random_vector(generator, arm.n(), 2.0), desired);
+    Regressor Y;
+    slotine_li_regressor(arm.chain, m.poses, desired, Y);
+    const ParameterVector theta = theta_of(arm.chain);
+    Adaptation adaptation(theta);
+    adaptation.step(desired, m.y, kGamma, kPeriod);
+    worst.compare(ParameterVector(adaptation.theta() - theta),
+                  ParameterVector(-kGamma * kPeriod * (Y.transpose() * m.S)), arm.name, 1e-3);
+  }
+}
+
+// The filtered q' has the share a = 1 - exp(-2 pi f T) of this period's noise, and S all of it: the mean of
+// their product, and with it the drift, is a times that of the unfiltered motion. The rest of the filtered
+// noise is independent of S and adds a spread: sqrt(a / 2) s^2 per period, over 30000 periods 2 % of the
+// drift here.
+TEST(Adaptation, AFilteredMotionLearnsItsShareOfTheNoiseAlone) {
+  const RobotModel arm = test::ur10();
+  constexpr double kCorner = 5.0;  // Hz
+  const Standing filtered(arm, 0.0, kCorner);
+  const double unfiltered = -kGamma * Standing::kNoise * Standing::kNoise * Standing::kSeconds;
+  const double share = filter_share(kCorner, kPeriod);
+  for (int i = 0; i < arm.n(); ++i) {
+    EXPECT_NEAR(filtered.whole[i], share * unfiltered, 0.1 * share * std::abs(unfiltered)) << i;
+  }
+}
+
+TEST(AdaptationFilter, PassesSlowMotionAndDampsFastMotionAsAFirstOrderLowPass) {
+  constexpr double kCorner = 5.0;
+  const double share = filter_share(kCorner, kPeriod);
+  const RobotModel arm = test::ur10();
+  const Poses poses = test::poses_at(arm.chain, JointVector::Zero(6));
+  for (const double frequency : {0.5, 5.0, 20.0}) {
+    AdaptationFilter filter;
+    filter.start(6);
+    double largest = 0.0;
+    SlotineLi along;
+    for (int k = 0; k < 3000; ++k) {
+      const JointVector x = JointVector::Constant(6, std::sin(2.0 * M_PI * frequency * k * kPeriod));
+      filter.take(share, x, 2.0 * x, 3.0 * x);
+      filter.motion(arm.chain, poses, along);
+      EXPECT_NEAR(along.qdr[3], 2.0 * along.qd[3], 1e-12);
+      EXPECT_NEAR(along.qddr[5], 3.0 * along.qd[5], 1e-12);
+      if (k > 1500) largest = std::max(largest, std::abs(along.qd[0]));
+    }
+    // |1 / (1 + i f / f_c)|; a sampled filter, seen at its samples, differs by less than f T.
+    const double gain = 1.0 / std::hypot(1.0, frequency / kCorner);
+    EXPECT_NEAR(largest, gain, 0.05 * gain) << frequency;
+  }
 }
 
 }  // namespace

@@ -94,6 +94,8 @@ TEST(ControllerOptions, EachOfThemChangesSomethingAndNoneIsOnByItself) {
     g.velocity_barrier_gain = 1.0;
     g.velocity_barrier_start = 0.0;
   });
+  changes("adaptation_filter", [](Gains& g) { g.adaptation_filter = 5.0; });
+  changes("roll_centering_gain", [](Gains& g) { g.roll_centering_gain = 0.2; });
   changes("adaptation_leakage", [](Gains& g) { g.adaptation_leakage = 0.1; });
   // The model is physical and one period's step is small; a large gamma takes theta out of it.
   test::Rig rash = rig;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "core/control/adaptation.hpp"
@@ -9,6 +10,7 @@
 #include "core/robot/theta.hpp"
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
+#include "tests/core/support/worst_error.hpp"
 
 namespace armtune {
 namespace {
@@ -74,11 +76,51 @@ TEST(ControllerOptions, ThetaStepsLeaksAndIsProjectedInThisOrder) {
     SlotineLi motion;
     slotine_li_forward(rig.model->chain, test::poses_at(rig.model->chain, measured.q), measured.qd,
                        out.reference.velocity, out.reference.acceleration, motion);
-    expected.step(motion, 5.0, rig.period);
+    expected.step(motion, motion, 5.0, rig.period);
     expected.leak(0.5, rig.period);
     expected.project();
     EXPECT_EQ(controller->theta(), expected.theta()) << step;
   }
+}
+
+/// First-order low-pass of every number of the motion, written out, in states that track joints and the tool.
+TEST(ControllerOptions, ThetaAdaptsAlongTheFilteredMotion) {
+  constexpr double kCorner = 5.0;  // Hz
+  test::Rig rig;
+  rig.gains.adaptation_filter = kCorner;
+  rig.gains.adaptation_gain = 0.5;
+  rig.path.frequency = 0.5;
+  rig.path.terms = {{1, Vec3(0.05, 0, 0), Vec3(0, 0.05, 0)}};
+  const Chain& chain = rig.model->chain;
+  const std::unique_ptr<Controller> controller = rig.controller(0.5 * theta_of(chain));
+  std::mt19937 generator(774);
+  Adaptation expected(0.5 * theta_of(chain));
+  test::WorstError worst("theta", 1e-12);  // rounding
+  const double share = 1.0 - std::exp(-2.0 * M_PI * kCorner * rig.period);
+  JointVector qd = JointVector::Zero(6);
+  JointVector qdr = JointVector::Zero(6);
+  JointVector qddr = JointVector::Zero(6);
+  int joints = 0;
+  int tool = 0;
+  for (int step = 0; step < 600; ++step) {
+    const JointState measured{rig.goal().q + test::random_vector(generator, 6, 0.02),
+                              test::random_vector(generator, 6, 0.02)};
+    const ControlOutput& out = controller->update(measured, rig.scene(), step * rig.period);
+    ASSERT_FALSE(out.saturated);
+    ++(tracks_joints(out.state) ? joints : tool);
+    qd += share * (measured.qd - qd);
+    qdr += share * (out.reference.velocity - qdr);
+    qddr += share * (out.reference.acceleration - qddr);
+    const Poses poses = test::poses_at(chain, measured.q);
+    SlotineLi along;
+    SlotineLi motion;
+    slotine_li_forward(chain, poses, qd, qdr, qddr, along);
+    slotine_li_forward(chain, poses, measured.qd, out.reference.velocity, out.reference.acceleration, motion);
+    expected.step(along, motion, 0.5, rig.period);
+    worst.compare(controller->theta(), expected.theta(), std::to_string(step));
+  }
+  EXPECT_GT(joints, 100);
+  EXPECT_GT(tool, 100);
 }
 
 }  // namespace

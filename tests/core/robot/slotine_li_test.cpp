@@ -113,6 +113,22 @@ TEST(SlotineLiGradient, IsTheTransposedRegressorTimesS) {
   }
 }
 
+TEST(SlotineLiGradient, TakesTheRegressorOfOneMotionAndTheSOfAnother) {
+  std::mt19937 generator(305);
+  WorstError worst("Y^T S", kRounding);
+  for (const RobotModel& arm : test::all_arms()) {
+    for (int sample = 0; sample < kSamples; ++sample) {
+      const State x = random_state(generator, arm);
+      State along = random_state(generator, arm);
+      along.q = x.q;
+      ParameterVector gradient;
+      slotine_li_gradient(forward(arm.chain, along), forward(arm.chain, x), gradient);
+      worst.compare(gradient, ParameterVector(regressor(arm.chain, along).transpose() * (x.qd - x.qdr)),
+                    arm.name);
+    }
+  }
+}
+
 TEST(SlotineLiTorque, IsMassRotorCoriolisGravityAndFrictionOfIndependentReferences) {
   std::mt19937 generator(304);
   WorstError worst("sum", 1e-11);  // C is a difference of torques: a digit less

@@ -172,6 +172,8 @@ TEST(RolloutLanes, TheExtendedLawDecidesArmByArm) {
     extended.velocity_margin = 0.5 + 0.1 * i;
     extended.adaptation_leakage = 0.1 * i;
     extended.adaptation_projection = i != 1;
+    extended.adaptation_filter = 5.0 * i;
+    extended.roll_centering_gain = 0.1 * i;
     jobs.push_back(job_of(scenario, extended));
   }
   expect_the_same(jobs);

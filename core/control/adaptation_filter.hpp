@@ -1,0 +1,54 @@
+#pragma once
+// The motion along which theta adapts, smoothed: q', qr' and qr'' go through a first-order low-pass filter,
+//   x <- x + (1 - exp(-2 pi f T)) (measured - x),
+// with the corner frequency f and the control period T. White noise n of the measured velocities is then
+// hardly in Y any more, while S still has all of it: the mean of their product falls by the factor
+// 1 - exp(-2 pi f T), 0.06 at 5 Hz and 2 ms.
+
+#include <cmath>
+
+#include "core/robot/slotine_li.hpp"
+
+namespace armtune {
+
+/// Returns the share of the difference that the filter takes in each period. corner [Hz]; period [s].
+inline double filter_share(double corner, double period) {
+  return 1.0 - std::exp(-2.0 * M_PI * corner * period);
+}
+
+template <typename T>
+class AdaptationFilterT {
+ public:
+  /// Starts at rest (n joints).
+  void start(Eigen::Index n) {
+    for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) x->setZero(n);
+  }
+
+  /// Takes in the measured q' and the references qr', qr'' (n each) of one period.
+  void take(const T& share, const JointVectorT<T>& qd, const JointVectorT<T>& qdr,
+            const JointVectorT<T>& qddr) {
+    for (Eigen::Index i = 0; i < qd_.size(); ++i) {
+      qd_[i] += share * (qd[i] - qd_[i]);
+      qdr_[i] += share * (qdr[i] - qdr_[i]);
+      qddr_[i] += share * (qddr[i] - qddr_[i]);
+    }
+  }
+
+  /// Writes the smoothed motion at the measured poses.
+  void motion(const ChainT<T>& chain, const PosesT<T>& poses, SlotineLiT<T>& along) const {
+    slotine_li_forward(chain, poses, qd_, qdr_, qddr_, along);
+  }
+
+  /// Lets one lane among several start at rest.
+  void rest(int lane) {
+    for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) {
+      for (Eigen::Index i = 0; i < x->size(); ++i) (*x)[i].set(lane, 0.0);
+    }
+  }
+
+ private:
+  JointVectorT<T> qd_, qdr_, qddr_;
+};
+using AdaptationFilter = AdaptationFilterT<double>;
+
+}  // namespace armtune
