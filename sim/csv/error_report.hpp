@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/rollout/columns.hpp"
+#include "sim/rollout/limit_watch.hpp"
 #include "sim/rollout/rollout.hpp"
 
 namespace armtune {
@@ -12,6 +13,7 @@ namespace armtune {
 struct ScenarioResult {
   std::string scenario;
   RolloutResult result;
+  std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were passed, the earliest first
 };
 
 /// A column of errors.csv that is no metric of the rollout itself.

@@ -12,6 +12,8 @@
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/conclusion.hpp"
+#include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/named_choice.hpp"
@@ -23,6 +25,7 @@
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/study/study.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -38,7 +41,8 @@ struct Arguments {
   bool all_metrics = false;
   bool gains_only = false;
   double deadline = 0.0;
-  std::string robot;  ///< of --gains alone
+  double endurance = 0.0;  ///< minutes; 0: none
+  std::string robot;       ///< of --gains alone
 };
 
 /// Short and unique: the folder's or file's name.
@@ -107,6 +111,30 @@ int show_gains(const Arguments& args) {
   return kDone;
 }
 
+/// Of all gain sets together: each failure names the set it belongs to.
+SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>& scenarios,
+                             const std::vector<ComparedSet>& sets) {
+  SimulationVerdict verdict;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    add_rollout_checks(sets[i].results, sets[i].name, verdict);
+    if (args.endurance <= 0.0 || stop_requested()) continue;
+    const auto endured = run_endurance(
+        scenarios,
+        [&](const Scenario& s) { return load_gains(gains_name(args.sets[i]), joint_names(*s.robot)); },
+        {args.endurance, stepper_from_name(args.stepper), args.workers, {}}, sets[i].name);
+    fmt::print("{}, every scenario extended to {:.4g} minutes:\n{}\n", sets[i].name, args.endurance,
+               endurance_table(endured));
+    add_endurance_checks(endured, VerdictThresholds(), sets[i].name, verdict);
+  }
+  if (args.endurance <= 0.0)
+    verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
+  verdict.not_checked.emplace_back("stability margins (armtune margins)");
+  verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
+  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  add_assumptions(scenarios, verdict);
+  return verdict;
+}
+
 int run(const Arguments& args) {
   if (args.gains_only) return show_gains(args);
   const auto scenarios = scenarios_of(args);
@@ -144,6 +172,7 @@ int run(const Arguments& args) {
   line.clear();
   const auto metrics = args.all_metrics ? all_metrics() : headline_metrics();
   fmt::print("{}", comparison_table(sets, metrics));
+  const SimulationVerdict verdict = verdict_of(args, scenarios, sets);
   if (!args.folder.empty()) {
     write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
     for (const ComparedSet& set : sets) {
@@ -155,16 +184,12 @@ int run(const Arguments& args) {
     add_inputs(scenarios, p.inputs);
     p.workers = args.workers;
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    write_verdict(args.folder, verdict);
     const std::string report = add_report(args.folder, [&] { return scene_of(scenarios, sets, args); });
-    fmt::print("wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml{}\n", args.folder,
-               report);
+    fmt::print("wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml, verdict.yaml{}\n",
+               args.folder, report);
   }
-  for (const ComparedSet& set : sets) {
-    for (const ScenarioResult& r : set.results) {
-      if (r.result.status != RolloutStatus::kCompleted) return kFailed;
-    }
-  }
-  return kDone;
+  return conclude(verdict);
 }
 
 }  // namespace
@@ -182,6 +207,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                              ->default_str(kWorkersDefault);
   CLI::Option* deadline = command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
                               ->check(CLI::PositiveNumber);
+  add_endurance_option(*command, args->endurance);
   CLI::Option* all =
       command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
   CLI::Option* folder = command->add_option(

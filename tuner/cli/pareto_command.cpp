@@ -235,7 +235,7 @@ int run(Arguments args, Team& team) {
     fmt::print("to go on: {} pareto --resume {}\n", program_name(), args.folder);
     return kInterrupted;
   }
-  const int exit_code = result.front.empty() ? kNoFeasiblePoint : kDone;
+  const int exit_code = result.front.empty() ? kChecksFailed : kDone;
   journal->complete(exit_code);
   return exit_code;
 }

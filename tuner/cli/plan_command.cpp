@@ -114,7 +114,7 @@ report::Scene scene_of_plan(const PlanTask& task) {
              planned.too_short ? "more time, wider limits or tolerances"
                                : "wider limits or tolerances, another start",
              planned.trajectory.time.size() - 1);
-  return kNoFeasiblePoint;
+  return kChecksFailed;
 }
 
 int run(const Arguments& args) {

@@ -50,8 +50,8 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 failed; 2 usage or bad input; 3 done, but no feasible point; 130 interrupted, "
-      "everything so far saved.");
+      "Exit codes: 0 done, and every simulation check passed; 1 failed; 2 usage or bad input; 3 done, but a "
+      "simulation check failed or nothing feasible was found; 130 interrupted, everything so far saved.");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("armtune: {}; see armtune --help, or that of a command\n", one_line(error.what()));
   });

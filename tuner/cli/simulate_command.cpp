@@ -12,6 +12,8 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/conclusion.hpp"
+#include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
@@ -23,6 +25,7 @@
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -37,6 +40,7 @@ struct Arguments {
   int workers = default_workers();
   int record_every = 5;
   double deadline = 0.0;
+  double endurance = 0.0;  ///< minutes; 0: none
   bool yardstick = false;
 };
 
@@ -64,6 +68,24 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
              {"gains_file", hash_of_file(folder + "/gains.yaml")}};
   p.seed = scenarios.front().seed;
   write_text_file(folder + "/run.yaml", run_yaml(p));
+}
+
+/// What was looked at: the scenarios shown, and longer ones where that was asked for.
+SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>& scenarios,
+                             const std::vector<ScenarioResult>& results,
+                             const std::vector<EnduranceResult>& endured) {
+  SimulationVerdict verdict;
+  add_rollout_checks(results, "", verdict);
+  if (args.endurance > 0.0) {
+    add_endurance_checks(endured, VerdictThresholds(), "", verdict);
+  } else {
+    verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
+  }
+  verdict.not_checked.emplace_back("stability margins (armtune margins)");
+  verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
+  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  add_assumptions(scenarios, verdict);
+  return verdict;
 }
 
 int run(const Arguments& args) {
@@ -99,13 +121,17 @@ int run(const Arguments& args) {
 
   fmt::print("{}", comparison_table({{args.gains, results}}, all_metrics()));
   double simulated = 0.0;
-  bool completed = true;
-  for (const ScenarioResult& r : results) {
-    simulated += r.result.end_time;
-    completed = completed && r.result.status == RolloutStatus::kCompleted;
-  }
+  for (const ScenarioResult& r : results) simulated += r.result.end_time;
   fmt::print("{:.4g} s simulated in {:.3g} s: {:.3g} times real time on {} workers\n", simulated,
              elapsed.count(), simulated / elapsed.count(), args.workers);
+  std::vector<EnduranceResult> endured;
+  if (args.endurance > 0.0 && !stop_requested()) {
+    endured = run_endurance(
+        scenarios, [&](const Scenario& s) { return load_gains(args.gains, joint_names(*s.robot)); },
+        {args.endurance, options.stepper, args.workers, {}}, args.gains);
+    fmt::print("\nEvery scenario extended to {:.4g} minutes:\n{}", args.endurance, endurance_table(endured));
+  }
+  const SimulationVerdict verdict = verdict_of(args, scenarios, results, endured);
   if (!args.folder.empty()) {
     YardstickFiles yardstick;
     if (args.yardstick && !stop_requested()) {
@@ -114,16 +140,18 @@ int run(const Arguments& args) {
       });
     }
     write_files(args, scenarios, results, yardstick, elapsed.count());
+    if (!stop_requested()) write_verdict(args.folder, verdict);
     const std::string report = add_report(args.folder, [&] {
       const Gains gains = load_gains(args.gains, joint_names(*scenarios.front().robot));
       return report::scene_of(scenarios, {{stem(args.gains), ".", "errors.csv"}},
                               gains.obstacleInfluenceRadius);
     });
-    fmt::print("wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml{}{}\n",
-               args.folder, yardstick.written, report);
+    fmt::print(
+        "wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml, verdict.yaml{}{}\n",
+        args.folder, yardstick.written, report);
   }
   if (stop_requested()) return kInterrupted;
-  return completed ? kDone : kFailed;
+  return conclude(verdict);
 }
 
 }  // namespace
@@ -148,6 +176,7 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
       ->check(CLI::PositiveNumber);
+  add_endurance_option(*command, args->endurance);
   add_yardstick_option(*command, args->yardstick);
   command->footer([] {
     return fmt::format("Bundled scenarios: {}\nBundled gains: {}\n",

@@ -9,6 +9,7 @@
 #include "tuner/journal/evaluations_reader.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/search/last_steps.hpp"
+#include "tuner/verdict/search_checks.hpp"
 
 namespace armtune::cli {
 
@@ -22,7 +23,7 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   options.workers = how.workers;
   for (ComparedMargins& set : sets) {
     const bool start = &set == &sets.front();
-    set.name = start ? "start" : "tuned";
+    set.name = start ? "start" : name(outcome_of(result));
     options.progress = [&](std::size_t done, std::size_t all) {
       line.show(fmt::format("margins of the {} gains: {} of {}", set.name, done, all));
     };

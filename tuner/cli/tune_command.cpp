@@ -9,6 +9,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/conclusion.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/live_report.hpp"
 #include "tuner/cli/named_choice.hpp"
@@ -18,6 +19,7 @@
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/cli/tune_analysis.hpp"
+#include "tuner/cli/tune_checks.hpp"
 #include "tuner/cli/tune_help.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
@@ -198,19 +200,23 @@ int run(Arguments args, Team& team) {
                robust_text(study), comparison_table(robust, headline_metrics()));
   }
   fmt::print("{}", comparison_table(sets, headline_metrics()));
-  print_gains(study, result.best.gains);
+  print_gains(study, result);
   const bool analysed = args.analysis && !result.interrupted &&
                         analyse(study, result, *objective, workers, {args.folder, args.workers});
-  print_verdict(study, result, *objective);
-  const std::string report = add_report(args.folder, [&study] {
-    return report::scene_of(study.scenarios,
-                            {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}},
-                            study.space.start.obstacleInfluenceRadius);
+  print_search(study, result, *objective);
+  print_recommendation(result, *objective, study, args.folder);
+  const SimulationVerdict verdict = check_search(study, result, *objective, sets[1], analysed, args.workers);
+  write_verdict(args.folder, verdict);
+  const std::string report = add_report(args.folder, [&study, &result] {
+    return report::scene_of(
+        study.scenarios,
+        {{"start", "start", "start/errors.csv"}, {name(outcome_of(result)), ".", "errors.csv"}},
+        study.space.start.obstacleInfluenceRadius);
   });
   const bool seen = report.find("report.html") != std::string::npos;
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
-      "study.yaml, run.yaml{}{}{}; the start's in start/\n"
+      "study.yaml, run.yaml, verdict.yaml{}{}{}; the start's in start/\n"
       "next: {}{} compare {}/start {}\n",
       args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
       yardsticks.back().written, report,
@@ -223,7 +229,7 @@ int run(Arguments args, Team& team) {
                program_name(), args.folder);
     return kInterrupted;
   }
-  const int exit_code = result.best.feasible ? kDone : kNoFeasiblePoint;
+  const int exit_code = conclude(verdict);
   journal->complete(exit_code);
   return exit_code;
 }

@@ -17,9 +17,27 @@
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/search/last_steps.hpp"
+#include "tuner/verdict/search_checks.hpp"
 #include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
+
+namespace {
+
+/// How a gains file says what it holds.
+const char* title_of(SearchOutcome outcome) {
+  switch (outcome) {
+    case SearchOutcome::kTuned:
+      return "tuned";
+    case SearchOutcome::kStart:
+      return "start gains, than which nothing better was found";
+    case SearchOutcome::kLeastViolation:
+      return "NOT tuned: the point with the least violation that was found";
+  }
+  return "";
+}
+
+}  // namespace
 
 std::string search_text(const Study& study) {
   return fmt::format("{}{}{}", global_of(study).empty() ? "" : global_of(study) + ", then ",
@@ -77,8 +95,9 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
   sets[0] = {"start", simulate(
                           study.scenarios, [&](const Scenario&) { return study.space.start; }, how, never)};
   how.folder = options.folder;
-  sets[1] = {"tuned", simulate(
-                          study.scenarios, [&](const Scenario&) { return result.best.gains; }, how, never)};
+  sets[1] = {name(outcome_of(result)),
+             simulate(
+                 study.scenarios, [&](const Scenario&) { return result.best.gains; }, how, never)};
   return sets;
 }
 
@@ -87,7 +106,7 @@ std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& res
   const std::atomic<bool> never{false};
   Workers fresh(team.crew(), study.robust);
   const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never, {});
-  std::vector<ComparedSet> sets = {{"start", {}}, {"tuned", {}}};
+  std::vector<ComparedSet> sets = {{"start", {}}, {name(outcome_of(result)), {}}};
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const Evaluation& seen = i == 0 ? result.start : result.best;
     for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
@@ -128,7 +147,8 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
   write_text_file(
       folder + "/gains.yaml",
       gains_yaml(result.best.gains,
-                 {fmt::format("tuned by armtune, study {}, seed {}", study.name, study.solver.seed),
+                 {fmt::format("{} by armtune, study {}, seed {}", title_of(outcome_of(result)), study.name,
+                              study.solver.seed),
                   fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}{}",
                               result.best.objective, largest_velocity_ratio(result.best), robust_text(study),
                               result.best.feasible ? "feasible" : "NOT feasible",
@@ -169,19 +189,21 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 
-void print_gains(const Study& study, const Gains& gains) {
-  fmt::print("{:<44}{:>12}{:>12}{:>11}\n", "gain", "start", "tuned", "ratio");
+void print_gains(const Study& study, const TuneResult& result) {
+  const Gains& gains = result.best.gains;
+  const std::string found = name(outcome_of(result));
+  fmt::print("{:<44}{:>12}{:>17}{:>11}\n", "gain", "start", found, "ratio");
   for (const Parameter& p : study.space.free) {
     const double tuned = value(gains, p.entry);
     const bool at_bound = tuned <= p.lower * (1.0 + 1e-9) || tuned >= p.upper * (1.0 - 1e-9);
-    fmt::print("{:<44}{:>12.5g}{:>12.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
+    fmt::print("{:<44}{:>12.5g}{:>17.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
                p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
                at_bound ? "  at its bound" : "");
   }
   fmt::print("\n");
 }
 
-void print_verdict(const Study& study, const TuneResult& result, const Objective& objective) {
+void print_search(const Study& study, const TuneResult& result, const Objective& objective) {
   fmt::print("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study.name, result.best.objective,
              result.best_of_sweep
                  ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,

@@ -59,7 +59,8 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
                    const std::vector<YardstickFiles>& yardsticks, const ReportOptions& options, int workers,
                    double seconds);
 
-void print_gains(const Study& study, const Gains& gains);
-void print_verdict(const Study& study, const TuneResult& result, const Objective& objective);
+void print_gains(const Study& study, const TuneResult& result);
+/// What the search did, and what the objective came to.
+void print_search(const Study& study, const TuneResult& result, const Objective& objective);
 
 }  // namespace armtune::cli

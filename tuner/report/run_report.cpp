@@ -42,6 +42,9 @@ class Assembly {
   ReportData make() {
     part([this] { read_provenance(); });
     part([this] {
+      if (exists(file("verdict.yaml"))) facts_.checks = read_verdict(file("verdict.yaml"));
+    });
+    part([this] {
       if (exists(file("study.yaml"))) facts_.study = read_study_facts(file("study.yaml"));
     });
     read_scene_or_guess();

@@ -270,6 +270,22 @@ Verdict of_run(const ReportData& data, const VerdictFacts& facts) {
   return {};
 }
 
+/// The simulation checks come before everything else.
+void put_checks_first(const SimulationVerdict& checks, Verdict& verdict) {
+  verdict.sentence = headline(checks) + ". " + verdict.sentence;
+  std::vector<std::string> lines;
+  for (const Check& check : checks.checks) {
+    if (!check.passed) lines.push_back("Failed: " + to_text(check));
+  }
+  const auto add_list = [&lines](const char* what, const std::vector<std::string>& items) {
+    if (!items.empty()) lines.push_back(fmt::format("{}: {}", what, fmt::join(items, "; ")));
+  };
+  add_list("Not checked", checks.not_checked);
+  add_list("Assumes", checks.assumes);
+  for (const std::string& note : checks.notes) lines.push_back("Note: " + note);
+  verdict.details.insert(verdict.details.begin(), lines.begin(), lines.end());
+}
+
 }  // namespace
 
 Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
@@ -277,6 +293,7 @@ Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
   const std::size_t result = data.sets.empty() ? 0 : data.sets.size() - 1;
   const std::string sentence = yardstick_sentence(data.yardstick, result);
   if (!sentence.empty()) verdict.details.insert(verdict.details.begin(), sentence);
+  if (facts.checks) put_checks_first(*facts.checks, verdict);
   return verdict;
 }
 

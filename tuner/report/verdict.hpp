@@ -7,15 +7,17 @@
 
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/study_facts.hpp"
+#include "tuner/verdict/verdict.hpp"
 
 namespace armtune::report {
 
 /// What a verdict needs beside the page's data.
 struct VerdictFacts {
   std::optional<StudyFacts> study;
-  std::map<std::string, std::string> run;  ///< run.yaml, keys as paths
-  bool ended = true;                       ///< whether there is a run.yaml, the last file of a run
-  bool resumable = false;                  ///< whether there is a journal
+  std::map<std::string, std::string> run;   ///< run.yaml, keys as paths
+  bool ended = true;                        ///< whether there is a run.yaml, the last file of a run
+  bool resumable = false;                   ///< whether there is a journal
+  std::optional<SimulationVerdict> checks;  ///< verdict.yaml, of the runs that have one
 };
 
 /// data: everything but its verdict.

@@ -194,6 +194,15 @@ std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains&
   return whole();
 }
 
+std::optional<std::string> failure_at(MarginKind kind, double value, const Scenario& scenario,
+                                      const Gains& gains, const MarginOptions& options,
+                                      const std::atomic<bool>& stop) {
+  Scenario pushed = scenario;
+  Gains scaled = gains;
+  field(kind).apply(value, pushed, scaled);
+  return failure(Engine::kSimbody, pushed, scaled, options, stop);
+}
+
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
                             MarginKind kind) {
   std::optional<Margin> result;

@@ -50,6 +50,12 @@ struct MarginOptions {
 std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
                             const MarginOptions& options, const std::atomic<bool>& stop);
 
+/// Returns why the loop does not hold in the scenario with the margin's quantity at `value`, or nothing where
+/// it holds, as Simbody judges it. No value if `stop` cut the rollout short.
+std::optional<std::string> failure_at(MarginKind kind, double value, const Scenario& scenario,
+                                      const Gains& gains, const MarginOptions& options,
+                                      const std::atomic<bool>& stop);
+
 /// The smallest margin of a kind over the scenarios: where not even the nominal value stands, else where it
 /// fails first. None unless every scenario's is there.
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,

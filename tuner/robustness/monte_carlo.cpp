@@ -58,15 +58,32 @@ std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const 
   report();
   std::size_t rollouts = 0;
   const std::size_t jobs = missing.size() * scenarios.size();
+  const auto job_of = [&](std::size_t job, Engine engine) {
+    RolloutJob one{job % scenarios.size(), samples[missing[job / scenarios.size()]].number, gains};
+    one.engine = engine;
+    return one;
+  };
+  std::vector<std::size_t> doubtful;  // broken in another engine than Simbody
   crew.run(
-      jobs,
-      [&](std::size_t job) {
-        return RolloutJob{job % scenarios.size(), samples[missing[job / scenarios.size()]].number, gains};
-      },
-      stop,
+      jobs, [&](std::size_t job) { return job_of(job, options.engine); }, stop,
       [&](std::size_t job, RolloutResult&& result) {
         const std::size_t k = missing[job / scenarios.size()];
         const std::size_t s = job % scenarios.size();
+        samples[k].results[s] = std::move(result);
+        judge(k, s);
+        if (options.engine != Engine::kSimbody && !samples[k].broken[s].empty()) {
+          doubtful.push_back(job);
+          return;
+        }
+        if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);
+        report();
+        if (options.progress) options.progress(++rollouts, jobs);
+      });
+  crew.run(
+      doubtful.size(), [&](std::size_t i) { return job_of(doubtful[i], Engine::kSimbody); }, stop,
+      [&](std::size_t i, RolloutResult&& result) {
+        const std::size_t k = missing[doubtful[i] / scenarios.size()];
+        const std::size_t s = doubtful[i] % scenarios.size();
         samples[k].results[s] = std::move(result);
         judge(k, s);
         if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);

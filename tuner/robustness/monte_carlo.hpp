@@ -29,6 +29,8 @@ struct MonteCarloOptions {
   std::vector<MetricLimit> limits = arm_limits();
   Stepper stepper = Stepper::kMidpoint;
   int workers = 1;
+  /// That simulates the arms; an arm that breaks a limit in another engine is simulated again in Simbody.
+  Engine engine = Engine::kSimbody;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
   /// Results per scenario of a sample that an earlier session finished, or nothing; may be empty.
   std::function<std::optional<std::vector<RolloutResult>>(std::uint64_t number)> known;

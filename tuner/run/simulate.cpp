@@ -37,13 +37,16 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     std::optional<Recorder> recorder;
     if (!options.folder.empty() || options.recorded) recorder.emplace(scenarios[i], options.record_stride);
     const double deadline = deadline_of(options.deadline, scenarios[i]);
+    LimitWatch limits(*scenarios[i].robot);
     RunningTime time;
     bool late = false;
     results[i].result = rollout.run(gains_of(scenarios[i]), [&](const Observation& o) {
       if (recorder) (*recorder)(o);
+      limits.look(o);
       late = time.look() > deadline;
       return !late && !stop;
     });
+    results[i].broken = limits.broken();
     if (late) {
       results[i].result.reason += fmt::format(
           " of {} s: its deadline of {} s was over; allow more with --rollout-deadline, or find "

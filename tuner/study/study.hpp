@@ -10,6 +10,7 @@
 #include "tuner/study/objective.hpp"
 #include "tuner/study/parameter.hpp"
 #include "tuner/study/warm_start.hpp"
+#include "tuner/verdict/thresholds.hpp"
 
 namespace armtune {
 
@@ -32,6 +33,7 @@ struct Study {
   std::vector<SweepAxis> sweep;     ///< may be empty
   std::optional<SampleSet> robust;  ///< none: the scenarios' own arms
   std::optional<WarmStart> warm;    ///< none: the search begins at the start gains
+  VerdictThresholds thresholds;     ///< of the simulation checks after the search
   SolverOptions solver;
   std::size_t starts = 1;          ///< local searches at once; the first begins where one would alone
   std::string global_algorithm;    ///< searches before the local one does; empty: none

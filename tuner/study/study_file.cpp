@@ -149,6 +149,17 @@ SampleSet read_samples(const yaml::Node& node) {
   return set;
 }
 
+/// The keys of `verdict`: thresholds of the simulation checks.
+VerdictThresholds read_thresholds(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  VerdictThresholds thresholds;
+  for (const ThresholdField& field : threshold_fields()) {
+    thresholds.*field.value = map.number_in(field.name, thresholds.*field.value, field.least, field.most);
+  }
+  map.finish();
+  return thresholds;
+}
+
 /// The start gains, of the controller that the study's file or the caller names.
 Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& asked,
                  const Scenario& first) {
@@ -205,6 +216,7 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {
     end_no_sample_early(map.required("constraints"), study.constraints);
   }
+  if (const yaml::Node* node = map.optional("verdict")) study.thresholds = read_thresholds(*node);
   if (const yaml::Node* node = map.optional("search")) {
     read_search(*node, study);
   } else {

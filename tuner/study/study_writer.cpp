@@ -84,6 +84,10 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
     }
     text += fmt::format("    phases: {}\n", study.robust->perturbation.phases);
   }
+  text += "verdict:\n";
+  for (const ThresholdField& field : threshold_fields()) {
+    text += fmt::format("  {}: {}   # {}\n", field.name, study.thresholds.*field.value, field.meaning);
+  }
   text += fmt::format(
       "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
       "initial_step: {}, x_tolerance: {}, "

@@ -22,6 +22,9 @@ inline const std::string kShortConstraints =
     "  - {metric: joint_velocity/max_ratio, at_most: 0.9}\n"
     "  - {metric: joint_effort/max_ratio, at_most: 1}\n";
 inline const std::string kShortSearch = "search: {algorithm: COBYLA, max_evaluations: 12, seed: 1}\n";
+/// Eight seconds of a search that takes seconds pass no check of hours and arms, and need not.
+inline const std::string kShortVerdict =
+    "verdict: {delay_periods: 0, gain: 1, noise: 1, rate: 1, yield: 0, arms: 2, minutes: 0}\n";
 inline const std::string kShortNativeSearch =
     "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 2]}]\n"
     "search: {algorithm: COBYLA, max_evaluations: 24, seed: 1, engine: native, verify_share: 0.4}\n";
@@ -40,7 +43,7 @@ class ShortStudy {
     write("study.yaml",
           "description: two gains in seconds\ngains: gains.yaml\n"
           "scenarios: [short.yaml, short_realistic.yaml]\n" +
-              parameters + objective + constraints + search);
+              parameters + objective + constraints + kShortVerdict + search);
   }
 
   std::string write(const std::string& name, const std::string& text) const {

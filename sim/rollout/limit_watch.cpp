@@ -1,0 +1,66 @@
+#include "sim/rollout/limit_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace armtune {
+
+LimitWatch::LimitWatch(const RobotModel& model)
+    : joints_(joint_names(model)), velocity_(model.velocity_limits()), effort_(model.effort_limits()) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  lower_.setConstant(model.n(), -kInfinity);
+  upper_.setConstant(model.n(), kInfinity);
+  for (int i = 0; i < model.n(); ++i) {
+    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
+    if (!limits.has_position) continue;
+    lower_[i] = limits.lower;
+    upper_[i] = limits.upper;
+  }
+}
+
+void LimitWatch::note(JointLimit limit, Eigen::Index joint, double time, double value, double bound) {
+  Found& found = found_[static_cast<std::size_t>(limit)];
+  if (found.joint < 0) found = {static_cast<int>(joint), time, value, bound};
+}
+
+void LimitWatch::look(const Observation& o) {
+  const JointVector& q = *o.q;
+  const JointVector& qd = *o.qd;
+  const JointVector& effort = o.control->commanded;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    if (std::abs(qd[i]) > velocity_[i]) {
+      note(JointLimit::kVelocity, i, o.time, qd[i], std::copysign(velocity_[i], qd[i]));
+    }
+    if (q[i] > upper_[i]) note(JointLimit::kPosition, i, o.time, q[i], upper_[i]);
+    if (q[i] < lower_[i]) note(JointLimit::kPosition, i, o.time, q[i], lower_[i]);
+    if (std::abs(effort[i]) > effort_[i]) {
+      note(JointLimit::kEffort, i, o.time, effort[i], std::copysign(effort_[i], effort[i]));
+    }
+  }
+}
+
+std::vector<BrokenLimit> LimitWatch::broken() const {
+  std::vector<BrokenLimit> all;
+  for (const JointLimit limit : kJointLimits) {
+    const Found& found = found_[static_cast<std::size_t>(limit)];
+    if (found.joint < 0) continue;
+    all.push_back(
+        {limit, joints_[static_cast<std::size_t>(found.joint)], found.time, found.value, found.bound});
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const BrokenLimit& a, const BrokenLimit& b) { return a.time < b.time; });
+  return all;
+}
+
+std::string to_string(const BrokenLimit& broken) {
+  const char* what = broken.limit == JointLimit::kVelocity   ? "moves at"
+                     : broken.limit == JointLimit::kPosition ? "is at"
+                                                             : "is commanded";
+  return fmt::format("{} {} {:.4g}, beyond its {} of {:.4g}, at {:.3f} s", broken.joint, what, broken.value,
+                     name(broken.limit), broken.bound, broken.time);
+}
+
+}  // namespace armtune

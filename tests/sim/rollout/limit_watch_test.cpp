@@ -1,0 +1,109 @@
+#include "sim/rollout/limit_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/robot/theta.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/sim/support/rollouts.hpp"
+
+namespace armtune {
+namespace {
+
+/// An observation of an arm at rest in the middle of its limits.
+struct Seen {
+  RobotModel arm = test::ur10();
+  JointVector q = JointVector::Zero(6);
+  JointVector qd = JointVector::Zero(6);
+  ControlOutput control;
+  Observation o;
+  LimitWatch watch{arm};
+
+  Seen() {
+    control.commanded = JointVector::Zero(6);
+    o.q = &q;
+    o.qd = &qd;
+    o.control = &control;
+  }
+  void look(double time) {
+    o.time = time;
+    watch.look(o);
+  }
+  const JointLimits& limits(std::size_t joint) const { return arm.joints[joint].limits; }
+};
+
+TEST(LimitWatch, ALimitThatIsReachedIsNotPassed) {
+  Seen seen;
+  seen.q[0] = seen.limits(0).upper;
+  seen.q[1] = seen.limits(1).lower;
+  seen.qd[2] = -seen.limits(2).velocity;
+  seen.control.commanded[3] = seen.limits(3).effort;
+  seen.look(1.0);
+  EXPECT_FALSE(seen.watch.any());
+  EXPECT_TRUE(seen.watch.broken().empty());
+}
+
+TEST(LimitWatch, RemembersTheFirstPassOfEachLimitWithJointValueAndSide) {
+  Seen seen;
+  seen.look(0.0);
+  seen.control.commanded[5] = -1.5 * seen.limits(5).effort;
+  seen.look(1.0);
+  seen.control.commanded[4] = 9.0 * seen.limits(4).effort;  // later and worse: the first one counts
+  seen.qd[2] = 1.25 * seen.limits(2).velocity;
+  seen.look(2.0);
+  seen.q[1] = seen.limits(1).lower - 0.5;
+  seen.look(3.0);
+  const std::vector<BrokenLimit> broken = seen.watch.broken();
+  ASSERT_EQ(broken.size(), 3U);
+  EXPECT_EQ(broken[0].limit, JointLimit::kEffort);
+  EXPECT_EQ(broken[0].joint, seen.arm.joints[5].name);
+  EXPECT_EQ(broken[0].time, 1.0);
+  EXPECT_EQ(broken[0].value, -1.5 * seen.limits(5).effort);
+  EXPECT_EQ(broken[0].bound, -seen.limits(5).effort);
+  EXPECT_EQ(broken[1].limit, JointLimit::kVelocity);
+  EXPECT_EQ(broken[1].joint, seen.arm.joints[2].name);
+  EXPECT_EQ(broken[1].bound, seen.limits(2).velocity);
+  EXPECT_EQ(broken[2].limit, JointLimit::kPosition);
+  EXPECT_EQ(broken[2].time, 3.0);
+  EXPECT_EQ(broken[2].bound, seen.limits(1).lower);
+}
+
+TEST(LimitWatch, AJointWithoutPositionLimitsNeverPassesThem) {
+  Seen seen;
+  seen.arm.joints[0].limits.has_position = false;
+  LimitWatch watch(seen.arm);
+  seen.q[0] = 1e6;
+  watch.look(seen.o);
+  EXPECT_FALSE(watch.any());
+}
+
+/// Over whole rollouts a limit is broken exactly where the metric of the same quantity says so.
+TEST(LimitWatch, AgreesWithTheMetrics) {
+  for (const double factor : {1.0, 100.0}) {
+    const Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
+    Gains gains = test::quick_gains(scenario);
+    gains.task_space_gains_p *= factor;
+    LimitWatch watch(*scenario.robot);
+    const RolloutResult result =
+        Rollout(scenario, Stepper::kMidpoint, Engine::kNative).run(gains, [&](const Observation& o) {
+          watch.look(o);
+          return true;
+        });
+    bool velocity = false;
+    bool position = false;
+    bool effort = false;
+    for (const BrokenLimit& broken : watch.broken()) {
+      velocity = velocity || broken.limit == JointLimit::kVelocity;
+      position = position || broken.limit == JointLimit::kPosition;
+      effort = effort || broken.limit == JointLimit::kEffort;
+    }
+    EXPECT_EQ(velocity, result.metrics[Metric::kJointVelocityMaxRatio] > 1.0) << factor;
+    EXPECT_EQ(position, result.metrics[Metric::kJointPositionMinMargin] < 0.0) << factor;
+    EXPECT_EQ(effort, result.metrics[Metric::kJointEffortMaxRatio] > 1.0) << factor;
+    EXPECT_EQ(watch.any(), factor > 1.0) << "a hundredfold Kp saturates, the gains themselves do not";
+  }
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,170 @@
+#include "tuner/verdict/verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/csv/text_file.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
+#include "tuner/verdict/thresholds.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Check failed(CheckKind kind, const std::string& scenario, const std::string& joint, double time) {
+  return {kind, false, scenario, joint, time, 94.25, 56.0, "N m", "a \"quoted\" clause: with, signs"};
+}
+
+TEST(SimulationVerdict, WithoutChecksNothingHasPassed) {
+  EXPECT_FALSE(SimulationVerdict().passed());
+  EXPECT_THAT(to_text(SimulationVerdict()), Not(HasSubstr("passed")));
+}
+
+TEST(SimulationVerdict, OneFailureFailsItAndIsNamedWithJointAndTime) {
+  SimulationVerdict verdict;
+  verdict.checks = {{CheckKind::kCompleted}, {CheckKind::kYield}};
+  EXPECT_TRUE(verdict.passed());
+  EXPECT_THAT(to_text(verdict), HasSubstr("Simulation checks: passed"));
+  verdict.checks.push_back(failed(CheckKind::kEffortLimit, "long", "wrist_1_joint", 527.318));
+  EXPECT_FALSE(verdict.passed());
+  const std::string text = to_text(verdict);
+  EXPECT_THAT(text, HasSubstr("Simulation checks: failed: effort limit, wrist_1_joint, 527.318 s"));
+  EXPECT_THAT(text, HasSubstr("long"));
+}
+
+TEST(SimulationVerdict, ReadsBackFromItsFileFieldByField) {
+  SimulationVerdict verdict;
+  for (int kind = 0; kind <= static_cast<int>(CheckKind::kBetterThanStart); ++kind) {
+    verdict.checks.push_back({static_cast<CheckKind>(kind)});
+    verdict.checks.push_back(failed(static_cast<CheckKind>(kind), "a: b", "joint #1", 0.1 * kind));
+  }
+  verdict.not_checked = {"self-collision", "a \\ b"};
+  verdict.assumes = {};
+  verdict.notes = {"one note"};
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "verdict.yaml";
+  write_text_file(path, verdict_yaml(verdict));
+  const SimulationVerdict read = read_verdict(path);
+  ASSERT_EQ(read.checks.size(), verdict.checks.size());
+  for (std::size_t i = 0; i < read.checks.size(); ++i) {
+    const Check& a = read.checks[i];
+    const Check& b = verdict.checks[i];
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.passed, b.passed);
+    EXPECT_EQ(a.scenario, b.scenario);
+    EXPECT_EQ(a.joint, b.joint);
+    EXPECT_EQ(a.unit, b.unit);
+    EXPECT_EQ(a.detail, b.detail);
+    for (double Check::*number : {&Check::time, &Check::value, &Check::threshold}) {
+      EXPECT_TRUE(a.*number == b.*number || (std::isnan(a.*number) && std::isnan(b.*number)));
+    }
+  }
+  EXPECT_EQ(read.not_checked, verdict.not_checked);
+  EXPECT_EQ(read.assumes, verdict.assumes);
+  EXPECT_EQ(read.notes, verdict.notes);
+  EXPECT_EQ(verdict_yaml(read), verdict_yaml(verdict));
+}
+
+TEST(SimulationVerdict, AFileWithACheckOfAnotherVersionIsRefusedWithItsLine) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "verdict.yaml";
+  write_text_file(path,
+                  "passed: true\nchecks:\n  - {check: telepathy, passed: true}\nnot_checked: []\nassumes: "
+                  "[]\nnotes: []\n");
+  const std::string refused = test::refusal([&] { read_verdict(path); });
+  EXPECT_THAT(refused, HasSubstr(":3:"));
+  EXPECT_THAT(refused, HasSubstr("telepathy"));
+}
+
+ScenarioResult result_of(const std::string& scenario, std::vector<BrokenLimit> broken) {
+  ScenarioResult result{scenario, {}, std::move(broken)};
+  return result;
+}
+
+TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
+  SimulationVerdict verdict;
+  add_rollout_checks({result_of("a", {{JointLimit::kEffort, "elbow", 7.0, 200.0, 150.0}}),
+                      result_of("b", {{JointLimit::kEffort, "wrist", 3.0, -60.0, -56.0},
+                                      {JointLimit::kPosition, "pan", 9.0, -6.5, -6.28}})},
+                     "", verdict);
+  ASSERT_EQ(verdict.checks.size(), 4U);
+  for (const Check& check : verdict.checks) {
+    switch (check.kind) {
+      case CheckKind::kCompleted:
+      case CheckKind::kVelocityLimit:
+        EXPECT_TRUE(check.passed);
+        break;
+      case CheckKind::kEffortLimit:
+        EXPECT_FALSE(check.passed);
+        EXPECT_EQ(check.scenario, "b");
+        EXPECT_EQ(check.joint, "wrist");
+        EXPECT_EQ(check.time, 3.0);
+        EXPECT_EQ(check.value, 60.0);
+        EXPECT_EQ(check.threshold, 56.0);
+        break;
+      case CheckKind::kPositionLimit:
+        EXPECT_FALSE(check.passed);
+        EXPECT_EQ(check.value, -6.5);
+        EXPECT_EQ(check.threshold, -6.28);
+        break;
+      default:
+        FAIL() << name(check.kind);
+    }
+  }
+}
+
+TEST(RolloutChecks, AScenarioThatDidNotCompleteFailsWithItsReason) {
+  ScenarioResult broken = result_of("a", {});
+  broken.result.status = RolloutStatus::kDiverged;
+  broken.result.reason = "diverged at 1 s";
+  SimulationVerdict verdict;
+  add_rollout_checks({result_of("b", {}), broken}, "tuned", verdict);
+  EXPECT_FALSE(verdict.passed());
+  EXPECT_EQ(verdict.checks.front().detail, "diverged at 1 s");
+  EXPECT_THAT(verdict.checks.front().scenario, HasSubstr("tuned"));
+}
+
+TEST(EnduranceChecks, FailForALimitAndForErrorsThatGrow) {
+  const VerdictThresholds thresholds;
+  EnduranceResult steady{"steady", 1800.0, {}, "", 1.1, 1.4, Engine::kNative};
+  EnduranceResult growing{"growing", 1800.0, {}, "", 1.3, 1.4, Engine::kSimbody};
+  EnduranceResult breaking{
+      "breaking", 527.0,           BrokenLimit{JointLimit::kEffort, "wrist", 527.0, 94.0, 56.0}, "", NAN,
+      NAN,        Engine::kSimbody};
+  SimulationVerdict held;
+  add_endurance_checks({steady}, thresholds, "", held);
+  EXPECT_TRUE(held.passed());
+  SimulationVerdict grew;
+  add_endurance_checks({steady, growing}, thresholds, "", grew);
+  EXPECT_FALSE(grew.passed());
+  EXPECT_TRUE(grew.checks[0].passed);
+  EXPECT_EQ(grew.checks[1].scenario, "growing");
+  SimulationVerdict broke;
+  add_endurance_checks({steady, breaking}, thresholds, "", broke);
+  EXPECT_FALSE(broke.checks[0].passed);
+  EXPECT_EQ(broke.checks[0].joint, "wrist");
+  EXPECT_EQ(broke.checks[0].time, 527.0);
+  EXPECT_TRUE(broke.checks[1].passed) << "a rollout that broke off has no last minutes";
+}
+
+TEST(VerdictThresholds, ALoosenedOneIsNamedAndAStricterOneIsNot) {
+  for (const ThresholdField& field : threshold_fields()) {
+    VerdictThresholds thresholds;
+    EXPECT_TRUE(loosened(thresholds).empty());
+    const double usual = thresholds.*field.value;
+    thresholds.*field.value = field.larger_is_stricter ? 0.5 * usual : 2.0 * usual;
+    const auto sentences = loosened(thresholds);
+    ASSERT_EQ(sentences.size(), 1U) << field.name;
+    EXPECT_THAT(sentences.front(), HasSubstr(field.name));
+    thresholds.*field.value = field.larger_is_stricter ? 2.0 * usual : 0.5 * usual;
+    EXPECT_TRUE(loosened(thresholds).empty()) << field.name;
+    EXPECT_GE(usual, field.least);
+    EXPECT_LE(usual, field.most);
+  }
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,62 @@
+#include "tuner/cli/endurance_option.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
+
+namespace armtune::cli {
+
+void add_endurance_option(CLI::App& command, double& minutes) {
+  command
+      .add_option("--endurance", minutes,
+                  "extend every scenario to this simulated time and report the first limit that breaks "
+                  "(without a value: 30 minutes, which take seconds)")
+      ->expected(0, 1)
+      ->default_str(fmt::format("{}", kEnduranceMinutes))
+      ->type_name("MINUTES")
+      ->check(CLI::Range(0.01, 1440.0));
+}
+
+std::vector<EnduranceResult> run_endurance(const std::vector<Scenario>& scenarios,
+                                           const std::function<Gains(const Scenario&)>& gains_of,
+                                           const EnduranceOptions& options, const std::string& set) {
+  ProgressLine line;
+  EnduranceOptions how = options;
+  how.progress = [&](std::size_t done, std::size_t all) {
+    line.show(fmt::format("{}: {} of {} scenarios extended to {:.4g} minutes", set, done, all, how.minutes));
+  };
+  auto results = endure(scenarios, gains_of, how, stop_requested());
+  line.clear();
+  for (const Scenario& scenario : scenarios) {
+    for (const std::string& sentence : how_extended(scenario)) {
+      fmt::print("{}, extended: {}\n", scenario.name, sentence);
+    }
+  }
+  return results;
+}
+
+std::string endurance_table(const std::vector<EnduranceResult>& results) {
+  std::string text;
+  for (const EnduranceResult& r : results) {
+    text += fmt::format("  {:<40} ", r.scenario);
+    if (r.broken) {
+      text += to_string(*r.broken);
+    } else if (!r.ended.empty()) {
+      text += r.ended;
+    } else {
+      text += fmt::format("kept every limit for {:.4g} minutes", r.simulated / 60.0);
+      if (!std::isnan(r.rms_growth)) {
+        text += fmt::format("; RMS error at the end {:.2f} times, peak {:.2f} times that at the beginning",
+                            r.rms_growth, r.peak_growth);
+      }
+    }
+    text += fmt::format(" ({})\n", name(r.engine));
+  }
+  return text;
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,21 @@
+#pragma once
+// The simulation checks at the end of `armtune tune`.
+
+#include <string>
+
+#include "tuner/run/comparison.hpp"
+#include "tuner/verdict/search_checks.hpp"
+
+namespace armtune::cli {
+
+/// Makes every check of the search's result: constraints, the start, the arm's own limits in the study's
+/// scenarios and, with `deep`, margins, random arms and endurance, with a progress line. simulated: fresh
+/// rollouts of the result. What was left out stands under "Not checked".
+SimulationVerdict check_search(const Study& study, const TuneResult& result, const Objective& objective,
+                               const ComparedSet& simulated, bool deep, int workers);
+
+/// Prints what a search that found nothing better, or nothing feasible, recommends.
+void print_recommendation(const TuneResult& result, const Objective& objective, const Study& study,
+                          const std::string& folder);
+
+}  // namespace armtune::cli

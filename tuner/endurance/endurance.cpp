@@ -1,0 +1,88 @@
+#include "tuner/endurance/endurance.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+#include "tuner/endurance/error_windows.hpp"
+#include "tuner/workers/parallel.hpp"
+
+namespace armtune {
+namespace {
+
+/// One rollout in one engine, until a limit breaks. None if `stop` cut it short.
+std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario, const Gains& gains,
+                                         Stepper stepper, const std::atomic<bool>& stop) {
+  EnduranceResult result;
+  result.scenario = scenario.name;
+  result.engine = engine;
+  LimitWatch limits(*scenario.robot);
+  ErrorWindows errors(scenario.start_time, scenario.duration, scenario.control_period);
+  const RolloutResult rollout = Rollout(scenario, stepper, engine).run(gains, [&](const Observation& o) {
+    limits.look(o);
+    errors.look(o);
+    return !stop && !limits.any();
+  });
+  result.simulated = rollout.end_time;
+  if (limits.any()) {
+    result.broken = limits.broken().front();
+  } else if (rollout.status == RolloutStatus::kInterrupted) {
+    return std::nullopt;
+  } else if (rollout.status != RolloutStatus::kCompleted) {
+    result.ended = rollout.reason;
+  }
+  result.rms_growth = errors.rms_growth();
+  result.peak_growth = errors.peak_growth();
+  return result;
+}
+
+}  // namespace
+
+Scenario extended_to(const Scenario& scenario, double seconds) {
+  Scenario extended = scenario;
+  extended.duration = std::max(scenario.duration, seconds);
+  return extended;
+}
+
+std::vector<std::string> how_extended(const Scenario& scenario) {
+  std::vector<std::string> sentences;
+  if (scenario.planned)
+    sentences.emplace_back("the planned motion is held at its end, or the task follows it");
+  if (scenario.path.spline) sentences.emplace_back("the tool's waypoints are held at the last one");
+  if (scenario.orientation && scenario.orientation->turn)
+    sentences.emplace_back("the orientation's waypoints are held at the last one");
+  if (scenario.stimulus) {
+    sentences.emplace_back(std::holds_alternative<Step>(scenario.stimulus->shape)
+                               ? "the step is held at its height"
+                               : "the sines go on");
+  }
+  if (!scenario.schedule.empty()) sentences.emplace_back("the last target of the schedule stays");
+  return sentences;
+}
+
+std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
+                                    const std::function<Gains(const Scenario&)>& gains_of,
+                                    const EnduranceOptions& options, const std::atomic<bool>& stop) {
+  std::vector<std::optional<EnduranceResult>> found(scenarios.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t i) {
+    const Scenario scenario = extended_to(scenarios[i], 60.0 * options.minutes);
+    const Gains gains = gains_of(scenario);
+    const bool native = options.stepper != Stepper::kReference;
+    auto result =
+        endure_in(native ? Engine::kNative : Engine::kSimbody, scenario, gains, options.stepper, stop);
+    if (native && result && !result->held()) {
+      result = endure_in(Engine::kSimbody, scenario, gains, options.stepper, stop);
+    }
+    const std::lock_guard lock(mutex);
+    found[i] = std::move(result);
+    if (options.progress) options.progress(++done, scenarios.size());
+  });
+  std::vector<EnduranceResult> results;
+  for (auto& result : found) {
+    if (result) results.push_back(std::move(*result));
+  }
+  return results;
+}
+
+}  // namespace armtune

@@ -1,0 +1,133 @@
+#include "tuner/verdict/rollout_checks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace armtune {
+namespace {
+
+CheckKind kind_of(JointLimit limit) {
+  switch (limit) {
+    case JointLimit::kVelocity:
+      return CheckKind::kVelocityLimit;
+    case JointLimit::kPosition:
+      return CheckKind::kPositionLimit;
+    case JointLimit::kEffort:
+      break;
+  }
+  return CheckKind::kEffortLimit;
+}
+
+std::string named(const std::string& scenario, const std::string& set) {
+  return set.empty() ? scenario : fmt::format("{} under {}", scenario, set);
+}
+
+void describe(const BrokenLimit& broken, Check& check) {
+  check.joint = broken.joint;
+  check.time = broken.time;
+  check.value = std::abs(broken.value);
+  check.threshold = std::abs(broken.bound);
+  if (broken.limit == JointLimit::kPosition) {  // signs tell the side
+    check.value = broken.value;
+    check.threshold = broken.bound;
+  }
+}
+
+void add_once(std::string text, std::vector<std::string>& list) {
+  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
+}
+
+}  // namespace
+
+void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
+                        SimulationVerdict& verdict) {
+  Check completed{CheckKind::kCompleted};
+  for (const ScenarioResult& r : results) {
+    if (r.result.status == RolloutStatus::kCompleted || !completed.passed) continue;
+    completed.passed = false;
+    completed.scenario = named(r.scenario, set);
+    completed.detail = r.result.reason;
+  }
+  verdict.checks.push_back(std::move(completed));
+  for (const JointLimit limit : kJointLimits) {
+    Check check{kind_of(limit)};
+    for (const ScenarioResult& r : results) {
+      for (const BrokenLimit& broken : r.broken) {
+        if (broken.limit != limit || (!check.passed && check.time <= broken.time)) continue;
+        check.passed = false;
+        check.scenario = named(r.scenario, set);
+        describe(broken, check);
+      }
+    }
+    verdict.checks.push_back(std::move(check));
+  }
+}
+
+void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
+                          const std::string& set, SimulationVerdict& verdict) {
+  Check limits{CheckKind::kEndurance};
+  Check growth{CheckKind::kErrorGrowth};
+  growth.threshold = thresholds.rms_growth;
+  for (const EnduranceResult& r : results) {
+    if (!r.held() && (limits.passed || (r.broken && r.broken->time < limits.time))) {
+      limits.passed = false;
+      limits.scenario = named(r.scenario, set);
+      if (r.broken) {
+        limits.detail = name(r.broken->limit);
+        describe(*r.broken, limits);
+      } else {
+        limits.detail = r.ended;
+        limits.time = r.simulated;
+      }
+    }
+    if (!r.held()) continue;  // its last window is not that of a whole rollout
+    const bool rms = r.rms_growth > thresholds.rms_growth;
+    const bool peak = r.peak_growth > thresholds.peak_growth;
+    if (!rms && !peak) {
+      if (growth.passed && !(r.rms_growth <= growth.value)) growth.value = r.rms_growth;
+      continue;
+    }
+    if (!growth.passed) continue;
+    growth.passed = false;
+    growth.scenario = named(r.scenario, set);
+    growth.detail = rms ? "the RMS error of the last minutes over that of the first"
+                        : "the peak error of the last minutes over that of the first";
+    growth.value = rms ? r.rms_growth : r.peak_growth;
+    growth.threshold = rms ? thresholds.rms_growth : thresholds.peak_growth;
+  }
+  verdict.checks.push_back(std::move(limits));
+  verdict.checks.push_back(std::move(growth));
+}
+
+void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {
+  std::vector<std::string> no_friction;
+  std::vector<std::string> no_noise;
+  for (const Scenario& scenario : scenarios) {
+    const RobotModel& robot = *scenario.robot;
+    if (robot.chain.rotor_inertia.isZero(0.0)) {
+      add_once(fmt::format("{} has no rotor inertia, as its file gives none", robot.name), verdict.assumes);
+    }
+    const RobotModel plant = plant_model(scenario);
+    if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {
+      no_friction.push_back(scenario.name);
+    }
+    if (scenario.plant.velocity_noise == 0.0 && scenario.plant.position_noise == 0.0) {
+      no_noise.push_back(scenario.name);
+    }
+  }
+  const auto add = [&](const char* what, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    const bool all = names.size() == scenarios.size();
+    add_once(all ? std::string(what) : fmt::format("{} in {}", what, fmt::join(names, ", ")),
+             verdict.assumes);
+  };
+  add("no joint friction", no_friction);
+  add("no sensor noise", no_noise);
+  add_once("rigid links and joints, and drives that give every torque up to the effort limits",
+           verdict.assumes);
+}
+
+}  // namespace armtune

@@ -1,0 +1,27 @@
+#pragma once
+// Checks of rollouts that were made: completion and the arm's own limits.
+
+#include <string>
+#include <vector>
+
+#include "sim/csv/error_report.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tuner/endurance/endurance.hpp"
+#include "tuner/verdict/thresholds.hpp"
+#include "tuner/verdict/verdict.hpp"
+
+namespace armtune {
+
+/// Adds one check for completion and one for each kind of joint limit, each with the earliest fault over the
+/// scenarios. set: name of the gain set, for runs with several; may be empty.
+void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
+                        SimulationVerdict& verdict);
+
+/// Adds a check for limits in the extended scenarios, and one for the growth of errors.
+void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
+                          const std::string& set, SimulationVerdict& verdict);
+
+/// Adds what the checks assume of the scenarios' arms, such as rotor inertia that a robot file leaves out.
+void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
+
+}  // namespace armtune

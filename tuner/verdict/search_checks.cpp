@@ -1,0 +1,193 @@
+#include "tuner/verdict/search_checks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "tuner/robustness/monte_carlo.hpp"
+#include "tuner/robustness/statistics.hpp"
+#include "tuner/workers/parallel.hpp"
+
+namespace armtune {
+namespace {
+
+/// The joint and time that a result names with a metric, where it names one.
+void place(const RolloutResult& result, Metric metric, Check& check) {
+  if (metric != Metric::kJointVelocityMaxRatio) return;
+  check.joint = result.metrics.max_ratio_joint;
+  check.time = result.metrics[Metric::kJointVelocityMaxRatioTime];
+}
+
+struct MarginThreshold {
+  MarginKind kind;
+  CheckKind check;
+  double VerdictThresholds::*value;
+};
+
+constexpr MarginThreshold kMargins[] = {
+    {MarginKind::kTorqueDelay, CheckKind::kTorqueDelay, &VerdictThresholds::delay_periods},
+    {MarginKind::kGainFactor, CheckKind::kGainFactor, &VerdictThresholds::gain},
+    {MarginKind::kControlRate, CheckKind::kControlRate, &VerdictThresholds::rate},
+    {MarginKind::kVelocityNoise, CheckKind::kVelocityNoise, &VerdictThresholds::noise},
+};
+
+/// The margin's quantity at its threshold: delay and gain as they are, rate and noise as multiples of the
+/// scenario's own.
+double at_threshold(const MarginThreshold& margin, const VerdictThresholds& thresholds,
+                    const Scenario& scenario) {
+  const double value = thresholds.*margin.value;
+  const bool relative = margin.kind == MarginKind::kControlRate || margin.kind == MarginKind::kVelocityNoise;
+  return relative ? value * field(margin.kind).nominal(scenario) : value;
+}
+
+}  // namespace
+
+SearchOutcome outcome_of(const TuneResult& result) {
+  if (!better(result.best, result.start)) return SearchOutcome::kStart;
+  return result.best.feasible ? SearchOutcome::kTuned : SearchOutcome::kLeastViolation;
+}
+
+const char* name(SearchOutcome outcome) {
+  switch (outcome) {
+    case SearchOutcome::kTuned:
+      return "tuned";
+    case SearchOutcome::kStart:
+      return "start (kept)";
+    case SearchOutcome::kLeastViolation:
+      return "least violation";
+  }
+  return "";
+}
+
+void add_search_checks(const Study& study, const TuneResult& result, const Objective& objective,
+                       SimulationVerdict& verdict) {
+  const Evaluation& best = result.best;
+  Check constraints{CheckKind::kConstraints};
+  double worst = 0.0;
+  for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
+    if (!(best.relative[c] > worst)) continue;
+    worst = best.relative[c];
+    const Constraint& constraint = objective.constraints()[c];
+    constraints = {CheckKind::kConstraints, false};
+    constraints.detail = objective.constraint_name(c);
+    constraints.unit = field(constraint.metric).unit;
+    double largest = -HUGE_VAL;
+    for (const std::size_t s : constraint.scenarios) {
+      const double value = best.results[s].metrics[constraint.metric];
+      const double excess = constraint.upper ? value - objective.limit(c, s) : objective.limit(c, s) - value;
+      if (!(excess > largest)) continue;
+      largest = excess;
+      constraints.scenario = study.scenarios[s].name;
+      constraints.value = value;
+      constraints.threshold = objective.limit(c, s);
+      place(best.results[s], constraint.metric, constraints);
+    }
+  }
+  if (best.status != "completed" && constraints.passed) {
+    constraints.passed = false;
+    constraints.detail = best.status;
+  }
+  verdict.checks.push_back(std::move(constraints));
+  Check improvement{CheckKind::kBetterThanStart};
+  improvement.passed = outcome_of(result) == SearchOutcome::kTuned;
+  if (!improvement.passed) {
+    improvement.detail = outcome_of(result) == SearchOutcome::kStart
+                             ? "nothing better than the start gains was found"
+                             : "nothing feasible was found";
+  }
+  verdict.checks.push_back(std::move(improvement));
+}
+
+void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& verdict) {
+  std::vector<std::string> on_bound;
+  for (const Parameter& p : study.space.free) {
+    const double v = value(gains, p.entry);
+    constexpr double kRounding = 1e-9;
+    if (v <= p.lower * (1.0 + kRounding) || v >= p.upper * (1.0 - kRounding))
+      on_bound.push_back(p.entry.name);
+  }
+  if (on_bound.empty()) return;
+  verdict.notes.push_back(
+      fmt::format("{} of {} gains lie on a bound of the study, which may hold them back: {}", on_bound.size(),
+                  study.space.free.size(), fmt::join(on_bound, ", ")));
+}
+
+bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
+                       const std::atomic<bool>& stop, SimulationVerdict& verdict) {
+  const std::size_t scenarios = study.scenarios.size();
+  const std::size_t jobs = std::size(kMargins) * scenarios;
+  std::vector<std::optional<std::string>> why(jobs);
+  MarginOptions how;
+  how.stepper = study.stepper;
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
+    const MarginThreshold& margin = kMargins[job / scenarios];
+    const Scenario& scenario = study.scenarios[job % scenarios];
+    why[job] =
+        failure_at(margin.kind, at_threshold(margin, study.thresholds, scenario), scenario, gains, how, stop);
+    const std::lock_guard lock(mutex);
+    if (options.progress) options.progress("margins at their thresholds", ++done, jobs);
+  });
+  if (stop) return false;
+  for (std::size_t m = 0; m < std::size(kMargins); ++m) {
+    Check check{kMargins[m].check};
+    check.threshold = study.thresholds.*kMargins[m].value;
+    for (std::size_t s = 0; s < scenarios && check.passed; ++s) {
+      const std::string& reason = why[m * scenarios + s].value_or("");
+      if (reason.empty()) continue;
+      check.passed = false;
+      check.scenario = study.scenarios[s].name;
+      check.detail = fmt::format("at {:.4g} {} the loop does not hold ({})",
+                                 at_threshold(kMargins[m], study.thresholds, study.scenarios[s]),
+                                 field(kMargins[m].kind).unit, reason);
+    }
+    verdict.checks.push_back(std::move(check));
+  }
+  return true;
+}
+
+bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
+                     const std::atomic<bool>& stop, SimulationVerdict& verdict) {
+  MonteCarloOptions how;
+  if (study.robust) how.perturbation = study.robust->perturbation;
+  how.samples = static_cast<std::uint64_t>(study.thresholds.arms);
+  how.stepper = study.stepper;
+  how.workers = options.workers;
+  if (study.stepper != Stepper::kReference) how.engine = Engine::kNative;
+  how.progress = [&](std::size_t done, std::size_t all) {
+    if (options.progress) options.progress("random arms", done, all);
+  };
+  const auto samples = monte_carlo(study.scenarios, gains, how, stop);
+  if (stop || samples.empty()) return false;
+  const auto kept = static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
+  Check check{CheckKind::kYield};
+  check.value = static_cast<double>(kept) / static_cast<double>(samples.size());
+  check.threshold = study.thresholds.yield;
+  check.passed = check.value >= check.threshold;
+  const auto [low, high] = wilson_interval(kept, samples.size());
+  check.detail = fmt::format(
+      "{} of {} random arms keep their velocity and position limits (95 % confidence {:.1f} to {:.1f} %)",
+      kept, samples.size(), 100.0 * low, 100.0 * high);
+  // What breaks most often says where to look.
+  std::map<std::string, std::size_t> causes;
+  for (const MonteCarloSample& sample : samples) {
+    for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+      if (!sample.broken[s].empty()) ++causes[sample.broken[s] + " in " + study.scenarios[s].name];
+    }
+  }
+  if (!causes.empty()) {
+    const auto most = std::max_element(causes.begin(), causes.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    check.detail += fmt::format("; most often {}", most->first);
+  }
+  verdict.checks.push_back(std::move(check));
+  verdict.assumes.push_back(study.robust ? "the study's spread of arms" : "the default spread of arms");
+  return true;
+}
+
+}  // namespace armtune

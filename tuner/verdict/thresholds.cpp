@@ -1,0 +1,43 @@
+#include "tuner/verdict/thresholds.hpp"
+
+#include <fmt/format.h>
+
+namespace armtune {
+
+const std::array<ThresholdField, 9>& threshold_fields() {
+  static constexpr std::array<ThresholdField, 9> fields{{
+      {"delay_periods", "control periods", "extra torque delay that the loop must hold",
+       &VerdictThresholds::delay_periods, true, 0.0, 1000.0},
+      {"gain", "1", "common factor on the loop's gains that the loop must hold", &VerdictThresholds::gain,
+       true, 1.0, 100.0},
+      {"noise", "1", "factor on the sensors' noise that the loop must hold", &VerdictThresholds::noise, true,
+       1.0, 1000.0},
+      {"rate", "1", "share of the control rate at which the loop must still hold", &VerdictThresholds::rate,
+       false, 0.01, 1.0},
+      {"yield", "1", "share of the random arms that must keep every limit", &VerdictThresholds::yield, true,
+       0.0, 1.0},
+      {"arms", "1", "number of random arms", &VerdictThresholds::arms, true, 1.0, 100000.0},
+      {"minutes", "min", "simulated time that every scenario is extended to", &VerdictThresholds::minutes,
+       true, 0.0, 1440.0},
+      {"rms_growth", "1", "largest RMS error of the last minutes over that of the first ones",
+       &VerdictThresholds::rms_growth, false, 1.0, 1000.0},
+      {"peak_growth", "1", "largest peak error of the last minutes over that of the first ones",
+       &VerdictThresholds::peak_growth, false, 1.0, 1000.0},
+  }};
+  return fields;
+}
+
+std::vector<std::string> loosened(const VerdictThresholds& thresholds) {
+  std::vector<std::string> sentences;
+  const VerdictThresholds usual;
+  for (const ThresholdField& field : threshold_fields()) {
+    const double now = thresholds.*field.value;
+    const double before = usual.*field.value;
+    const bool looser = field.larger_is_stricter ? now < before : now > before;
+    if (!looser) continue;
+    sentences.push_back(fmt::format("the threshold '{}' is loosened from {} to {}", field.name, before, now));
+  }
+  return sentences;
+}
+
+}  // namespace armtune

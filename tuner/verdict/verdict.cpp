@@ -1,0 +1,116 @@
+#include "tuner/verdict/verdict.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace armtune {
+namespace {
+
+/// More failures than this are counted, not listed.
+constexpr std::size_t kMostListed = 6;
+
+std::vector<const Check*> failures(const SimulationVerdict& verdict) {
+  std::vector<const Check*> failed;
+  for (const Check& check : verdict.checks) {
+    if (!check.passed) failed.push_back(&check);
+  }
+  return failed;
+}
+
+/// The kinds of checks that were made, each once.
+std::vector<std::string> kinds_of(const SimulationVerdict& verdict) {
+  std::vector<std::string> kinds;
+  for (const Check& check : verdict.checks) {
+    const std::string kind = name(check.kind);
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+}  // namespace
+
+const char* name(CheckKind kind) {
+  switch (kind) {
+    case CheckKind::kCompleted:
+      return "completion";
+    case CheckKind::kVelocityLimit:
+      return "velocity limit";
+    case CheckKind::kPositionLimit:
+      return "position limit";
+    case CheckKind::kEffortLimit:
+      return "effort limit";
+    case CheckKind::kConstraints:
+      return "constraints";
+    case CheckKind::kTorqueDelay:
+      return "delay margin";
+    case CheckKind::kGainFactor:
+      return "gain margin";
+    case CheckKind::kControlRate:
+      return "control rate margin";
+    case CheckKind::kVelocityNoise:
+      return "noise margin";
+    case CheckKind::kYield:
+      return "yield";
+    case CheckKind::kEndurance:
+      return "endurance";
+    case CheckKind::kErrorGrowth:
+      return "error growth";
+    case CheckKind::kBetterThanStart:
+      return "better than the start";
+  }
+  return "";
+}
+
+bool SimulationVerdict::passed() const {
+  return !checks.empty() &&
+         std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
+}
+
+std::string to_text(const Check& check) {
+  std::string text = name(check.kind);
+  if (!check.joint.empty()) text += ", " + check.joint;
+  if (!std::isnan(check.time)) text += fmt::format(", {:.3f} s", check.time);
+  if (!check.scenario.empty()) text += ", in " + check.scenario;
+  if (!check.detail.empty()) text += ": " + check.detail;
+  if (!std::isnan(check.value)) {
+    text += fmt::format("{}{:.4g}{}", check.detail.empty() ? ": " : ", ", check.value,
+                        check.unit.empty() || check.unit == "1" ? "" : " " + check.unit);
+    if (!std::isnan(check.threshold)) text += fmt::format(", threshold {:.4g}", check.threshold);
+  }
+  return text;
+}
+
+std::string headline(const SimulationVerdict& verdict) {
+  if (verdict.checks.empty()) return "Simulation checks: none were made";
+  const auto failed = failures(verdict);
+  if (failed.empty()) {
+    return fmt::format("Simulation checks: passed ({})", fmt::join(kinds_of(verdict), ", "));
+  }
+  return "Simulation checks: failed: " + to_text(*failed.front());
+}
+
+std::string to_text(const SimulationVerdict& verdict) {
+  std::string text = headline(verdict) + "\n";
+  const auto failed = failures(verdict);
+  for (std::size_t i = 1; i < std::min(failed.size(), kMostListed); ++i) {
+    text += "  and failed: " + to_text(*failed[i]) + "\n";
+  }
+  if (failed.size() > kMostListed) text += fmt::format("  and {} more\n", failed.size() - kMostListed);
+  const auto line = [&text](const char* what, const std::vector<std::string>& items) {
+    if (!items.empty()) text += fmt::format("{}: {}\n", what, fmt::join(items, "; "));
+  };
+  line("Not checked", verdict.not_checked);
+  line("Assumes", verdict.assumes);
+  for (const std::string& note : verdict.notes) text += "Note: " + note + "\n";
+  return text;
+}
+
+const std::vector<std::string>& never_checked() {
+  static const std::vector<std::string> all = {"self-collision", "collisions with floor and table",
+                                               "cables and hoses", "flexible joints and links"};
+  return all;
+}
+
+}  // namespace armtune
