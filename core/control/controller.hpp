@@ -24,6 +24,9 @@ class Controller {
   const ParameterVector& theta() const { return law_->theta(); }
   const Gains& gains() const { return logic_.gains(); }
 
+  /// Returns Kd (n) of the last period if its torque contained -Kd S, else null.
+  const JointVector* Kd() const { return law_->contains_Kd() ? &logic_.Kd() : nullptr; }
+
   // Of the last period, for whoever looks at the same arm.
   const MeasuredArm& arm() const { return arm_; }
   /// Y of q', qr', qr''; null: the law has none.

@@ -4,7 +4,7 @@
 // one joint to the next and is never turned. Rotor inertia is added to each joint's own articulated inertia,
 // where it is exact. Linear and angular halves go through it as twins.
 
-#include "core/robot/friction.hpp"
+#include "core/robot/friction_step.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/robot/turned_link.hpp"
 #include "core/robot/twin_vectors.hpp"
@@ -131,9 +131,9 @@ void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const Joint
 }
 
 /// Inwards: each joint hands on what it cannot give way to.
-template <typename T>
+template <typename T, typename Friction>
 void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
-                        const JointVectorT<T>& torque, ForwardDynamicsT<T>& s) {
+                        const JointVectorT<T>& torque, const Friction& friction, ForwardDynamicsT<T>& s) {
   ArticulatedBodyT<T> A = ArticulatedBodyT<T>::none();
   for (int i = chain.n - 1;; --i) {
     const auto k = static_cast<std::size_t>(i);
@@ -141,9 +141,11 @@ void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
     A.add(turned(chain.link[k], poses.R_0B[k]), s.velocity[k]);
     const Vec3T<T> z = poses.R_0B[k].col(2);
     const TwinVec3T<T> U = A.along(z, chain.motion[k]);
-    const T inverse_d = T(1) / (dot3(z, revolute ? U.second() : U.first()) + chain.rotor_inertia[i]);
-    const T u = torque[i] - chain.viscous_friction[i] * qd[i] - chain.coulomb_friction[i] * s.coulomb[i] -
-                dot3(z, revolute ? A.bias.second() : A.bias.first());
+    T d = dot3(z, revolute ? U.second() : U.first()) + chain.rotor_inertia[i];
+    T u = torque[i] - chain.viscous_friction[i] * qd[i] - chain.coulomb_friction[i] * s.coulomb[i] -
+          dot3(z, revolute ? A.bias.second() : A.bias.first());
+    friction.add(chain, i, qd[i], d, u);
+    const T inverse_d = T(1) / d;
     s.U[k] = U;
     s.inverse_d[k] = inverse_d;
     s.u[k] = u;
@@ -177,15 +179,22 @@ void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const F
   }
 }
 
-/// q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s (m/s) and
-/// N m (N); poses: `body_poses` at q is enough. Singular only if a joint moves no inertia at all.
+/// Writes q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s
+/// (m/s) and N m (N); poses: `body_poses` at q is enough. Singular only if a joint moves no inertia at all.
+/// friction: FrictionStep for an evaluation within a step of integration, InstantFriction for q'' itself.
+template <typename T, typename Friction>
+void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
+                      const JointVectorT<T>& torque, const Friction& friction, ForwardDynamicsT<T>& s,
+                      JointVectorT<T>& qdd) {
+  coulomb_directions(qd, chain.coulomb_friction, s.coulomb);
+  body_velocities(chain, poses, qd, s);
+  articulated_bodies(chain, poses, qd, torque, friction, s);
+  joint_accelerations(chain, poses, s, qdd);
+}
 template <typename T>
 void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                       const JointVectorT<T>& torque, ForwardDynamicsT<T>& s, JointVectorT<T>& qdd) {
-  coulomb_directions(qd, chain.coulomb_friction, s.coulomb);
-  body_velocities(chain, poses, qd, s);
-  articulated_bodies(chain, poses, qd, torque, s);
-  joint_accelerations(chain, poses, s, qdd);
+  forward_dynamics(chain, poses, qd, torque, InstantFriction{}, s, qdd);
 }
 
 }  // namespace armtune

@@ -171,11 +171,13 @@ class PackedArm final : public ArmLanes {
   void put_torque(int lane, const double* torque) override { put(lane, torque, torque_); }
   void step() override {
     const PosesT<T>* poses = exact_ ? &arm_.poses : &true_poses_;
+    const FrictionStep<T> friction(T(period_), qd_);  // integrate() writes qd_ after the last evaluation
     integrate(
         stepper_, T(period_),
         [&](const Joints& q, const Joints& qd, Joints& qdd) {
           if (poses == nullptr) body_poses(plant_, q, stage_poses_);
-          forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, dynamics_, qdd);
+          forward_dynamics(plant_, poses == nullptr ? stage_poses_ : *poses, qd, torque_, friction, dynamics_,
+                           qdd);
           poses = nullptr;  // only the first stage is where the step starts
         },
         q_, qd_, work_);

@@ -225,7 +225,7 @@ void RolloutLanes::move() {
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
-    Observation& o = lane->running.act(lane->logic.output(), lane->theta);
+    Observation& o = lane->running.act(lane->logic.output(), lane->theta, &lane->logic.Kd());
     Poses& pose = lane->pose;
     if (exact_) {
       pose.R_0T = lane->view.R_0T;

@@ -19,10 +19,10 @@ class NativePlant final : public SteppedPlant {
   }
 
  protected:
-  void accelerations_at(const Poses* poses, const JointVector& q, const JointVector& qd,
-                        const JointVector& torque, JointVector& qdd) override {
-    if (poses == nullptr) return accelerations(q, qd, torque, qdd);
-    forward_dynamics(chain_, *poses, qd, torque, dynamics_, qdd);
+  void evaluate(const Poses* poses, const JointVector& q, const JointVector& qd, const JointVector& torque,
+                const FrictionStep<double>& friction, JointVector& qdd) override {
+    if (poses == nullptr) body_poses(chain_, q, poses_);
+    forward_dynamics(chain_, poses == nullptr ? poses_ : *poses, qd, torque, friction, dynamics_, qdd);
   }
 
  private:

@@ -74,27 +74,51 @@ class Tree {
   SimTK::Force::Gravity gravity_;
 };
 
-/// Adds rotor inertia exactly: Simbody gives q0'' = M^-1 (tau - h); q'' = (M + D)^-1 M q0''.
-class RotorInertia {
+/// Adds what Simbody lacks, rotor inertia D and friction over a step. Simbody gives q0'' = M^-1 (tau - h);
+/// q'' = (M + D + A)^-1 (M q0'' + a), with the inertia A and the force a that friction adds.
+class JointInertia {
  public:
-  explicit RotorInertia(const Chain& chain) : chain_(chain), none_(chain.rotor_inertia.isZero(0.0)) {}
+  explicit JointInertia(const Chain& chain)
+      : chain_(chain),
+        rotors_(!chain.rotor_inertia.isZero(0.0)),
+        friction_(!chain.viscous_friction.isZero(0.0) || !chain.coulomb_friction.isZero(0.0)) {}
 
-  void correct(const JointVector& q, JointVector& qdd) {
-    if (none_) return;
+  /// friction: null at an instant.
+  void correct(const JointVector& q, const JointVector& qd, const FrictionStep<double>* friction,
+               JointVector& qdd) {
+    const bool over_a_step = friction != nullptr && friction_;
+    if (!rotors_ && !over_a_step) return;
     forward_kinematics(chain_, q, poses_);
     mass_matrix(chain_, poses_, M_);
     rhs_.noalias() = M_ * qdd;
     M_.diagonal() += chain_.rotor_inertia;
+    if (over_a_step) add(*friction, qd);
     qdd = rhs_;
     llt_.compute(M_);
     llt_.solveInPlace(qdd);
   }
 
  private:
+  /// Finds the inertia that each joint moves with those behind it free, by elimination from the last joint
+  /// on.
+  void add(const FrictionStep<double>& friction, const JointVector& qd) {
+    rest_ = M_;
+    for (Eigen::Index k = chain_.n - 1; k >= 0; --k) {
+      const AddedByFriction<double> added = friction.added(chain_, k, qd[k], rest_(k, k));
+      M_(k, k) += added.inertia;
+      rhs_[k] += added.force;
+      const double pivot = rest_(k, k) + added.inertia;
+      for (Eigen::Index i = 0; i < k; ++i) {
+        const double share = rest_(i, k) / pivot;
+        for (Eigen::Index j = 0; j <= i; ++j) rest_(j, i) -= share * rest_(j, k);
+      }
+    }
+  }
+
   const Chain& chain_;
-  bool none_;
+  bool rotors_, friction_;
   Poses poses_;
-  JointMatrix M_;
+  JointMatrix M_, rest_;
   JointVector rhs_;
   Eigen::LLT<JointMatrix> llt_;
 };
@@ -107,7 +131,7 @@ class SimbodyPlant final : public SteppedPlant {
         chain_(model.chain),
         tree_(chain_),
         joint_torque_(tree_.forces(), tree_.matter()),
-        rotor_(chain_),
+        inertia_(chain_),
         torque_vector_(chain_.n, 0.0) {
     state_ = tree_.system().realizeTopology();
     tree_.system().realizeModel(state_);
@@ -115,6 +139,18 @@ class SimbodyPlant final : public SteppedPlant {
 
   void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
                      JointVector& qdd) override {
+    accelerate(q, qd, torque, nullptr, qdd);
+  }
+
+ protected:
+  void evaluate(const Poses* /*poses*/, const JointVector& q, const JointVector& qd,
+                const JointVector& torque, const FrictionStep<double>& friction, JointVector& qdd) override {
+    accelerate(q, qd, torque, &friction, qdd);
+  }
+
+ private:
+  void accelerate(const JointVector& q, const JointVector& qd, const JointVector& torque,
+                  const FrictionStep<double>* friction, JointVector& qdd) {
     net_torque(chain_, qd, torque, net_);
     SimTK::Vector& state_q = state_.updQ();
     SimTK::Vector& state_u = state_.updU();
@@ -128,14 +164,13 @@ class SimbodyPlant final : public SteppedPlant {
     const SimTK::Vector& udot = state_.getUDot();
     qdd.resize(chain_.n);
     for (int i = 0; i < chain_.n; ++i) qdd[i] = udot[i];
-    rotor_.correct(q, qdd);
+    inertia_.correct(q, qd, friction, qdd);
   }
 
- private:
   Chain chain_;
   Tree tree_;
   SimTK::Force::DiscreteForces joint_torque_;
-  RotorInertia rotor_;
+  JointInertia inertia_;
   SimTK::State state_;
   SimTK::Vector torque_vector_;
   JointVector net_;

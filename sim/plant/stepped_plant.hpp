@@ -1,6 +1,7 @@
 #pragma once
 // A plant that is its accelerations: its state is advanced by one of our own fixed-step rules.
 
+#include "core/robot/friction_step.hpp"
 #include "sim/plant/plant.hpp"
 
 namespace armtune {
@@ -21,20 +22,20 @@ class SteppedPlant : public Plant {
  protected:
   void advance(const JointVector& torque, double dt, const Poses* poses) final {
     const Poses* at_q = poses;
+    const FrictionStep<double> friction(dt, qd_);  // integrate() writes qd_ after the last evaluation
     integrate(
         stepper_, dt,
         [&](const JointVector& q, const JointVector& qd, JointVector& qdd) {
-          accelerations_at(at_q, q, qd, torque, qdd);
+          evaluate(at_q, q, qd, torque, friction, qdd);
           at_q = nullptr;  // only the first stage is where the step starts
         },
         q_, qd_, work_);
   }
 
-  /// Accelerations; poses: those at q, or null.
-  virtual void accelerations_at(const Poses* /*poses*/, const JointVector& q, const JointVector& qd,
-                                const JointVector& torque, JointVector& qdd) {
-    accelerations(q, qd, torque, qdd);
-  }
+  /// Writes the accelerations (n) that a rule of integration needs within a step. poses: those at q, or null.
+  virtual void evaluate(const Poses* poses, const JointVector& q, const JointVector& qd,
+                        const JointVector& torque, const FrictionStep<double>& friction,
+                        JointVector& qdd) = 0;
 
  private:
   Stepper stepper_;

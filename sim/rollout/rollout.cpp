@@ -26,7 +26,7 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
     world_at(scenario, running.period(), world);
     running.sense(plant_->q(), plant_->qd(), world);
     const ControlOutput& out = controller.update(running.measured(), running.scene(), running.time());
-    Observation& o = running.act(out, controller.theta());
+    Observation& o = running.act(out, controller.theta(), controller.Kd());
     truth.observe(running, controller, o);
     if (!running.judge(observer)) break;
     std::string failure;

@@ -6,25 +6,10 @@
 #include <cmath>
 
 #include "core/common/message_text.hpp"
+#include "sim/rollout/divergence.hpp"
 
 namespace armtune {
 namespace {
-
-/// A joint this many times faster than its limit will not come back.
-constexpr double kDivergedRatio = 20.0;
-
-/// Why the state is beyond use.
-std::string divergence(const RobotModel& model, const JointVector& q, const JointVector& qd) {
-  for (int i = 0; i < model.n(); ++i) {
-    const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
-    if (!std::isfinite(q[i]) || !std::isfinite(qd[i])) return fmt::format("{} is not finite", joint.name);
-    if (std::abs(qd[i]) > kDivergedRatio * joint.limits.velocity) {
-      return fmt::format("{} moves at {:.3g}, over {} times its velocity limit {:.3g}", joint.name, qd[i],
-                         kDivergedRatio, joint.limits.velocity);
-    }
-  }
-  return {};
-}
 
 /// The first limit that is reached, or null.
 const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metrics) {
@@ -44,7 +29,8 @@ double cost_so_far(const EndCost& cost, const MetricAccumulator& metrics) {
 
 RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
                                const EndCost& cost)
-    : scenario_(prepared.scenario),
+    : prepared_(prepared),
+      scenario_(prepared.scenario),
       limits_(limits),
       cost_(cost),
       periods_(scenario_.periods()),
@@ -90,7 +76,9 @@ void RunningRollout::sense(const JointVector& q, const JointVector& qd, const Wo
   scene_.obstacles = world.obstacles;
 }
 
-Observation& RunningRollout::act(const ControlOutput& control, const ParameterVector& theta) {
+Observation& RunningRollout::act(const ControlOutput& control, const ParameterVector& theta,
+                                 const JointVector* Kd) {
+  Kd_ = Kd;
   observation_.control = &control;
   observation_.theta = &theta;
   observation_.applied = &delay_.pass(control.torque);
@@ -121,9 +109,11 @@ void RunningRollout::moved(const JointVector& q, const JointVector& qd, const st
   // Sums of what is not finite are not either.
   const bool sane = (qd.array().abs() <= diverged_velocity_.array()).all() && std::isfinite(q.sum());
   if (sane && failure.empty()) return;
-  const std::string why =
-      failure.empty() ? divergence(*scenario_.robot, q, qd) : "the engine gave up: " + one_line(failure);
+  std::string why =
+      failure.empty() ? diverged_joint(*scenario_.robot, q, qd) : "the engine gave up: " + one_line(failure);
   if (why.empty()) return;
+  const std::string cause = Kd_ == nullptr ? "" : unstable_damping(prepared_, measured_, *Kd_);
+  if (!cause.empty()) why += "; " + cause;
   end(RolloutStatus::kDiverged,
       fmt::format("diverged at {:.3f} s in {}: {}", observation_.time + scenario_.control_period,
                   name(observation_.control->state), why));

@@ -46,8 +46,8 @@ class RunningRollout {
   const Scene& scene() const { return scene_; }
 
   /// The controller's answer; the torque that acts now is in the observation, whose true state is still to
-  /// be filled in.
-  Observation& act(const ControlOutput& control, const ParameterVector& theta);
+  /// be filled in. Kd (n): if the torque contains -Kd S, else null; all three stay until the plant has moved.
+  Observation& act(const ControlOutput& control, const ParameterVector& theta, const JointVector* Kd);
   /// The observation is whole. False: the rollout ends with it, before the plant moves.
   bool judge(const Observer& observer);
   /// The plant is at q, q' now, or it failed (not empty: why).
@@ -59,6 +59,7 @@ class RunningRollout {
  private:
   void end(RolloutStatus status, std::string reason);
 
+  const PreparedScenario& prepared_;
   const Scenario& scenario_;
   const EndLimits& limits_;
   const EndCost& cost_;
@@ -73,6 +74,7 @@ class RunningRollout {
   Path path_;
   Scene scene_;
   Observation observation_;
+  const JointVector* Kd_ = nullptr;
   RolloutResult result_;
   int k_ = 0;
   bool ended_ = false;

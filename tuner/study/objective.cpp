@@ -29,16 +29,10 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     : terms_(std::move(terms)), constraints_(std::move(constraints)) {
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     if (start[s].status != RolloutStatus::kCompleted) {
-      const auto& robot = scenarios[s].robot;
-      const bool massless = robot != nullptr && robot->chain.rotor_inertia.isZero(0.0);
       throw InputError(
           fmt::format("{}: the start gains do not complete {}: {}; the objective is relative to them, so "
-                      "begin with gains "
-                      "that do{}",
-                      where, scenarios[s].name, start[s].reason,
-                      massless ? ", or give the arm its motors' 'rotor_inertia' in a robot YAML, without "
-                                 "which light wrists are not held"
-                               : ""));
+                      "begin with gains that do",
+                      where, scenarios[s].name, start[s].reason));
     }
     durations_.push_back(scenarios[s].duration);
     start_.push_back(start[s].metrics);

@@ -37,6 +37,7 @@ class AdaptiveLaw final : public TorqueLaw {
   }
 
   const ParameterVector& theta() const override { return adaptation_.theta(); }
+  bool contains_Kd() const override { return true; }
   const SlotineLi* references_motion() const override { return &motion_; }
 
  private:

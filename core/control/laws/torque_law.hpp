@@ -46,6 +46,8 @@ class TorqueLaw {
 
   /// What the law takes the arm for now (13 n).
   virtual const ParameterVector& theta() const { return theta_; }
+  /// Returns true if every torque contains -Kd S.
+  virtual bool contains_Kd() const { return false; }
   /// Y of the last period's q', qr', qr'', if the law has it.
   virtual const SlotineLi* references_motion() const { return nullptr; }
 

@@ -53,7 +53,7 @@ Inputs random_inputs(std::mt19937& generator, const RobotModel& arm) {
 template <typename T>
 struct Period {
   ChainT<T> chain;
-  JointVectorT<T> q, qd, torque, tau, qdd;
+  JointVectorT<T> q, qd, torque, tau, qdd, within_a_step;
   TaskReferenceT<T> task;
   ObstacleT<T> obstacle;
   InverseDampingT<T> damping;
@@ -76,6 +76,9 @@ struct Period {
     adaptation.step(motion, gamma, T(0.002));
     adaptation.leak(gamma, T(0.002));
     forward_dynamics(chain, arm.poses, qd, torque, work, qdd);
+    // From another velocity, and so long that some joints of some arms have stiff friction.
+    forward_dynamics(chain, arm.poses, qd, torque, FrictionStep<T>(T(0.05), centering.middle), work,
+                     within_a_step);
   }
 
   /// f(number) for what comes out.
@@ -96,6 +99,7 @@ struct Period {
     each(tau);
     each(adaptation.theta());
     each(qdd);
+    each(within_a_step);
     f(norm(tau));
   }
 };

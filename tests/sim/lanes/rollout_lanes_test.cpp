@@ -141,6 +141,21 @@ TEST(RolloutLanes, NoiseCameraDelayFrictionAndObstaclesAreEachArmsOwn) {
   expect_the_same(jobs);
 }
 
+TEST(RolloutLanes, StiffFrictionIsIntegratedArmByArm) {
+  Scenario scenario = scenario_of("moving_target", 4.0);
+  RobotModel robot = *scenario.robot;
+  robot.chain.rotor_inertia.tail(2).setConstant(0.01);
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  std::vector<LaneJob> jobs;
+  for (const double coulomb : {0.0, 0.3, 3.0, 10.0}) {
+    scenario.plant.coulomb_friction = JointVector::Constant(6, coulomb);
+    jobs.push_back(job_of(scenario, quick_gains(scenario)));
+  }
+  for (const Stepper stepper : {Stepper::kMidpoint, Stepper::kSemiImplicitEuler, Stepper::kRungeKutta4}) {
+    expect_the_same(jobs, stepper);
+  }
+}
+
 TEST(RolloutLanes, LinksAndBodiesAreEachArmsOwn) {
   Scenario scenario = scenario_of("realistic_obstacle_pass", 8.0);
   scenario.obstacles[0].radius = 0.1;

@@ -1,0 +1,57 @@
+#include "sim/rollout/divergence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/control/laws/first_gains.hpp"
+#include "core/robot/friction.hpp"
+
+namespace armtune {
+
+std::string diverged_joint(const RobotModel& model, const JointVector& q, const JointVector& qd) {
+  for (int i = 0; i < model.n(); ++i) {
+    const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
+    if (!std::isfinite(q[i]) || !std::isfinite(qd[i])) return fmt::format("{} is not finite", joint.name);
+    if (std::abs(qd[i]) > kDivergedRatio * joint.limits.velocity) {
+      return fmt::format("{} moves at {:.3g}, over {} times its velocity limit {:.3g}", joint.name, qd[i],
+                         kDivergedRatio, joint.limits.velocity);
+    }
+  }
+  return {};
+}
+
+double damping_limit(int delay_periods) {
+  return 2.0 * std::cos(delay_periods * std::numbers::pi / (2.0 * delay_periods + 1.0));
+}
+
+std::string unstable_damping(const PreparedScenario& prepared, const JointState& measured,
+                             const JointVector& Kd) {
+  const RobotModel& plant = prepared.plant;
+  if (!measured.q.allFinite() || !measured.qd.allFinite() || !Kd.allFinite()) return {};
+  const double h = prepared.scenario.control_period;
+  const double limit = damping_limit(prepared.scenario.plant.torque_delay_periods);
+  // (M^-1)_ii Kd_i h is no more than the largest eigenvalue of M^-1 Kd h: beyond the limit, one is unstable.
+  const JointVector inertia = joint_inertia(plant, measured.q);
+  int worst = -1;
+  double largest = limit;
+  for (int i = 0; i < plant.n(); ++i) {
+    const double c = plant.chain.viscous_friction[i] +
+                     plant.chain.coulomb_friction[i] / std::max(std::abs(measured.qd[i]), kCoulombVelocity);
+    const double ratio = h * (Kd[i] - c) / (inertia[i] + h * c);
+    if (!(ratio > largest)) continue;
+    largest = ratio;
+    worst = i;
+  }
+  if (worst < 0) return {};
+  return fmt::format(
+      "the damping of {} is unstable at this control period: Kd {:.3g} times {:.3g} s is {:.3g} times the "
+      "inertia {:.3g} that the joint moves, and a torque that is held over a period{} damps up to {:.3g} "
+      "times; lower Kd, shorten the period, or give the joint its 'rotor_inertia'",
+      plant.joints[static_cast<std::size_t>(worst)].name, Kd[worst], h, h * Kd[worst] / inertia[worst],
+      inertia[worst], prepared.scenario.plant.torque_delay_periods > 0 ? " and late" : "", limit);
+}
+
+}  // namespace armtune
