@@ -66,7 +66,8 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"effort_rate/rms", "N m/s", kLess, kEitherWay, "RMS torque rate",
        "RMS over time of the norm of the change per second of the torque sent, after saturation"},
       {"obstacle/min_clearance", "m", kMore, kOnlyWorsens, "smallest obstacle clearance",
-       "smallest distance of any joint origin, or link, to an obstacle's surface"},
+       "smallest distance of any joint origin or the tool, or of any link's surface, to an obstacle's "
+       "surface"},
       {"compensation_error/rms", "N m", kLess, kEitherWay, "RMS compensation error",
        "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
       {"response/rise_time", "s", kLess, kEitherWay, "rise time",
