@@ -1,7 +1,7 @@
 #include "core/control/controller.hpp"
 
 #include "core/control/laws/controller_kind.hpp"
-#include "core/control/obstacle_impedance.hpp"
+#include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 
 namespace armtune {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/control/obstacle_distance.hpp"
+
 namespace armtune {
 namespace {
 

@@ -75,7 +75,7 @@ class ArmLanes {
   /// The true state; exact: what was measured was exact in every lane, and need not be computed again.
   virtual void observe(bool exact) = 0;
   /// The tool only if it is not what was measured.
-  virtual void get_observed(int lane, const LaneTool& tool, double& obstacle_distance,
+  virtual void get_observed(int lane, const LaneTool& tool, double& clearance,
                             double& compensation_error) const = 0;
 
   virtual void put_torque(int lane, const double* torque) = 0;

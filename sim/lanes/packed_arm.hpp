@@ -6,7 +6,7 @@
 #include "core/common/pack.hpp"
 #include "core/control/adaptation.hpp"
 #include "core/control/adaptation_filter.hpp"
-#include "core/control/obstacle_impedance.hpp"
+#include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "sim/lanes/arm_lanes.hpp"
@@ -150,21 +150,24 @@ class PackedArm final : public ArmLanes {
 
   void observe(bool exact) override {
     exact_ = exact;
+    const PosesT<T>& poses = exact ? arm_.poses : true_poses_;
+    const std::span<const ObstacleT<T>> obstacles{obstacles_.get(), obstacle_count_};
     if (!exact) {
       forward_kinematics(chain_, q_, true_poses_);
       tool_jacobian(chain_, true_poses_, true_J_);
       true_twist_ = times(true_J_, qd_);
-      true_distance_ = obstacle_distance<T>(chain_, true_poses_, {obstacles_.get(), obstacle_count_});
       slotine_li_forward(chain_, true_poses_, qd_, reference_.velocity, reference_.acceleration, motion_);
     }
     theta_error_ = adaptation_.theta() - theta_true_;
-    slotine_li_torque(chain_, exact ? arm_.poses : true_poses_, motion_, theta_error_, torque_error_);
+    slotine_li_torque(chain_, poses, motion_, theta_error_, torque_error_);
     compensation_error_ = norm(torque_error_);
+    const T of_joints = exact ? obstacle_distance_ : obstacle_distance<T>(chain_, poses, obstacles);
+    clearance_ = clearance<T>(chain_, poses, obstacles, of_joints);
   }
-  void get_observed(int lane, const LaneTool& tool, double& distance,
+  void get_observed(int lane, const LaneTool& tool, double& clearance,
                     double& compensation_error) const override {
     if (!exact_) get_tool(lane, true_poses_, true_twist_, tool);
-    distance = exact_ ? obstacle_distance_[lane] : true_distance_[lane];
+    clearance = clearance_[lane];
     compensation_error = compensation_error_[lane];
   }
 
@@ -233,7 +236,7 @@ class PackedArm final : public ArmLanes {
   PosesT<T> true_poses_;
   JacobianT<T> true_J_;
   Vec6T<T> true_twist_;
-  T true_distance_{0.0}, compensation_error_{0.0};
+  T clearance_{0.0}, compensation_error_{0.0};
   ParameterVectorT<T> theta_true_, theta_error_;
   Joints torque_error_, torque_;
   PosesT<T> stage_poses_;

@@ -232,7 +232,7 @@ void RolloutLanes::move() {
       pose.p_0T = lane->view.p_0T;
       o.twist = lane->view.twist;
     }
-    arms_->get_observed(l, {pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, o.obstacle_distance,
+    arms_->get_observed(l, {pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, o.clearance,
                         o.compensation_error);
     o.poses = &pose;
     see_errors(lane->running.sees_exactly(), o);

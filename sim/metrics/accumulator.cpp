@@ -128,7 +128,7 @@ void MetricAccumulator::add_limits(const Observation& o) {
     min_margin_ = std::min(min_margin_, std::min(q[i] - lower_limits_[i], upper_limits_[i] - q[i]));
     max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(commanded[i]) * per_effort_limit_[i]);
   }
-  min_clearance_ = std::min(min_clearance_, o.obstacle_distance);
+  min_clearance_ = std::min(min_clearance_, o.clearance);
   if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);
   last_torque_ = o.control->torque;
 }

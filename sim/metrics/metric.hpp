@@ -52,9 +52,24 @@ enum class Metric : std::size_t {
 
 inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::kCount);
 
+/// Which values of a metric are the better ones.
+enum class Better {
+  kLess,
+  kMore,
+  kNeither  ///< the metric says where or when something was, and is no goal
+};
+
+/// What further periods of a rollout can do to a metric.
+enum class Course {
+  kOnlyWorsens,  ///< an extreme over the periods: a value that it has passed once stays passed
+  kEitherWay
+};
+
 struct MetricField {
   const char* name;
   const char* unit;
+  Better better;
+  Course course;
   const char* words;  ///< as a sentence has them: "largest position error"
   const char* meaning;
 };
@@ -70,12 +85,14 @@ inline const char* name(Metric m) {
 /// Every metric, in order.
 std::vector<Metric> all_metrics();
 std::optional<Metric> metric_from_name(std::string_view name);
-/// True for the few of which more is better, such as clearance; of all others less is.
-bool larger_is_better(Metric m);
-/// True for extremes over the periods of a rollout, which more periods can only make worse (larger, or
-/// smaller where larger is better): what they passed once stays passed. All of these can be asked for while a
-/// rollout runs.
-bool only_worsens(Metric m);
+/// True if larger values are better; false if smaller ones are, or if the metric is no goal.
+inline bool larger_is_better(Metric m) {
+  return field(m).better == Better::kMore;
+}
+/// True for the metrics that can be asked for while a rollout runs: further periods only make them worse.
+inline bool only_worsens(Metric m) {
+  return field(m).course == Course::kOnlyWorsens;
+}
 
 /// Values of one rollout. A metric that had nothing to judge is NaN in memory and an empty cell in files.
 struct Metrics {

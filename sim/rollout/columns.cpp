@@ -107,8 +107,9 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
   if (!scenario.obstacles.empty()) {
     columns.push_back(
         {"obstacle/distance", "m",
-         "least distance of a joint origin, or link, to an obstacle's surface since the row before",
-         [](const Observation& o) { return o.obstacle_distance; }, Over::kSmallest});
+         "least distance of a joint origin or the tool, or of a link, to an obstacle's surface since the row "
+         "before",
+         [](const Observation& o) { return o.clearance; }, Over::kSmallest});
   }
   columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller saw it",
                      [](const Observation& o) { return o.control->manipulability; }});

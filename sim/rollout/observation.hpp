@@ -22,9 +22,9 @@ struct Observation {
   const OrientationPoint* orientation = nullptr;  ///< wanted in place of a gaze at the target
   TaskMask mask = TaskMask::kPose;
   Vec6 error = Vec6::Zero();  ///< pose error (position, rotation vector); zero in states that track joints
-  Vec6 error_rate = Vec6::Zero();   ///< (v - vd, w - wd); likewise
-  double gaze_angle = 0.0;          ///< [rad]
-  double obstacle_distance = 0.0;   ///< [m], infinite without obstacles
+  Vec6 error_rate = Vec6::Zero();  ///< (v - vd, w - wd); likewise
+  double gaze_angle = 0.0;         ///< [rad]
+  double clearance = 0.0;          ///< of joint origins and tool, or of links [m], infinite without obstacles
   double compensation_error = 0.0;  ///< |Y (theta_hat - theta)| [N m]
 
   ToolAim aim() const { return {target_motion, orientation, mask == TaskMask::kPositionAndAxis}; }

@@ -1,7 +1,7 @@
 #include "sim/rollout/true_state.hpp"
 
 #include "core/control/axis_error.hpp"
-#include "core/control/obstacle_impedance.hpp"
+#include "core/control/obstacle_distance.hpp"
 
 namespace armtune {
 
@@ -11,14 +11,16 @@ void TrueState::observe(const RunningRollout& running, const Controller& control
   if (exact) {
     o.poses = &controller.arm().poses;
     o.twist = controller.arm().twist;
-    o.obstacle_distance = o.control->obstacle_distance;
   } else {
     forward_kinematics(chain_, *o.q, poses_);
     tool_jacobian(chain_, poses_, J_);
     o.poses = &poses_;
     o.twist = times(J_, *o.qd);
-    o.obstacle_distance = obstacle_distance(chain_, poses_, running.scene().obstacles);
   }
+  const std::span<const Obstacle> obstacles = running.scene().obstacles;
+  const double of_joints =
+      exact ? o.control->obstacle_distance : obstacle_distance(chain_, *o.poses, obstacles);
+  o.clearance = clearance<double>(chain_, *o.poses, obstacles, of_joints);
   if (motion == nullptr) {
     slotine_li_forward(chain_, *o.poses, *o.qd, o.control->reference.velocity,
                        o.control->reference.acceleration, motion_);

@@ -59,6 +59,17 @@ TEST_F(BadInput, MissingFile) {
   }
 }
 
+TEST_F(BadInput, AnObjectiveTermThatTheScenarioHasNothingFor) {
+  for (const std::string floor : {"", ", floor: 0.1"}) {
+    const std::string path = ShortStudyText(
+        test::kShortParameters, "objective:\n  - {metric: obstacle/min_clearance" + floor + "}\n", "", "");
+    for (const char* command : {"tune", "pareto"}) {
+      EXPECT_THAT(refused({command, path}), testing::AllOf(HasSubstr(path + ":7:"), HasSubstr("short"),
+                                                           HasSubstr("obstacle/min_clearance")));
+    }
+  }
+}
+
 TEST_F(BadInput, Xacro) {
   const std::string path = files_.write("arm.urdf",
                                         "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n"

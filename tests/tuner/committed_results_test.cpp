@@ -76,6 +76,18 @@ TEST_F(CommittedResults, AreFeasibleAndUseTheVelocityLimitWithoutPassingIt) {
   EXPECT_LE(largest_velocity_ratio(*tuned_), 0.9);
 }
 
+TEST_F(CommittedResults, ExtendedStudyAsksForTheClearanceOfThePublishedGains) {
+  const Study extended = load_study("ur10_extended");
+  const auto clearance = std::find_if(extended.constraints.begin(), extended.constraints.end(),
+                                      [](auto& c) { return c.metric == Metric::kObstacleMinClearance; });
+  ASSERT_NE(clearance, extended.constraints.end());
+  for (std::size_t s = 0; s < study_->scenarios.size(); ++s) {
+    if (study_->scenarios[s].name != "realistic_obstacle_pass") continue;
+    // Rounded down to 0.1 mm in the study.
+    EXPECT_NEAR(*clearance->limit, start_->results[s].metrics[Metric::kObstacleMinClearance], 2e-4);
+  }
+}
+
 TEST_F(CommittedResults, HalveTheOrientationErrorOfTheRealisticArm) {
   EXPECT_LE(ratio("realistic_moving_target", Metric::kOrientationMax), 0.5);
 }

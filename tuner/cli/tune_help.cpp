@@ -61,9 +61,12 @@ what the start took, and they are simulated even if that was too little); fresh 
                         kind->meaning);
     add_gains(kind->own);
   }
-  text += "\nMetrics (study file, objective and constraints):\n";
+  text +=
+      "\nMetrics (study file, objective and constraints; + more is better, - less is, no sign: not for the "
+      "objective):\n";
   for (const MetricField& field : metric_fields()) {
-    text += fmt::format("  {:<34} {} [{}]\n", field.name, field.meaning, field.unit);
+    const char* sign = field.better == Better::kMore ? "+" : field.better == Better::kLess ? "-" : " ";
+    text += fmt::format("{} {:<34} {} [{}]\n", sign, field.name, field.meaning, field.unit);
   }
   text += R"(
 A rollout of the search ends where a constraint is broken beyond repair (study file, constraints/hopeless: auto,

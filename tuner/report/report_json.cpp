@@ -16,7 +16,7 @@ void write_row(Json& json, const MetricRow& row) {
   json.text("meaning", f.meaning);
   json.numbers("values", row.values);
   if (!row.text.empty()) json.texts("text", row.text);
-  json.text("better", larger_is_better(row.metric) ? "higher" : "lower");
+  if (f.better != Better::kNeither) json.text("better", f.better == Better::kMore ? "higher" : "lower");
   json.end_object();
 }
 

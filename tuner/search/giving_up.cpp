@@ -4,7 +4,7 @@ namespace armtune {
 
 std::optional<Outdone> giving_up(const Study& study, const std::optional<Objective>& objective) {
   const bool one_value = study.solver.constraints == ConstraintHandling::kPenalty;
-  if (!study.end_outdone || !one_value || study.robust || !objective || !objective->only_grows()) return {};
+  if (!study.end_outdone || !one_value || study.robust || !objective) return {};
   const double penalty = study.solver.penalty;
   // One scenario, nothing of which is known before its end: there is nothing left to save then.
   const std::vector<std::optional<RolloutResult>> none_yet(study.scenarios.size());

@@ -7,18 +7,40 @@
 
 #include "core/common/error.hpp"
 #include "sim/rollout/applies.hpp"
+#include "tuner/study/term_score.hpp"
 
 namespace armtune {
 namespace {
 
-/// A metric relative to its reference, and a violation relative to its limit, count at most this much: one
-/// wild value must not drown the rest.
-constexpr double kLargestRatio = 10.0;
 /// Ratio that a term scores, at least, in a scenario that did not complete: above any completed one.
 constexpr double kIncompletePenalty = 2.0 * kLargestRatio;
 
 double scale_of(double bound) {
   return bound != 0.0 ? std::abs(bound) : 1.0;
+}
+
+/// Throws InputError: the start gains' value is no reference for the term.
+[[noreturn]] void refuse_reference(const ObjectiveTerm& term, const std::string& scenario, double start,
+                                   const std::string& where) {
+  const std::string what =
+      std::isfinite(start)
+          ? fmt::format("{} of the start gains in {} is {}, and no reference can be zero or less",
+                        name(term.metric), scenario, start)
+          : fmt::format("the start gains give no {} in {}, so there is no reference", name(term.metric),
+                        scenario);
+  throw InputError(
+      fmt::format("{}: {}; start with other gains, leave the scenario out of the term's 'scenarios', or "
+                  "give the term a 'floor', the smallest reference [{}]{}",
+                  where, what, field(term.metric).unit,
+                  larger_is_better(term.metric) ? "; a constraint with 'at_least' needs no reference" : ""));
+}
+
+/// A share of a rollout's cost that is at most what the term will score there with this weight. The score of
+/// a metric of which more is better lies above its tangent in the reference, 2 - value / reference, as far
+/// as that is not above 5.
+EndCost::Share least_share(Metric metric, double weight, double reference) {
+  if (!larger_is_better(metric)) return {metric, 0.0, weight / reference, weight * kLargestRatio};
+  return {metric, 2.0 * reference, -weight / reference, weight * kLargestRatio / 2.0};
 }
 
 }  // namespace
@@ -42,10 +64,7 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     for (const std::size_t s : term.scenarios) {
       const double of_start = reference(term, s);
       if (!(std::isfinite(of_start) && of_start > 0.0)) {
-        throw InputError(
-            fmt::format("{}: {} of the start gains in {} is {}, which gives no reference; leave that "
-                        "scenario out of the term or give it a 'floor'",
-                        where, name(term.metric), scenarios[s].name, start_[s][term.metric]));
+        refuse_reference(term, scenarios[s].name, start_[s][term.metric], where);
       }
     }
   }
@@ -107,11 +126,6 @@ double Objective::incompleteness(const RolloutResult& result, std::size_t s) con
   return 1.0 + left * (1.0 + far) / 2.0;
 }
 
-bool Objective::only_grows() const {
-  return std::none_of(terms_.begin(), terms_.end(),
-                      [](const ObjectiveTerm& term) { return larger_is_better(term.metric); });
-}
-
 EndCost Objective::end_cost(std::size_t s, const std::vector<std::optional<RolloutResult>>& finished,
                             double penalty, double bar) const {
   // What rounding can make of a sum formed in another order.
@@ -123,7 +137,7 @@ EndCost Objective::end_cost(std::size_t s, const std::vector<std::optional<Rollo
     for (const std::size_t k : term.scenarios) {
       if (finished[k]) cost.beyond -= weight * score(term, *finished[k], k);
       if (k != s || finished[k] || !only_worsens(term.metric)) continue;
-      cost.shares.push_back({term.metric, 0.0, weight / reference(term, s), weight * kLargestRatio});
+      cost.shares.push_back(least_share(term.metric, weight, reference(term, s)));
     }
   }
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
@@ -158,9 +172,9 @@ std::string Objective::constraint_name(std::size_t c) const {
 
 double Objective::score(const ObjectiveTerm& term, const RolloutResult& result, std::size_t s) const {
   const double incomplete = incompleteness(result, s);
-  const double ratio = result.metrics[term.metric] / reference(term, s);
-  return incomplete > 0.0 || !std::isfinite(ratio) ? kIncompletePenalty * std::max(1.0, incomplete)
-                                                   : std::min(ratio, kLargestRatio);
+  const double value = result.metrics[term.metric];
+  return incomplete > 0.0 || !std::isfinite(value) ? kIncompletePenalty * std::max(1.0, incomplete)
+                                                   : term_score(term.metric, value, reference(term, s));
 }
 
 double Objective::excess(std::size_t c, const RolloutResult& result, std::size_t s) const {

@@ -11,12 +11,13 @@
 
 namespace armtune {
 
-/// weight * mean over scenarios of metric / metric of the start gains.
+/// weight * mean over scenarios of the metric's score against its value with the start gains (see
+/// term_score).
 struct ObjectiveTerm {
-  Metric metric = Metric::kPositionMax;
+  Metric metric = Metric::kPositionMax;  ///< one that is a goal
   double weight = 1.0;
   double floor = 0.0;                  ///< smallest reference, in the metric's unit
-  std::vector<std::size_t> scenarios;  ///< indices into the study's scenarios
+  std::vector<std::size_t> scenarios;  ///< indices into the study's scenarios; the metric applies to each
 };
 
 /// A bound that must hold in every listed scenario.
@@ -46,11 +47,10 @@ class Objective {
   /// Where rollouts of a candidate end, beyond repair, per scenario of the study. Not for the start's own.
   const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
-  /// Whether what a candidate costs, objective + penalty * sum of its positive relative violations, can only
-  /// grow while its rollouts go on. Not where a term can be below zero and make good what others cost.
-  bool only_grows() const;
-  /// Where a rollout of scenario s ends since its candidate costs more than `bar` for sure. finished: those
-  /// of the candidate's rollouts that are done, one place per scenario. Needs only_grows().
+  /// Returns where a rollout of scenario s ends because its candidate is certain to cost more than `bar`:
+  /// objective + penalty * sum of its positive relative violations. finished: the candidate's rollouts that
+  /// are done, one place per scenario. No score is below zero, so nothing that is still to come can make good
+  /// what the others cost.
   EndCost end_cost(std::size_t s, const std::vector<std::optional<RolloutResult>>& finished, double penalty,
                    double bar) const;
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "sim/rollout/applies.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/map_reader.hpp"
@@ -46,20 +48,52 @@ Metric read_metric(const yaml::Node& node) {
                         fmt::join(names, ", ")));
 }
 
-/// Indices of the named scenarios; all of them if `node` is null.
-std::vector<std::size_t> read_subset(const yaml::Node* node, const std::vector<Scenario>& scenarios) {
+/// Returns the indices of the named scenarios.
+std::vector<std::size_t> read_subset(const yaml::Node& node, const std::vector<Scenario>& scenarios) {
   std::vector<std::size_t> subset;
-  if (node == nullptr) {
-    for (std::size_t s = 0; s < scenarios.size(); ++s) subset.push_back(s);
-    return subset;
-  }
-  for (const std::string& name : node->as_strings()) {
+  for (const std::string& name : node.as_strings()) {
     const auto found = std::find_if(scenarios.begin(), scenarios.end(),
                                     [&name](const Scenario& s) { return s.name == name; });
-    if (found == scenarios.end()) node->fail("'" + name + "' is not one of the study's scenarios");
+    if (found == scenarios.end()) node.fail("'" + name + "' is not one of the study's scenarios");
     subset.push_back(static_cast<std::size_t>(found - scenarios.begin()));
   }
-  if (subset.empty()) node->fail("empty; leave the key out for all scenarios");
+  if (subset.empty()) node.fail("empty; leave the key out for all scenarios");
+  return subset;
+}
+
+std::vector<std::size_t> all_of(const std::vector<Scenario>& scenarios) {
+  std::vector<std::size_t> all(scenarios.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+/// Returns those of the subset that the metric applies to. Fails at the node if there are none.
+std::vector<std::size_t> applicable(const yaml::Node& node, Metric metric,
+                                    const std::vector<std::size_t>& subset,
+                                    const std::vector<Scenario>& scenarios) {
+  std::vector<std::size_t> found;
+  std::vector<std::string> names;
+  for (const std::size_t s : subset) {
+    if (applies(metric, scenarios[s])) found.push_back(s);
+    names.push_back(scenarios[s].name);
+  }
+  if (found.empty()) {
+    node.fail(
+        fmt::format("{} does not apply to {}: nothing that it measures is there; list under 'scenarios' "
+                    "only those of the study that have it, or leave this entry out",
+                    name(metric), fmt::join(names, ", ")));
+  }
+  return found;
+}
+
+/// Returns the scenarios that an objective term counts in: the listed ones, to each of which its metric must
+/// apply, or else all that it applies to.
+std::vector<std::size_t> read_term_scenarios(const yaml::Node& term, Metric metric, const yaml::Node* listed,
+                                             const std::vector<Scenario>& scenarios) {
+  const yaml::Node& named = *term.find("metric");
+  if (listed == nullptr) return applicable(named, metric, all_of(scenarios), scenarios);
+  std::vector<std::size_t> subset = read_subset(*listed, scenarios);
+  for (const std::size_t s : subset) applicable(*listed, metric, {s}, scenarios);
   return subset;
 }
 
@@ -69,9 +103,13 @@ std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vec
     yaml::MapReader map(item);
     ObjectiveTerm& term = terms.emplace_back();
     term.metric = read_metric(map.required("metric"));
+    if (field(term.metric).better == Better::kNeither) {
+      map.required("metric").fail(fmt::format(
+          "{} is no goal: neither more nor less of it is better; take another metric", name(term.metric)));
+    }
     term.weight = map.number_in("weight", 1.0, 0.0, kInfinity);
     term.floor = map.number_in("floor", 0.0, 0.0, kInfinity);
-    term.scenarios = read_subset(map.optional("scenarios"), scenarios);
+    term.scenarios = read_term_scenarios(item, term.metric, map.optional("scenarios"), scenarios);
     map.finish();
   }
   double weights = 0.0;
@@ -90,7 +128,10 @@ std::vector<Constraint> read_constraints(const yaml::Node& node, const std::vect
     if (constraint.upper == map.has("at_least")) item.fail("give one of: at_most, at_least");
     const yaml::Node& limit = map.required(constraint.upper ? "at_most" : "at_least");
     if (!limit.is_word("start")) constraint.limit = limit.as_number();
-    constraint.scenarios = read_subset(map.optional("scenarios"), scenarios);
+    const yaml::Node* listed = map.optional("scenarios");
+    constraint.scenarios = listed != nullptr ? read_subset(*listed, scenarios) : all_of(scenarios);
+    applicable(listed != nullptr ? *listed : map.required("metric"), constraint.metric, constraint.scenarios,
+               scenarios);
     constraint.hopeless =
         read_hopeless(map.optional("hopeless"), constraint.metric, constraint.upper, constraint.limit);
     map.finish();

@@ -29,7 +29,11 @@ bool Criterion::larger_is_better() const {
 
 Criterion criterion_from_name(const std::string& name) {
   if (name == kObjective) return {};
-  if (const auto metric = metric_from_name(name)) return {metric};
+  if (const auto metric = metric_from_name(name)) {
+    if (field(*metric).better != Better::kNeither) return {metric};
+    throw InputError(
+        fmt::format("{} is no goal: neither more nor less of it is better; name another criterion", name));
+  }
   std::vector<std::string> names{kObjective};
   for (const MetricField& f : metric_fields()) names.emplace_back(f.name);
   throw InputError(fmt::format("'{}' is neither 'objective' nor a metric{}; there are: {}", name,

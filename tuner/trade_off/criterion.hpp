@@ -17,7 +17,7 @@ struct Criterion {
   bool larger_is_better() const;
 };
 
-/// From "objective" or a metric's name. Throws InputError.
+/// From "objective" or the name of a metric that is a goal. Throws InputError.
 Criterion criterion_from_name(const std::string& name);
 
 /// The objective, or the metric's worst value over the scenarios that it applies to (see applies()); NaN if

@@ -7,54 +7,27 @@
 #include <limits>
 #include <random>
 
+#include "core/control/obstacle_distance.hpp"
 #include "tests/core/support/arms.hpp"
-#include "tests/core/support/states.hpp"
+#include "tests/core/support/obstacles.hpp"
 #include "tests/core/support/worst_error.hpp"
 
 namespace armtune {
 namespace {
 
 using test::derivative;
+using test::random_obstacles;
 using test::random_vec3;
+using test::with_links;
 using test::WorstError;
 
 constexpr double kRadius = 0.325;
-
-/// Around some joint origins of the arm at q, so that several joints feel several of them.
-std::vector<Obstacle> random_obstacles(std::mt19937& generator, const Poses& poses) {
-  std::vector<Obstacle> obstacles;
-  for (int i = 0; i < poses.n; i += 2) {
-    obstacles.push_back({poses.p_0B[static_cast<std::size_t>(i)] + random_vec3(generator, 0.15),
-                         test::random_number(generator, 0.0, 0.02)});
-  }
-  return obstacles;
-}
 
 JointVector torque(const Chain& chain, const Poses& poses, const std::vector<Obstacle>& obstacles,
                    const JointVector& force_gains) {
   JointVector tau;
   obstacle_torque(chain, poses, obstacles, kRadius, force_gains, tau);
   return tau;
-}
-
-/// An arm whose links are as thick as the numbers.
-Chain with_links(const Chain& chain, std::mt19937& generator) {
-  Chain thick = chain;
-  thick.link_radius = test::random_vector(generator, chain.n, 0.02).cwiseAbs();
-  return thick;
-}
-
-/// Distance [m] of a link's axis from p, by trying points along it.
-double distance_by_sampling(const Poses& poses, int i, const Vec3& p) {
-  constexpr int kPoints = 20000;
-  const Vec3 from = poses.p_0B[static_cast<std::size_t>(i)];
-  const Vec3 to = i + 1 < poses.n ? poses.p_0B[static_cast<std::size_t>(i) + 1] : poses.p_0T;
-  double least = HUGE_VAL;
-  for (int k = 0; k <= kPoints; ++k) {
-    const double share = static_cast<double>(k) / kPoints;
-    least = std::min(least, ((1.0 - share) * from + share * to - p).norm());
-  }
-  return least;
 }
 
 TEST(Repulsion, PushesAwayFromTheObstacleWithTheSquareOfTheDepth) {
@@ -88,52 +61,6 @@ TEST(Repulsion, CountsFromTheSurfaceAndIsWholeInside) {
   EXPECT_EQ(push(inside + kRadius), 0.0);
   EXPECT_NEAR(push(inside + 0.5 * kRadius), 0.25, 1e-14);
   for (const double depth : {1.0, 0.5, 1e-9}) EXPECT_NEAR(push(depth * inside), 1.0, 1e-8) << depth;
-}
-
-TEST(ObstacleDistance, IsTheSmallestOfAllPairs) {
-  std::mt19937 generator(512);
-  for (const RobotModel& arm : test::all_arms()) {
-    const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
-    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
-    double smallest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < arm.n(); ++i) {
-      for (const Obstacle& o : obstacles) {
-        smallest = std::min(smallest, (poses.p_0B[static_cast<std::size_t>(i)] - o.center).norm() - o.radius);
-      }
-    }
-    EXPECT_DOUBLE_EQ(obstacle_distance(arm.chain, poses, obstacles), smallest) << arm.name;
-    EXPECT_EQ(obstacle_distance(arm.chain, poses, {}), std::numeric_limits<double>::infinity());
-  }
-}
-
-TEST(ObstacleDistance, OfLinksIsThatOfTheirNearestPoints) {
-  std::mt19937 generator(515);
-  WorstError worst("distance", 1e-6);  // steps of up to 1e-4 m along a link, to second order at 1 cm and more
-  for (const RobotModel& arm : test::all_arms()) {
-    const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
-    const Chain thick = with_links(arm.chain, generator);
-    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
-    double smallest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < arm.n(); ++i) {
-      for (const Obstacle& o : obstacles) {
-        smallest =
-            std::min(smallest, distance_by_sampling(poses, i, o.center) - o.radius - thick.link_radius[i]);
-      }
-    }
-    worst.compare(obstacle_distance(thick, poses, obstacles), smallest, arm.name, 1.0);
-    EXPECT_LE(obstacle_distance(thick, poses, obstacles), obstacle_distance(arm.chain, poses, obstacles))
-        << "origins are points of links";
-    EXPECT_EQ(obstacle_distance(thick, poses, {}), std::numeric_limits<double>::infinity());
-  }
-}
-
-TEST(ObstacleDistance, OfALinkWithoutLengthIsThatOfItsOrigin) {
-  RobotModel arm = test::ur10();
-  const Poses poses = test::poses_at(arm.chain, JointVector::Constant(6, 0.5));
-  Poses folded = poses;
-  folded.p_0B[3] = folded.p_0B[2];
-  const Vec3 p = folded.p_0B[2] + Vec3(0.1, 0.0, 0.0);
-  EXPECT_EQ(nearest_on_link(folded, 2, p), folded.p_0B[2]);
 }
 
 TEST(ObstacleTorque, IsTheVirtualPowerOfTheForcesOnTheJointOriginsForTheFirstThreeJoints) {

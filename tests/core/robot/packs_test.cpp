@@ -10,7 +10,7 @@
 
 #include "core/common/pack.hpp"
 #include "core/control/adaptation.hpp"
-#include "core/control/obstacle_impedance.hpp"
+#include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/robot/chain_cast.hpp"
 #include "core/robot/forward_dynamics.hpp"

@@ -156,6 +156,19 @@ TEST(RolloutLanes, StiffFrictionIsIntegratedArmByArm) {
   }
 }
 
+TEST(RolloutLanes, ClearanceCountsEachArmsToolWhetherItIsMeasuredExactlyOrNot) {
+  for (const char* name : {"moving_target", "realistic_moving_target"}) {
+    Scenario scenario = scenario_of(name, 5.0);
+    Path before_the_tool;
+    before_the_tool.center = scenario.path.at(4.0).position + Vec3(0.0, 0.02, 0.0);
+    scenario.obstacles = {{"beside the circle", before_the_tool, 0.005}};
+    std::vector<LaneJob> jobs = candidates(scenario, 3);
+    for (LaneJob& job : jobs) job.gains.obstacleInfluenceRadius = 0.08;  // m: the tool alone comes that near
+    EXPECT_LT(alone(jobs[0]).metrics[Metric::kObstacleMinClearance], 0.08) << name;
+    expect_the_same(jobs);
+  }
+}
+
 TEST(RolloutLanes, LinksAndBodiesAreEachArmsOwn) {
   Scenario scenario = scenario_of("realistic_obstacle_pass", 8.0);
   scenario.obstacles[0].radius = 0.1;

@@ -89,7 +89,7 @@ struct Period {
     o.control = &control;
     o.poses = &poses;
     o.target_motion = {Vec3(0.0, 0.0, 1.0), Vec3::Zero(), Vec3::Zero()};  // straight ahead of the tool
-    o.obstacle_distance = std::numeric_limits<double>::infinity();
+    o.clearance = std::numeric_limits<double>::infinity();
   }
   JointVector q, qd;
   ControlOutput control;
@@ -242,7 +242,7 @@ TEST_F(Accumulated, EffortIsTheCommandBeforeSaturationAndItsRateThatOfTheTorque)
 TEST_F(Accumulated, TheSmallestClearanceCountsInEveryState) {
   for (const double distance : {0.5, 0.2, 0.4}) {
     p_.control.state = distance == 0.2 ? kAvoidObstacles : kFollowTrajectory;
-    p_.o.obstacle_distance = distance;
+    p_.o.clearance = distance;
     add();
   }
   EXPECT_EQ(result()[Metric::kObstacleMinClearance], 0.2);

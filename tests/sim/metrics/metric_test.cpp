@@ -24,6 +24,26 @@ TEST(Metric, NamesAreUniqueTreesWithoutCommasAndReadBack) {
   EXPECT_EQ(metric_from_name("error/position"), std::nullopt);
 }
 
+TEST(Metric, TheSmallestOfSomethingIsBetterLargeAndALargestOrAMeanSmall) {
+  // The direction is declared with the metric; here it is compared with what the name says.
+  for (const Metric m : all_metrics()) {
+    const std::string what = name(m);
+    const std::string last = what.substr(what.rfind('/') + 1);
+    if (last.starts_with("min_")) {
+      EXPECT_EQ(field(m).better, Better::kMore) << what;
+    }
+    if (last == "max" || last == "rms" || last == "max_ratio" || last == "time") {
+      EXPECT_EQ(field(m).better, Better::kLess) << what;
+    }
+    EXPECT_EQ(larger_is_better(m), field(m).better == Better::kMore) << what;
+    // Without a direction there is no worse.
+    EXPECT_FALSE(only_worsens(m) && field(m).better == Better::kNeither) << what;
+  }
+  EXPECT_EQ(field(Metric::kResponseBandwidth).better, Better::kMore);
+  EXPECT_EQ(field(Metric::kSamples).better, Better::kMore);
+  EXPECT_EQ(field(Metric::kJointVelocityMaxRatioTime).better, Better::kNeither);
+}
+
 TEST(Metric, HasNoValueUntilItGetsOne) {
   Metrics metrics;
   for (const double value : metrics.value) EXPECT_TRUE(std::isnan(value));

@@ -38,7 +38,7 @@ struct Period {
     o.error << 0.01, 0.02, 0.03, 0.04, 0.05, 0.06;
     o.error_rate << 0.11, 0.12, 0.13, 0.14, 0.15, 0.16;
     o.gaze_angle = 0.21;
-    o.obstacle_distance = 0.55;
+    o.clearance = 0.55;
     o.compensation_error = 7.5;
   }
   JointVector q = JointVector::LinSpaced(6, 0.5, 1.5);

@@ -138,7 +138,7 @@ TEST(RolloutCsv, IsEmptyWhereAFigureIsNotFinite) {
   Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), [&](const Observation& o) {
     Observation without = o;
     without.gaze_angle = NAN;
-    without.obstacle_distance = INFINITY;
+    without.clearance = INFINITY;
     return recorder(without);
   });
   recorder.write_csv(folder / "rollout.csv");

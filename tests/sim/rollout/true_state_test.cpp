@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/control/obstacle_impedance.hpp"
+#include "core/control/obstacle_distance.hpp"
 #include "core/robot/link_radius.hpp"
 #include "core/robot/slotine_li.hpp"
 #include "core/trajectory/gaze.hpp"
@@ -140,23 +140,73 @@ TEST(TrueState, CompensationIsExactWhereThetaIsTheArm) {
   EXPECT_GT(Rollout(scenario, Stepper::kMidpoint).run(gains).metrics[Metric::kCompensationErrorRms], 1.0);
 }
 
-TEST(TrueState, ObstacleDistanceIsThatOfTheClosestJoint) {
-  Scenario scenario = test::scenario_of("obstacle_pass", 1.0);
-  scenario.obstacles[1].radius = 0.3;
-  Rollout(scenario, Stepper::kMidpoint).run(test::quick_gains(scenario), [&](const Observation& o) {
-    double closest = HUGE_VAL;
-    for (const MovingObstacle& obstacle : scenario.obstacles) {
-      for (int i = 0; i < o.poses->n; ++i) {
-        const Vec3 away = o.poses->p_0B[static_cast<std::size_t>(i)] - obstacle.path.at(o.time).position;
-        closest = std::min(closest, away.norm() - obstacle.radius);
-      }
-    }
-    EXPECT_NEAR(o.obstacle_distance, closest, 1e-12);
-    return true;
-  });
+/// Smallest distance from the obstacles' surfaces of the joint origins and, if asked for, the tool, from
+/// poses of the true joint positions.
+double nearest_point(const Scenario& scenario, const Observation& o, bool tool) {
+  Poses poses;
+  forward_kinematics(scenario.robot->chain, *o.q, poses);
+  std::vector<Vec3> points;
+  for (int i = 0; i < poses.n; ++i) points.push_back(poses.p_0B[static_cast<std::size_t>(i)]);
+  if (tool) points.push_back(poses.p_0T);
+  double closest = HUGE_VAL;
+  for (const MovingObstacle& obstacle : scenario.obstacles) {
+    for (const Vec3& p : points)
+      closest = std::min(closest, (p - obstacle.path.at(o.time).position).norm() - obstacle.radius);
+  }
+  return closest;
 }
 
-TEST(TrueState, ObstacleDistanceOfLinksIsTheirs) {
+TEST(TrueState, ClearanceIsThatOfTheClosestJointOrTheTool) {
+  // With noise the controller's distance and the true one are two.
+  for (const char* name : {"obstacle_pass", "realistic_obstacle_pass"}) {
+    Scenario scenario = test::scenario_of(name, 9.0);
+    scenario.obstacles[1].radius = 0.3;
+    int tool_is_nearest = 0;
+    double smallest = HUGE_VAL;
+    const RolloutResult result =
+        Rollout(scenario, Stepper::kMidpoint).run(test::quick_gains(scenario), [&](const Observation& o) {
+          const double expected = nearest_point(scenario, o, true);
+          EXPECT_NEAR(o.clearance, expected, 1e-12);
+          if (expected < nearest_point(scenario, o, false) - 1e-3) ++tool_is_nearest;
+          smallest = std::min(smallest, o.clearance);
+          return true;
+        });
+    EXPECT_GT(tool_is_nearest, 100) << name;
+    EXPECT_EQ(result.metrics[Metric::kObstacleMinClearance], smallest) << name;
+  }
+}
+
+TEST(TrueState, AnObstacleAtTheToolAloneIsSeenAndMovesNothing) {
+  // The tool passes through a point of its circle. The published law counts joint origins only.
+  for (const Engine engine : {Engine::kSimbody, Engine::kNative}) {
+    const Scenario without = test::scenario_of("moving_target", 9.0);
+    Scenario with = without;
+    Path at_rest;
+    at_rest.center = without.path.at(7.0).position;
+    with.obstacles = {{"on the circle", at_rest}};
+    Gains gains = test::quick_gains(without);
+    gains.obstacleInfluenceRadius = 0.08;  // m, within the 0.23 m from the last joint's origin to the tool
+    std::vector<JointVector> alone;
+    Rollout(without, Stepper::kMidpoint, engine).run(gains, [&](const Observation& o) {
+      alone.push_back(*o.q);
+      return true;
+    });
+    double of_joints = HUGE_VAL;
+    std::size_t period = 0;
+    const RolloutResult result =
+        Rollout(with, Stepper::kMidpoint, engine).run(gains, [&](const Observation& o) {
+          EXPECT_NE(o.control->state, ControlState::kAvoidObstacles);
+          EXPECT_EQ(*o.q, alone.at(period++));
+          of_joints = std::min(of_joints, o.control->obstacle_distance);
+          return true;
+        });
+    EXPECT_EQ(period, alone.size());
+    EXPECT_GT(of_joints, gains.obstacleInfluenceRadius);
+    EXPECT_LT(result.metrics[Metric::kObstacleMinClearance], 0.02) << "m, of the tool on its circle";
+  }
+}
+
+TEST(TrueState, ClearanceOfLinksIsTheirs) {
   // With noise the controller's distance and the true one are two.
   for (const char* name : {"obstacle_pass", "realistic_obstacle_pass"}) {
     Scenario scenario = test::scenario_of(name, 1.0);
@@ -166,7 +216,7 @@ TEST(TrueState, ObstacleDistanceOfLinksIsTheirs) {
         Rollout(scenario, Stepper::kMidpoint).run(test::quick_gains(scenario), [&](const Observation& o) {
           std::vector<Obstacle> obstacles;
           for (const MovingObstacle& obstacle : scenario.obstacles) obstacles.push_back(obstacle.at(o.time));
-          EXPECT_NEAR(o.obstacle_distance, obstacle_distance(robot.chain, *o.poses, obstacles), 1e-12);
+          EXPECT_NEAR(o.clearance, obstacle_distance(robot.chain, *o.poses, obstacles), 1e-12);
           return true;
         });
     EXPECT_LT(result.metrics[Metric::kObstacleMinClearance],

@@ -149,7 +149,17 @@ TEST(MotionCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
         add_vector(cells, "target/position", at.target);
         cells["gaze/angle"] = at.gaze;
       }
-      if (plan.task.clearance > 0.0) cells["obstacle/distance"] = at.obstacle_distance;
+      if (plan.task.clearance > 0.0) {
+        double nearest = INFINITY;
+        for (const MovingObstacle& moving : plan.task.scenario.obstacles) {
+          const Obstacle obstacle = moving.at(time);
+          nearest = std::min(nearest, (at.poses.p_0T - obstacle.center).norm() - obstacle.radius);
+          for (std::size_t i = 1; i < plan.robot().joints.size(); ++i)  // the first stands still
+            nearest = std::min(nearest, (at.poses.p_0B[i] - obstacle.center).norm() - obstacle.radius);
+        }
+        EXPECT_EQ(at.clearance, nearest);
+        cells["obstacle/distance"] = at.clearance;
+      }
       for (int i = 0; i < plan.robot().n() && plan.task.limits.jerk.size() > 0; ++i)
         cells["joint/" + plan.robot().joints[static_cast<std::size_t>(i)].name + "/jerk"] = at.jerk[i];
       expect_row(read, static_cast<std::size_t>(row), cells);

@@ -60,10 +60,10 @@ void expect_within_limits(const PlanTask& task, const PlanProblem& problem,
     }
     for (const MovingObstacle& obstacle : task.scenario.obstacles) {
       if (task.clearance == 0.0) continue;
+      const Vec3 center = obstacle.path.at(t.time[static_cast<std::size_t>(k)]).position;
+      EXPECT_GE((at.poses.p_0T - center).norm(), task.clearance * (1.0 - 2e-8));
       for (int i = 1; i < robot.n(); ++i) {
-        EXPECT_GE((at.poses.p_0B[static_cast<std::size_t>(i)] -
-                   obstacle.path.at(t.time[static_cast<std::size_t>(k)]).position)
-                      .norm(),
+        EXPECT_GE((at.poses.p_0B[static_cast<std::size_t>(i)] - center).norm(),
                   task.clearance * (1.0 - 2e-8));
       }
     }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/control/obstacle_impedance.hpp"
+#include "core/control/obstacle_distance.hpp"
 #include "core/trajectory/gaze.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tests/tuner/support/events.hpp"

@@ -83,6 +83,25 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, EveryOutdone,
                                          std::tuple(std::string("ESCH"), 90)),
                          [](const auto& p) { return std::get<0>(p.param); });
 
+TEST(Outdone, WithATermOfWhichMoreIsBetterTheSearchFindsTheSame) {
+  const ShortStudy files(test::kShortParameters,
+                         kObjective + "  - {metric: joint_position/min_margin, weight: 2}\n", kConstraints,
+                         "search: {algorithm: CRS2, constraints: penalty, penalty: 1, max_evaluations: 80, "
+                         "engine: native, verify_share: 0.05, initial_step: 0.4}\n");
+  Study study = load_study(files.path());
+  const Tuned with = run(study, 1, files / "with.csv");
+  study.end_outdone = false;
+  const Tuned without = run(study, 1, files / "without.csv");
+  EXPECT_EQ(points(with), points(without));
+  EXPECT_EQ(with.result.best.objective, without.result.best.objective);
+  EXPECT_GT(outdone(with), 0);
+  for (std::size_t i = 0; i < with.evaluations.size(); ++i) {
+    if (std::isfinite(with.evaluations[i].beyond)) {
+      EXPECT_GT(penalised(without.evaluations[i], study.solver.penalty), with.evaluations[i].beyond) << i;
+    }
+  }
+}
+
 TEST(Outdone, ARunThatGoesOnGivesUpTheSame) {
   const ShortStudy files(test::kShortParameters, kObjective, kConstraints,
                          "search: {algorithm: ESCH, constraints: penalty, penalty: 1, max_evaluations: 80, "

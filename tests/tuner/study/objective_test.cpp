@@ -1,5 +1,6 @@
 #include "tuner/study/objective.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -248,12 +249,53 @@ TEST_F(ObjectiveOfTwoScenarios, AStartThatGivesNoReferenceIsRefused) {
   EXPECT_THAT(message(), testing::AllOf(testing::StartsWith("study.yaml"), HasSubstr("error/orientation/max"),
                                         HasSubstr("hard"), HasSubstr("floor")));
   start_[1].metrics[Metric::kOrientationMax] = 0.0;
-  EXPECT_THAT(message(), HasSubstr("no reference"));
+  EXPECT_THAT(message(), testing::AllOf(HasSubstr("error/orientation/max"), HasSubstr("reference")));
   terms_[1].floor = 1e-3;
   EXPECT_NO_THROW(objective());
   start_ = whole;
   start_[0] = diverged(1.0);
   EXPECT_THAT(message(), testing::AllOf(HasSubstr("plain"), HasSubstr("diverged early")));
+}
+
+TEST_F(ObjectiveOfTwoScenarios, ABetterValueOfAnyMetricIsABetterCandidate) {
+  constraints_.clear();
+  for (const Metric m : all_metrics()) {
+    const Better direction = field(m).better;
+    if (direction == Better::kNeither) continue;
+    terms_ = {{m, 1.0, 0.0, {0}}, {Metric::kPositionMax, 2.0, 0.0, {1}}};
+    for (RolloutResult& r : start_) r.metrics[m] = 0.4;
+    const auto with = [&](double value) {
+      std::vector<RolloutResult> results = start_;
+      results[0].metrics[m] = value;
+      return judged(results);
+    };
+    EXPECT_EQ(with(0.4).objective, 1.0) << name(m);
+    const auto [good, bad] = direction == Better::kMore ? std::pair(0.6, 0.2) : std::pair(0.2, 0.6);
+    EXPECT_TRUE(better(with(good), with(0.4))) << name(m);
+    EXPECT_TRUE(better(with(0.4), with(bad))) << name(m);
+  }
+}
+
+TEST_F(ObjectiveOfTwoScenarios, AMarginThatIsPassedAtTheStartNeedsAFloorAndThenHasASlope) {
+  terms_ = {{Metric::kObstacleMinClearance, 1.0, 0.0, {1}}};
+  constraints_.clear();
+  for (const double start : {0.0, -0.05}) {
+    start_[1].metrics[Metric::kObstacleMinClearance] = start;
+    EXPECT_THAT(test::refusal([&] { objective(); }),
+                testing::AllOf(testing::StartsWith("study.yaml"), HasSubstr("obstacle/min_clearance"),
+                               HasSubstr("hard"), HasSubstr(fmt::format("{}", start)), HasSubstr("floor"),
+                               HasSubstr("at_least")));
+  }
+  terms_[0].floor = 0.1;
+  double last = HUGE_VAL;
+  for (const double clearance : {-0.3, -0.05, 0.0, 0.01, 0.05, 0.1, 0.2}) {
+    const double objective = judged({start_[0], completed(0.004, 0.04, 0.8, clearance)}).objective;
+    EXPECT_LT(objective, last) << clearance;
+    last = objective;
+    if (clearance == 0.1) {
+      EXPECT_EQ(objective, 1.0) << "the floor is the reference";
+    }
+  }
 }
 
 TEST_F(ObjectiveOfTwoScenarios, ABoundOnWhatAScenarioDoesNotHaveHoldsThere) {

@@ -42,5 +42,15 @@ TEST(Criterion, OfAnotherNameIsRefusedWithAGuess) {
   EXPECT_THAT(test::refusal([] { criterion_from_name("gaze/rmz"); }), testing::HasSubstr("gaze/rms"));
 }
 
+TEST(Criterion, WithoutADirectionIsRefused) {
+  for (const Metric m : all_metrics()) {
+    if (field(m).better != Better::kNeither) {
+      EXPECT_EQ(criterion_from_name(name(m)).larger_is_better(), field(m).better == Better::kMore);
+      continue;
+    }
+    EXPECT_THAT(test::refusal([m] { criterion_from_name(name(m)); }), testing::HasSubstr(name(m)));
+  }
+}
+
 }  // namespace
 }  // namespace armtune

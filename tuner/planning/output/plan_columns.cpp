@@ -115,8 +115,8 @@ std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& r
   }
   if (task.clearance > 0.0) {
     columns.add("obstacle/distance", "m",
-                "least distance of a joint's origin, but the first's, to an obstacle's surface",
-                [](const PlanSample& at) { return at.obstacle_distance; });
+                "least distance of a joint's origin that can move, or of the tool, to an obstacle's surface",
+                [](const PlanSample& at) { return at.clearance; });
   }
   columns.add_joints(robot, task.limits.jerk.size() > 0);
   return columns.take();

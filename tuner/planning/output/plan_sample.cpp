@@ -4,6 +4,7 @@
 
 #include "core/robot/dynamics.hpp"
 #include "core/trajectory/gaze.hpp"
+#include "tuner/planning/transcription/arm_terms.hpp"
 
 namespace armtune {
 ToolDemands tool_demands(const PlanTask& task) {
@@ -63,14 +64,7 @@ void PlanSampler::set(double time, const Eigen::VectorXd& position, const Eigen:
   to.desired = task_.scenario.path.at(task_.kind == PlanKind::kFastest ? task_.at + to.s : time).position;
   to.target = problem_.gaze_target(time).position;
   to.gaze = gaze_angle(to.poses.R_0T, to.poses.p_0T, to.target);
-  to.obstacle_distance = INFINITY;
-  for (const MovingObstacle& obstacle : task_.scenario.obstacles) {
-    const Vec3 center = obstacle.path.at(time).position;
-    for (int i = 1; i < robot.n(); ++i) {
-      const double distance = (to.poses.p_0B[static_cast<std::size_t>(i)] - center).norm() - obstacle.radius;
-      to.obstacle_distance = std::min(to.obstacle_distance, distance);
-    }
-  }
+  to.clearance = clearance_at(robot.chain, to.poses, time, task_.scenario.obstacles);
 }
 
 }  // namespace armtune

@@ -21,8 +21,7 @@ struct PlanSample {
   Vec3 desired = Vec3::Zero();          ///< where the path has the tool [m]
   Vec3 target = Vec3::Zero();           ///< where the gaze is to be [m]
   double gaze = 0.0;                    ///< angle between tool z and the line to that target [rad]
-  double obstacle_distance =
-      INFINITY;  ///< the least of a joint's origin, but the first's, to an obstacle [m]
+  double clearance = INFINITY;  ///< of joints' origins that can move, and the tool, from obstacles [m]
 };
 
 class PlanSampler {

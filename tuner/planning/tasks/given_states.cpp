@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
@@ -68,13 +65,9 @@ void check_given_states(const PlanCommon& common) {
 
 double clearance_at(const RobotModel& robot, const JointVector& q, double time,
                     const std::vector<MovingObstacle>& obstacles) {
-  double least = std::numeric_limits<double>::infinity();
-  const Knot knot = at_rest(robot, q, time);
-  for (const MovingObstacle& obstacle : obstacles) {
-    for (const double distance : values(clear_of(robot, {0, 0}, obstacle, 1.0), knot))
-      least = std::min(least, distance);
-  }
-  return least;
+  Poses poses;
+  forward_kinematics(robot.chain, q, poses);
+  return clearance_at(robot.chain, poses, time, obstacles);
 }
 
 }  // namespace armtune

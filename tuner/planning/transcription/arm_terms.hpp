@@ -39,6 +39,11 @@ KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target,
 /// Every joint's origin that can move, and the tool, at least `radius` [m] from the obstacle's surface.
 KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle& obstacle, double radius);
 
+/// Returns the smallest distance [m] of the points that clear_of looks at from the surfaces of the obstacles
+/// at `time` [s]; infinite without obstacles.
+double clearance_at(const Chain& chain, const Poses& poses, double time,
+                    const std::vector<MovingObstacle>& obstacles);
+
 /// A curve of the tool over a coordinate s: position [m] and its derivative.
 using ToolCurve = std::function<MotionPoint<Vec3>(double s)>;
 

@@ -1,13 +1,28 @@
 // The arm's distance from obstacles.
 
+#include <algorithm>
+#include <limits>
+
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
 
 namespace armtune {
+namespace {
+
+/// The origin of a first joint that turns stands still: nothing can be done about it.
+int first_moving_origin(const Chain& chain) {
+  return chain.motion[0] == JointMotion::kRevolute ? 1 : 0;
+}
+
+/// Origin of joint i; the tool stands behind the last joint.
+const Vec3& point(const Poses& poses, int i) {
+  return i < poses.n ? poses.p_0B[static_cast<std::size_t>(i)] : poses.p_0T;
+}
+
+}  // namespace
 
 KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle& obstacle, double radius) {
-  // The origin of a first joint that turns stands still: nothing can be done about it.
-  const int first_joint = robot.chain.motion[0] == JointMotion::kRevolute ? 1 : 0;
+  const int first_joint = first_moving_origin(robot.chain);
   std::vector<std::string> rows = joint_names(robot);
   rows.erase(rows.begin(), rows.begin() + first_joint);
   rows.emplace_back("tool");
@@ -18,10 +33,10 @@ KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle
   term.evaluate = [chain = robot.chain, obstacle, radius, first_joint](const Knot& knot,
                                                                        const KnotRows& out) {
     const MotionPoint<Vec3> at = obstacle.path.at(knot.time);
-    for (int i = first_joint; i <= chain.n; ++i) {  // the tool stands behind the last joint
+    for (int i = first_joint; i <= chain.n; ++i) {
       const int row = i - first_joint;
       const bool tool = i == chain.n;
-      const Vec3 p = tool ? knot.poses.p_0T : knot.poses.p_0B[static_cast<std::size_t>(i)];
+      const Vec3 p = point(knot.poses, i);
       const Vec3 away = p - at.position;
       const double distance = away.norm();
       out.value[row] = (distance - obstacle.radius) / radius;
@@ -36,6 +51,17 @@ KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle
     }
   };
   return term;
+}
+
+double clearance_at(const Chain& chain, const Poses& poses, double time,
+                    const std::vector<MovingObstacle>& obstacles) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MovingObstacle& moving : obstacles) {
+    const Obstacle obstacle = moving.at(time);
+    for (int i = first_moving_origin(chain); i <= chain.n; ++i)
+      least = std::min(least, (point(poses, i) - obstacle.center).norm() - obstacle.radius);
+  }
+  return least;
 }
 
 }  // namespace armtune

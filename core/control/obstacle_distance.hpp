@@ -1,0 +1,87 @@
+#pragma once
+// Distances between an arm and the obstacles. There are two:
+//   obstacle_distance is what the published controller acts on. It counts the joint origins, and not the
+//   tool. clearance is how close the arm really comes. It counts the tool tip as well.
+// A chain with link_radius has links with a surface, from each joint's origin to the next and from the last
+// one to the tool; then both are the distance of the nearest link's surface. Both are negative where arm and
+// obstacle meet, and infinite without obstacles.
+
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "core/common/select.hpp"
+#include "core/control/obstacle.hpp"
+#include "core/robot/kinematics.hpp"
+
+namespace armtune {
+
+/// The point nearest to p on link i: the straight line from its joint's origin to the next one's, of the last
+/// to the tool's.
+template <typename T>
+Vec3T<T> nearest_on_link(const PosesT<T>& poses, int i, const Vec3T<T>& p) {
+  const Vec3T<T>& from = poses.p_0B[static_cast<std::size_t>(i)];
+  const Vec3T<T> line = (i + 1 < poses.n ? poses.p_0B[static_cast<std::size_t>(i) + 1] : poses.p_0T) - from;
+  const T squared = dot3(line, line);
+  const Vec3T<T> to_p = p - from;
+  T share = dot3(to_p, line) / select(squared > T(0), squared, T(1));
+  share = select(share > T(0), share, T(0));
+  share = select(share < T(1), share, T(1));
+  return from + share * line;
+}
+
+/// Returns the distance that the controller acts on [m]: the smallest of any joint origin, or any link's
+/// surface, to any obstacle's surface.
+template <typename T>
+T obstacle_distance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles) {
+  using std::sqrt;
+  const T infinity(std::numeric_limits<double>::infinity());
+  const bool links = chain.link_radius.size() > 0;
+  T least = infinity;
+  for (const ObstacleT<T>& obstacle : obstacles) {
+    T of_one = infinity;  // squared, of joint origins
+    for (int i = 0; i < poses.n; ++i) {
+      const Vec3T<T> line =
+          (links ? nearest_on_link(poses, i, obstacle.center) : poses.p_0B[static_cast<std::size_t>(i)]) -
+          obstacle.center;
+      const T square = dot3(line, line);
+      if (!links) {
+        of_one = select(square < of_one, square, of_one);
+        continue;
+      }
+      const T distance = sqrt(square) - chain.link_radius[i] - obstacle.radius;
+      least = select(distance < least, distance, least);
+    }
+    if (links) continue;
+    const T distance = sqrt(of_one) - obstacle.radius;
+    least = select(distance < least, distance, least);
+  }
+  return least;
+}
+
+inline double obstacle_distance(const Chain& chain, const Poses& poses, std::span<const Obstacle> obstacles) {
+  return obstacle_distance<double>(chain, poses, obstacles);
+}
+
+/// Returns the arm's clearance [m]. acted_on: obstacle_distance of the same arm and obstacles, to which the
+/// tool tip is added; of a chain with link_radius it is the clearance already, as its last link ends at the
+/// tool.
+template <typename T>
+T clearance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles,
+            const T& acted_on) {
+  using std::sqrt;
+  if (chain.link_radius.size() > 0) return acted_on;
+  T least = acted_on;
+  for (const ObstacleT<T>& obstacle : obstacles) {
+    const Vec3T<T> line = poses.p_0T - obstacle.center;
+    const T distance = sqrt(dot3(line, line)) - obstacle.radius;
+    least = select(distance < least, distance, least);
+  }
+  return least;
+}
+
+inline double clearance(const Chain& chain, const Poses& poses, std::span<const Obstacle> obstacles) {
+  return clearance<double>(chain, poses, obstacles, obstacle_distance<double>(chain, poses, obstacles));
+}
+
+}  // namespace armtune
