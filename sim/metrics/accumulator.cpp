@@ -128,6 +128,7 @@ void MetricAccumulator::add_limits(const Observation& o) {
     min_margin_ = std::min(min_margin_, std::min(q[i] - lower_limits_[i], upper_limits_[i] - q[i]));
     max_effort_ratio_ = std::max(max_effort_ratio_, std::abs(commanded[i]) * per_effort_limit_[i]);
   }
+  if (o.control->saturated) ++saturated_periods_;
   min_clearance_ = std::min(min_clearance_, o.clearance);
   if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);
   last_torque_ = o.control->torque;
@@ -168,6 +169,8 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointEffortMaxRatio:
       // Over a limit of zero a torque is no number of times.
       return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
+    case Metric::kJointEffortSaturatedPeriods:
+      return first_ ? NAN : static_cast<double>(saturated_periods_);
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:

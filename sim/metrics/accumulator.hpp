@@ -92,6 +92,7 @@ class MetricAccumulator {
   Eigen::Index max_ratio_joint_ = 0;
   double min_margin_;
   double max_effort_ratio_ = 0.0;
+  long saturated_periods_ = 0;
   double min_clearance_;
   JointVector last_torque_;
 };

@@ -59,6 +59,8 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
        "smallest distance of any joint to a position limit; negative: passed"},
       {"joint_effort/max_ratio", "1", kLess, kOnlyWorsens, "largest torque over its limit",
        "largest commanded |torque| over its limit, before saturation"},
+      {"joint_effort/saturated_periods", "1", kLess, kOnlyWorsens, "periods with a saturated joint",
+       "control periods in which a joint was commanded more than its effort limit"},
       {"joint_error/rms", "rad", kLess, kEitherWay, "RMS joint error",
        "RMS of q - qd over joints and time while a planned trajectory is followed; empty without one"},
       {"joint_error/max", "rad", kLess, kOnlyWorsens, "largest joint error",

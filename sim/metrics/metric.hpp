@@ -37,6 +37,7 @@ enum class Metric : std::size_t {
   kJointVelocityMaxRatioTime,
   kJointPositionMinMargin,
   kJointEffortMaxRatio,
+  kJointEffortSaturatedPeriods,
   kJointErrorRms,
   kJointErrorMax,
   kEffortRateRms,

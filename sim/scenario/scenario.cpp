@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "core/robot/theta.hpp"
 #include "sim/yaml/map_reader.hpp"
 
@@ -37,6 +38,7 @@ void apply_factors(const PlantConditions& plant, Chain& chain) {
 }  // namespace
 
 Gains with_goal(Gains gains, const Scenario& scenario) {
+  if (scenario.loop_gain != 1.0) scale_loop_gains(gains, scenario.loop_gain);
   if (gains.joint_space_goal.size() > 0) return gains;
   if (scenario.goal_position.size() == 0) {
     // Plans come first and go over into the task: leaveSingularity is never in it.

@@ -82,6 +82,8 @@ struct Scenario {
   ThetaStart theta;
   PlantConditions plant;
   std::uint64_t seed = 1;  ///< of the noise
+  double loop_gain = 1.0;  ///< factor on the gains of the loop, as a gain margin pushes it
+  bool pushed = false;     ///< a margin pushes the scenario: it is judged by that margin alone
 
   int periods() const;
   /// Whether the controller comes to its own task: not where a planned motion lasts to the end.
@@ -98,7 +100,8 @@ struct Scenario {
 /// from other files first; the file's own keys replace them whole. Throws InputError.
 Scenario load_scenario(const std::string& name_or_path);
 
-/// Gains whose joint_space_goal is the scenario's where they have none. Throws InputError if neither has one.
+/// Returns the gains as a rollout of the scenario uses them: the loop's multiplied by its loop_gain, and
+/// joint_space_goal the scenario's where they have none. Throws InputError if neither has one.
 Gains with_goal(Gains gains, const Scenario& scenario);
 
 /// The arm as it really is in the scenario: factors, then payload and friction included.

@@ -41,8 +41,8 @@ int run(const Arguments& args, Team& team) {
   ProgressLine line;
   std::optional<Sensitivity> result;
   if (const auto start = simulate_points(study, {study.space.start_point()}, workers, stop_requested(), {})) {
-    const Objective objective(study.terms, study.constraints, study.scenarios, start->front().results,
-                              study.source);
+    const Objective objective(study.terms, study.constraints, simulated_scenarios(study),
+                              start->front().results, study.source);
     result = sensitivity(study, objective, best, journal, workers, stop_requested(),
                          [&line](std::size_t done, std::size_t all) {
                            line.show(fmt::format("{} of {} evaluations", done, all));

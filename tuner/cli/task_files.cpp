@@ -29,9 +29,15 @@ objective:
 constraints:
   - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
   - {{metric: joint_position/min_margin, at_least: 0}}
-  - {{metric: joint_effort/max_ratio, at_most: 1}}
+  - {{metric: joint_effort/max_ratio, at_most: 0.9}}
+
+# Gains that hold: the worst of several arms that differ from the model at random counts, and one corner rollout for
+# each stability margin must hold on the arm of the model.
+robust: {{samples: 6, measure: worst}}
+margins: {{delay_periods: 1, gain: 1.2, noise: 2, rate: 0.8}}
 
 search:
+  engine: native      # Simbody judges what is found
   max_evaluations: 200
   seed: 1
 )";

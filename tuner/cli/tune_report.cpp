@@ -131,7 +131,7 @@ std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& res
 
 void judge(const Objective& objective, const ComparedSet& simulated, TuneResult& result) {
   Evaluation& e = result.best;
-  for (std::size_t s = 0; s < e.results.size(); ++s) e.results[s] = simulated.results[s].result;
+  for (std::size_t s = 0; s < simulated.results.size(); ++s) e.results[s] = simulated.results[s].result;
   e.engine = Engine::kSimbody;
   objective.judge(e);
 }

@@ -14,10 +14,18 @@ namespace {
 /// What a scenario's metric is written for, once even where several terms have it.
 using Figure = std::pair<std::size_t, Metric>;
 
+bool of_margin(const ObjectiveTerm&) {
+  return false;
+}
+bool of_margin(const Constraint& constraint) {
+  return constraint.margin.has_value();
+}
+
 template <typename Term>
 std::vector<Figure> figures(const std::vector<Term>& terms) {
   std::vector<Figure> all;
   for (const Term& term : terms) {
+    if (of_margin(term)) continue;
     for (const std::size_t s : term.scenarios) {
       const Figure figure{s, term.metric};
       if (std::find(all.begin(), all.end(), figure) == all.end()) all.push_back(figure);
@@ -54,6 +62,12 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
     const MetricField& f = field(metric);
     add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
   }
+  for (const MarginDemand& demand : study.margins) {
+    add(fmt::format("margin/{}", name(demand.kind)), "1",
+        fmt::format("what is missing in the worst scenario for the loop to hold with {} at {}; zero or less: "
+                    "it holds",
+                    name(demand.kind), demand.value));
+  }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);
   add("time/wall", "s", "wall time since the run began, to the millisecond");
   return columns;
@@ -77,6 +91,10 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
   for (const Parameter& p : study_.space.free) row += "," + cell(value(e.gains, p.entry));
   for (const auto& [s, metric] : figures(study_.terms)) row += "," + cell(e.results[s].metrics[metric]);
   for (const auto& [s, metric] : figures(study_.constraints)) row += "," + cell(e.results[s].metrics[metric]);
+  for (std::size_t m = 0; m < study_.margins.size(); ++m) {
+    const std::size_t c = study_.constraints.size() - study_.margins.size() + m;
+    row += "," + cell(whole && c < e.constraints.size() ? e.constraints[c] : NAN);
+  }
   for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
   // The journal is what has to survive a power cut; this file can be made again from it.
   file_.append(row + fmt::format(",{:.3f}\n", e.seconds), false);

@@ -1,7 +1,5 @@
 #include "tuner/robustness/margin_kind.hpp"
 
-#include "core/control/laws/controller_kind.hpp"
-
 namespace armtune {
 namespace {
 
@@ -33,11 +31,8 @@ void delay_more(double value, Scenario& scenario, Gains&) {
   scenario.plant.torque_delay_periods += static_cast<int>(value);
 }
 
-void scale_gains(double value, Scenario&, Gains& gains) {
-  for (const GainField& field : fields_of(gains)) {
-    if (!field.in_loop) continue;
-    for (double& number : numbers(gains, field)) number *= value;
-  }
+void scale_gains(double value, Scenario& scenario, Gains&) {
+  scenario.loop_gain *= value;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ class Watch {
   Watch(const Scenario& scenario, const std::vector<MetricLimit>& limits)
       : joints_(joint_names(*scenario.robot)),
         velocity_limits_(scenario.robot->velocity_limits()),
-        allowed_(static_cast<long>(kSaturatedShare * scenario.periods())) {
+        allowed_(saturated_periods_allowed(scenario)) {
     for (const MetricLimit& limit : limits) {
       if (limit.metric == Metric::kJointVelocityMaxRatio && limit.upper) velocity_.push_back(limit);
     }

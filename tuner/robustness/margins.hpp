@@ -20,6 +20,10 @@ namespace armtune {
 
 /// Largest share of a scenario's control periods that may be saturated.
 inline constexpr double kSaturatedShare = 0.01;
+/// How many periods of a scenario that is.
+inline long saturated_periods_allowed(const Scenario& scenario) {
+  return static_cast<long>(kSaturatedShare * scenario.periods());
+}
 
 /// One margin in one scenario.
 struct Margin {

@@ -90,7 +90,8 @@ void Run::take_in(const char* phase, Evaluation e) {
   seconds_ = std::max(seconds_, e.seconds);
   auto& objective = seen().objective;
   if (!objective) {
-    objective.emplace(study_.terms, study_.constraints, study_.scenarios, e.results, study_.source);
+    objective.emplace(study_.terms, study_.constraints, simulated_scenarios(study_), e.results,
+                      study_.source);
     if (first && callbacks_.begin) callbacks_.begin(*objective);
   }
   objective->judge(e);

@@ -50,7 +50,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
                      const std::string& where)
     : terms_(std::move(terms)), constraints_(std::move(constraints)) {
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
-    if (start[s].status != RolloutStatus::kCompleted) {
+    pushed_.push_back(scenarios[s].pushed);
+    if (start[s].status != RolloutStatus::kCompleted && !scenarios[s].pushed) {
       throw InputError(
           fmt::format("{}: the start gains do not complete {}: {}; the objective is relative to them, so "
                       "begin with gains that do",
@@ -59,6 +60,7 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     durations_.push_back(scenarios[s].duration);
     start_.push_back(start[s].metrics);
   }
+  corners_ = scenarios;
   for (const ObjectiveTerm& term : terms_) {
     weights_ += term.weight;
     for (const std::size_t s : term.scenarios) {
@@ -71,7 +73,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
   for (const Constraint& constraint : constraints_) {
     std::vector<bool>& judged = judged_.emplace_back(scenarios.size(), false);
     for (const std::size_t s : constraint.scenarios) {
-      judged[s] = applies(constraint.metric, scenarios[s]);
+      judged[s] = constraint.margin.has_value() || applies(constraint.metric, scenarios[s]);
+      if (constraint.margin) continue;
       if (judged[s] && !constraint.limit && std::isnan(start_[s][constraint.metric])) {
         throw InputError(
             fmt::format("{}: the start gains give no {} in {}, so 'start' is no limit; give a number", where,
@@ -86,7 +89,7 @@ void Objective::set_end_limits(const std::vector<Scenario>& scenarios, const std
   end_limits_.resize(scenarios.size());
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     const Constraint& constraint = constraints_[c];
-    if (constraint.hopeless.kind == Hopeless::Kind::kNever) continue;
+    if (constraint.margin || constraint.hopeless.kind == Hopeless::Kind::kNever) continue;
     const bool stated = constraint.hopeless.kind == Hopeless::Kind::kFrom;
     for (const std::size_t s : constraint.scenarios) {
       if (!judged_[c][s]) continue;
@@ -110,7 +113,8 @@ double Objective::how_far(const RolloutResult& result, std::size_t s) const {
   double worst = 0.0;
   for (std::size_t c = 0; c < constraints_.size(); ++c) {
     const Constraint& constraint = constraints_[c];
-    if (!judged_[c][s] || !can_be_hopeless(constraint.metric, constraint.upper)) continue;
+    if (constraint.margin || !judged_[c][s] || !can_be_hopeless(constraint.metric, constraint.upper))
+      continue;
     const double bound = limit(c, s);
     const double v = result.metrics[constraint.metric];
     const double relative = (constraint.upper ? v - bound : bound - v) / scale_of(bound);
@@ -147,25 +151,32 @@ EndCost Objective::end_cost(std::size_t s, const std::vector<std::optional<Rollo
       worst = std::max(worst, relative_excess(c, excess(c, *finished[k], k), k));
     }
     cost.beyond -= penalty * worst;
-    if (!judged_[c][s] || !can_be_hopeless(constraints_[c].metric, constraints_[c].upper)) continue;
+    if (constraints_[c].margin || !judged_[c][s] ||
+        !can_be_hopeless(constraints_[c].metric, constraints_[c].upper)) {
+      continue;
+    }
     const double bound = limit(c, s);
     const double one = constraints_[c].upper ? scale_of(bound) : -scale_of(bound);
     cost.shares.push_back(
         {constraints_[c].metric, bound + worst * one, penalty / one, penalty * (kLargestRatio - worst)});
   }
   for (std::size_t k = 0; k < finished.size(); ++k) {
-    if (finished[k]) cost.beyond -= penalty * incompleteness(*finished[k], k);
+    if (finished[k] && !pushed_[k]) cost.beyond -= penalty * incompleteness(*finished[k], k);
   }
   return cost;
 }
 
 double Objective::limit(std::size_t c, std::size_t s) const {
   const Constraint& constraint = constraints_[c];
+  if (constraint.margin) return 0.0;
   return constraint.limit ? *constraint.limit : start_[s][constraint.metric];
 }
 
 std::string Objective::constraint_name(std::size_t c) const {
   const Constraint& constraint = constraints_[c];
+  if (constraint.margin) {
+    return fmt::format("margin {} holds at {}", name(constraint.margin->kind), constraint.margin->value);
+  }
   return fmt::format("{} {} {}", name(constraint.metric), constraint.upper ? "<=" : ">=",
                      constraint.limit ? fmt::format("{}", *constraint.limit) : "start");
 }
@@ -178,6 +189,7 @@ double Objective::score(const ObjectiveTerm& term, const RolloutResult& result, 
 }
 
 double Objective::excess(std::size_t c, const RolloutResult& result, std::size_t s) const {
+  if (constraints_[c].margin) return missing_to_hold(result, corners_[s]);
   const double bound = limit(c, s);
   const double v = result.metrics[constraints_[c].metric];
   const double g = constraints_[c].upper ? v - bound : bound - v;
@@ -219,6 +231,7 @@ void Objective::judge(Evaluation& e) const {
   double incomplete = 0.0;
   e.status = "completed";
   for (std::size_t s = 0; s < e.results.size(); ++s) {
+    if (pushed_[s]) continue;
     const double here = incompleteness(e.results[s], s);
     if (here > 0.0 && e.status == "completed") e.status = e.results[s].reason;
     incomplete += here;

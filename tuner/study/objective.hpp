@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tuner/study/corner.hpp"
 #include "tuner/study/evaluation.hpp"
 #include "tuner/study/hopeless.hpp"
 
@@ -27,14 +28,17 @@ struct Constraint {
   std::optional<double> limit;  ///< in the metric's unit; none: the start gains' own value
   std::vector<std::size_t> scenarios;
   Hopeless hopeless = {};  ///< from where on a rollout ends, where the metric applies
+  /// Of a margin: what its corner rollouts demand, in place of a metric. `scenarios` are the corners then.
+  std::optional<MarginDemand> margin = std::nullopt;
 };
 
 class Objective {
  public:
-  /// start: results of the start gains, one per scenario. Throws InputError, with `where` in front, if they
-  /// give no reference: a scenario did not complete, or a term's
-  /// metric has no value or no positive one, that of a constraint `start` none, or one is hopeless by a value
-  /// that the study gives. By default a constraint is never hopeless in a scenario where the start would be.
+  /// scenarios: those that are simulated, corners included. start: results of the start gains, one per
+  /// scenario. Throws InputError, with `where` in front, if they give no reference: a scenario did not
+  /// complete, or a term's metric has no value or no positive one, that of a constraint `start` none, or one
+  /// is hopeless by a value that the study gives. By default a constraint is never hopeless in a scenario
+  /// where the start would be.
   Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
             const std::string& where);
@@ -84,6 +88,8 @@ class Objective {
   std::vector<Constraint> constraints_;
   std::vector<std::vector<bool>> judged_;  ///< [constraint][scenario]: listed there, and the metric applies
   std::vector<EndLimits> end_limits_;      ///< [scenario]
+  std::vector<Scenario> corners_;          ///< [scenario]: where it is a corner
+  std::vector<bool> pushed_;               ///< [scenario]: a corner, which counts for its margin alone
   std::vector<double> durations_;
   double weights_ = 0.0;  ///< of all terms
   std::vector<Metrics> start_;

@@ -29,11 +29,12 @@ struct Study {
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::vector<ObjectiveTerm> terms;
-  std::vector<Constraint> constraints;
-  std::vector<SweepAxis> sweep;     ///< may be empty
-  std::optional<SampleSet> robust;  ///< none: the scenarios' own arms
-  std::optional<WarmStart> warm;    ///< none: the search begins at the start gains
-  VerdictThresholds thresholds;     ///< of the simulation checks after the search
+  std::vector<Constraint> constraints;  ///< those of `margins` behind the others
+  std::vector<MarginDemand> margins;    ///< demanded in every scenario, one corner rollout each
+  std::vector<SweepAxis> sweep;         ///< may be empty
+  std::optional<SampleSet> robust;      ///< none: the scenarios' own arms
+  std::optional<WarmStart> warm;        ///< none: the search begins at the start gains
+  VerdictThresholds thresholds;         ///< of the simulation checks after the search
   SolverOptions solver;
   std::size_t starts = 1;          ///< local searches at once; the first begins where one would alone
   std::string global_algorithm;    ///< searches before the local one does; empty: none
@@ -46,6 +47,12 @@ struct Study {
   Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
   double verify_share = 0.03;        ///< with another engine: part of evaluations and minutes left to Simbody
 };
+
+/// Everything that is simulated for an evaluation: the study's scenarios, then the corners of its margins,
+/// margin by margin.
+std::vector<Scenario> simulated_scenarios(const Study& study);
+/// How many rollouts that is, arms of `robust` included.
+std::size_t rollouts_per_evaluation(const Study& study);
 
 /// The study's solver, with the initial step that its warm start begins with.
 inline SolverOptions solver_of(const Study& study) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -190,6 +191,36 @@ SampleSet read_samples(const yaml::Node& node) {
   return set;
 }
 
+/// The keys of `margins`, each one optional: what corner rollouts demand.
+std::vector<MarginDemand> read_margins(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  std::vector<MarginDemand> demands;
+  for (const MarginThreshold& margin : margin_thresholds()) {
+    const auto field =
+        std::find_if(threshold_fields().begin(), threshold_fields().end(),
+                     [&margin](const ThresholdField& f) { return std::string(f.name) == margin.key; });
+    if (!map.has(margin.key)) continue;
+    demands.push_back({margin.kind, map.number_in(margin.key, 0.0, field->least, field->most)});
+    const double value = demands.back().value;
+    if (margin.kind == MarginKind::kTorqueDelay && value != std::floor(value))
+      map.required(margin.key).fail(fmt::format("{} periods: give a whole number", value));
+  }
+  map.finish();
+  if (demands.empty())
+    node.fail("no margin is demanded; leave the key out, or give one of: delay_periods, gain, rate, noise");
+  return demands;
+}
+
+/// One constraint for each margin, over its corners, which stand behind the study's scenarios.
+void add_margin_constraints(Study& study) {
+  std::size_t corner = study.scenarios.size();
+  for (const MarginDemand& demand : study.margins) {
+    Constraint& constraint = study.constraints.emplace_back();
+    constraint.margin = demand;
+    for (std::size_t s = 0; s < study.scenarios.size(); ++s) constraint.scenarios.push_back(corner++);
+  }
+}
+
 /// The keys of `verdict`: thresholds of the simulation checks.
 VerdictThresholds read_thresholds(const yaml::Node& node) {
   yaml::MapReader map(node);
@@ -217,6 +248,19 @@ Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& 
 }
 
 }  // namespace
+
+std::vector<Scenario> simulated_scenarios(const Study& study) {
+  std::vector<Scenario> all = study.scenarios;
+  for (const MarginDemand& demand : study.margins) {
+    for (const Scenario& scenario : study.scenarios) all.push_back(corner_of(scenario, demand));
+  }
+  return all;
+}
+
+std::size_t rollouts_per_evaluation(const Study& study) {
+  const std::size_t arms = study.robust ? study.robust->samples : 1;
+  return study.scenarios.size() * (arms + study.margins.size());
+}
 
 Study load_study(const std::string& name_or_path, const std::string& controller) {
   const std::string path = find_data_file("studies", name_or_path);
@@ -256,6 +300,10 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node);
   if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {
     end_no_sample_early(map.required("constraints"), study.constraints);
+  }
+  if (const yaml::Node* node = map.optional("margins")) {
+    study.margins = read_margins(*node);
+    add_margin_constraints(study);
   }
   if (const yaml::Node* node = map.optional("verdict")) study.thresholds = read_thresholds(*node);
   if (const yaml::Node* node = map.optional("search")) {

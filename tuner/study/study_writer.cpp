@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
 #include "tuner/study/study.hpp"
@@ -61,8 +63,10 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
     text += fmt::format("  - {{metric: {}, weight: {}, floor: {}, scenarios: {}}}\n", name(term.metric),
                         term.weight, term.floor, subset_text(term.scenarios, study.scenarios));
   }
-  if (!study.constraints.empty()) text += "constraints:\n";
+  const auto of_margin = [](const Constraint& c) { return c.margin.has_value(); };
+  if (!std::all_of(study.constraints.begin(), study.constraints.end(), of_margin)) text += "constraints:\n";
   for (const Constraint& c : study.constraints) {
+    if (of_margin(c)) continue;
     text += fmt::format("  - {{metric: {}, {}: {}, hopeless: {}, scenarios: {}}}{}\n", name(c.metric),
                         c.upper ? "at_most" : "at_least", c.limit ? fmt::format("{}", *c.limit) : "start",
                         hopeless_text(c.hopeless), subset_text(c.scenarios, study.scenarios), auto_text(c));
@@ -73,6 +77,15 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
     for (const std::size_t p : axis.parameters) names.push_back(study.space.free[p].entry.name);
     text += fmt::format("  - {{parameters: [{}], factors: [{}]}}\n", fmt::join(names, ", "),
                         fmt::join(axis.factors, ", "));
+  }
+  if (!study.margins.empty()) {
+    std::vector<std::string> demands;
+    for (const MarginThreshold& margin : margin_thresholds()) {
+      for (const MarginDemand& demand : study.margins) {
+        if (demand.kind == margin.kind) demands.push_back(fmt::format("{}: {}", margin.key, demand.value));
+      }
+    }
+    text += fmt::format("margins: {{{}}}\n", fmt::join(demands, ", "));
   }
   if (study.robust) {
     text += fmt::format("robust:\n  samples: {}\n  seed: {}\n  measure: {}\n  level: {}\n  uncertainty:\n",

@@ -33,7 +33,8 @@ void AimedSearch::take_in(const char* phase, Evaluation e) {
   point.e = std::move(e);
   const bool first = !objective_;
   if (first)
-    objective_.emplace(study_.terms, study_.constraints, study_.scenarios, point.e.results, study_.source);
+    objective_.emplace(study_.terms, study_.constraints, simulated_scenarios(study_), point.e.results,
+                       study_.source);
   objective_->judge(point.e);
   for (const Criterion& criterion : options_.criteria) {
     point.costs.push_back(cost(criterion, point.e, study_.scenarios));

@@ -21,26 +21,17 @@ void place(const RolloutResult& result, Metric metric, Check& check) {
   check.time = result.metrics[Metric::kJointVelocityMaxRatioTime];
 }
 
-struct MarginThreshold {
-  MarginKind kind;
-  CheckKind check;
-  double VerdictThresholds::*value;
-};
-
-constexpr MarginThreshold kMargins[] = {
-    {MarginKind::kTorqueDelay, CheckKind::kTorqueDelay, &VerdictThresholds::delay_periods},
-    {MarginKind::kGainFactor, CheckKind::kGainFactor, &VerdictThresholds::gain},
-    {MarginKind::kControlRate, CheckKind::kControlRate, &VerdictThresholds::rate},
-    {MarginKind::kVelocityNoise, CheckKind::kVelocityNoise, &VerdictThresholds::noise},
-};
-
-/// The margin's quantity at its threshold: delay and gain as they are, rate and noise as multiples of the
-/// scenario's own.
-double at_threshold(const MarginThreshold& margin, const VerdictThresholds& thresholds,
-                    const Scenario& scenario) {
-  const double value = thresholds.*margin.value;
-  const bool relative = margin.kind == MarginKind::kControlRate || margin.kind == MarginKind::kVelocityNoise;
-  return relative ? value * field(margin.kind).nominal(scenario) : value;
+CheckKind check_of(MarginKind kind) {
+  switch (kind) {
+    case MarginKind::kTorqueDelay:
+      return CheckKind::kTorqueDelay;
+    case MarginKind::kGainFactor:
+      return CheckKind::kGainFactor;
+    case MarginKind::kControlRate:
+      return CheckKind::kControlRate;
+    default:
+      return CheckKind::kVelocityNoise;
+  }
 }
 
 }  // namespace
@@ -73,6 +64,7 @@ void add_search_checks(const Study& study, const TuneResult& result, const Objec
     const Constraint& constraint = objective.constraints()[c];
     constraints = {CheckKind::kConstraints, false};
     constraints.detail = objective.constraint_name(c);
+    if (constraint.margin) continue;
     constraints.unit = field(constraint.metric).unit;
     double largest = -HUGE_VAL;
     for (const std::size_t s : constraint.scenarios) {
@@ -118,32 +110,35 @@ void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& 
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict) {
   const std::size_t scenarios = study.scenarios.size();
-  const std::size_t jobs = std::size(kMargins) * scenarios;
+  const std::size_t jobs = kMarginCount * scenarios;
   std::vector<std::optional<std::string>> why(jobs);
   MarginOptions how;
   how.stepper = study.stepper;
   std::mutex mutex;
   std::size_t done = 0;
+  const auto demand = [&study](std::size_t m) {
+    const MarginThreshold& margin = margin_thresholds()[m];
+    return MarginDemand{margin.kind, study.thresholds.*margin.value};
+  };
   parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
-    const MarginThreshold& margin = kMargins[job / scenarios];
     const Scenario& scenario = study.scenarios[job % scenarios];
-    why[job] =
-        failure_at(margin.kind, at_threshold(margin, study.thresholds, scenario), scenario, gains, how, stop);
+    const MarginDemand asked = demand(job / scenarios);
+    why[job] = failure_at(asked.kind, demanded_value(asked, scenario), scenario, gains, how, stop);
     const std::lock_guard lock(mutex);
     if (options.progress) options.progress("margins at their thresholds", ++done, jobs);
   });
   if (stop) return false;
-  for (std::size_t m = 0; m < std::size(kMargins); ++m) {
-    Check check{kMargins[m].check};
-    check.threshold = study.thresholds.*kMargins[m].value;
+  for (std::size_t m = 0; m < kMarginCount; ++m) {
+    const MarginDemand asked = demand(m);
+    Check check{check_of(asked.kind)};
+    check.threshold = asked.value;
     for (std::size_t s = 0; s < scenarios && check.passed; ++s) {
       const std::string& reason = why[m * scenarios + s].value_or("");
       if (reason.empty()) continue;
       check.passed = false;
       check.scenario = study.scenarios[s].name;
-      check.detail = fmt::format("at {:.4g} {} the loop does not hold ({})",
-                                 at_threshold(kMargins[m], study.thresholds, study.scenarios[s]),
-                                 field(kMargins[m].kind).unit, reason);
+      check.detail = fmt::format("with {} at {:.4g} {} the loop does not hold ({})", name(asked.kind),
+                                 demanded_value(asked, study.scenarios[s]), field(asked.kind).unit, reason);
     }
     verdict.checks.push_back(std::move(check));
   }

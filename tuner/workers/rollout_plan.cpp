@@ -17,7 +17,8 @@ double deadline_of(double asked, const Scenario& scenario) {
 
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample) {
   const Scenario& own = plan.scenarios[scenario];
-  return plan.draw ? perturbed(own, plan.draw->perturbation, plan.draw->seed, sample) : own;
+  return plan.draw && scenario < plan.drawn ? perturbed(own, plan.draw->perturbation, plan.draw->seed, sample)
+                                            : own;
 }
 
 std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan) {

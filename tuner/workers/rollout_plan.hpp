@@ -2,6 +2,7 @@
 // What all workers of a run know before it begins, and the unit of work: one rollout.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +28,8 @@ struct RolloutPlan {
   std::vector<Scenario> scenarios;
   Stepper stepper = Stepper::kMidpoint;
   std::optional<Draw> draw;
+  /// How many of the scenarios, from the first on, are drawn; the others keep their own arm.
+  std::size_t drawn = std::numeric_limits<std::size_t>::max();
   double deadline = 0.0;  ///< of one rollout, wall clock [s]; 0: by its simulated duration
   /// What beside the scenarios has to be the same in every process, such as hashes of files: what, value.
   std::vector<std::pair<std::string, std::string>> facts;

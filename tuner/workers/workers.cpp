@@ -11,6 +11,9 @@ RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
   plan.scenarios = scenarios;
   plan.stepper = stepper;
   if (samples) plan.draw = Draw{samples->perturbation, samples->seed};
+  plan.drawn = static_cast<std::size_t>(
+      std::find_if(scenarios.begin(), scenarios.end(), [](const Scenario& s) { return s.pushed; }) -
+      scenarios.begin());
   return plan;
 }
 
@@ -19,21 +22,33 @@ Workers::Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int co
     : Workers(std::make_unique<Crew>(plan_of(scenarios, stepper, samples), count), samples) {}
 
 Workers::Workers(std::unique_ptr<Crew> crew, std::optional<SampleSet> samples)
-    : crew_(std::move(crew)), samples_(std::move(samples)), longest_first_(crew_->plan().scenarios.size()) {
-  const auto& scenarios = crew_->plan().scenarios;
-  std::iota(longest_first_.begin(), longest_first_.end(), std::size_t{0});
-  std::stable_sort(longest_first_.begin(), longest_first_.end(), [&scenarios](std::size_t a, std::size_t b) {
-    return scenarios[a].periods() > scenarios[b].periods();
-  });
+    : crew_(std::move(crew)), samples_(std::move(samples)) {
+  const auto& all = crew_->plan().scenarios;
+  std::size_t place = 0;
+  std::vector<std::size_t> longest_first(all.size());
+  std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});
+  std::stable_sort(longest_first.begin(), longest_first.end(),
+                   [&all](std::size_t a, std::size_t b) { return all[a].periods() > all[b].periods(); });
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    place_.push_back(place);
+    place += this->samples(s);
+  }
+  for (const std::size_t s : longest_first) {
+    for (std::size_t k = 0; k < this->samples(s); ++k) units_.push_back({s, k});
+  }
 }
 
 std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) const {
   if (!samples_) return results;
-  std::vector<RolloutResult> scenarios;
-  for (std::size_t first = 0; first < results.size(); first += samples_->samples) {
-    scenarios.push_back(folded(*samples_, std::span(results).subspan(first, samples_->samples)));
+  std::vector<RolloutResult> one_each;
+  for (std::size_t s = 0; s < scenarios(); ++s) {
+    if (s >= crew_->plan().drawn) {
+      one_each.push_back(std::move(results[place_[s]]));
+    } else {
+      one_each.push_back(folded(*samples_, std::span(results).subspan(place_[s], samples(s))));
+    }
   }
-  return scenarios;
+  return one_each;
 }
 
 std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
@@ -41,15 +56,15 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
                                                                     const Finished& finished,
                                                                     const Conditions& conditions) {
   const std::vector<EndLimits>& limits = conditions.limits;
-  const std::size_t each = longest_first_.size() * samples();
+  const std::size_t each = units_.size();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
-  UnderBars under_bars(conditions.outdone, conditions.bars, longest_first_.size());
+  UnderBars under_bars(conditions.outdone, conditions.bars, scenarios());
   // Candidate by candidate, so that each is finished, and on disk, as early as can be; the longest scenario
   // first: short rollouts fill the gaps at the end.
   const auto candidate_of = [&](std::size_t i) { return i / each; };
-  const auto scenario_of = [&](std::size_t i) { return longest_first_[i % each / samples()]; };
-  const auto sample_of = [&](std::size_t i) { return i % each % samples(); };
+  const auto scenario_of = [&](std::size_t i) { return units_[i % each].scenario; };
+  const auto sample_of = [&](std::size_t i) { return units_[i % each].sample; };
   crew_->run(
       candidates.size() * each,
       [&](std::size_t i) {
@@ -64,7 +79,7 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
       [&](std::size_t i, RolloutResult&& result) {
         const std::size_t candidate = candidate_of(i);
         under_bars.note(candidate, scenario_of(i), result);
-        results[candidate][scenario_of(i) * samples() + sample_of(i)] = std::move(result);
+        results[candidate][place_[scenario_of(i)] + sample_of(i)] = std::move(result);
         if (--left[candidate] > 0) return;
         results[candidate] = fold(std::move(results[candidate]));
         under_bars.settle(candidate, results[candidate]);

@@ -15,7 +15,8 @@
 
 namespace armtune {
 
-/// Scenarios as they are, or as each arm of a sample set meets them.
+/// Scenarios as they are, or as each arm of a sample set meets them. Corners of margins keep their own arm;
+/// they come last.
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples);
 
@@ -45,13 +46,23 @@ class Workers {
                                                              const Conditions& conditions = {});
 
  private:
+  /// One rollout of a candidate.
+  struct Unit {
+    std::size_t scenario;
+    std::size_t sample;
+  };
   /// One result per scenario as given.
   std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
-  std::size_t samples() const { return samples_ ? samples_->samples : 1; }
+  std::size_t scenarios() const { return crew_->plan().scenarios.size(); }
+  /// The arms that a scenario is simulated with.
+  std::size_t samples(std::size_t scenario) const {
+    return samples_ && scenario < crew_->plan().drawn ? samples_->samples : 1;
+  }
 
   std::unique_ptr<Crew> crew_;
   std::optional<SampleSet> samples_;
-  std::vector<std::size_t> longest_first_;  ///< scenarios
+  std::vector<Unit> units_;         ///< of a candidate, the longest scenario first
+  std::vector<std::size_t> place_;  ///< [scenario]: of the result of its first sample
 };
 
 }  // namespace armtune

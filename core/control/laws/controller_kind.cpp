@@ -172,6 +172,13 @@ const std::vector<GainField>& fields_of(const Gains& gains) {
   return registered(gains.controller).fields;
 }
 
+void scale_loop_gains(Gains& gains, double factor) {
+  for (const GainField& field : fields_of(gains)) {
+    if (!field.in_loop) continue;
+    for (double& number : numbers(gains, field)) number *= factor;
+  }
+}
+
 const JointVector& own(const Gains& gains, const std::string& name) {
   return gains.own[place_of(gains, name)];
 }

@@ -53,6 +53,9 @@ std::vector<const ControllerKind*> controller_kinds();
 const std::vector<GainField>& fields_of(const ControllerKind& kind);
 const std::vector<GainField>& fields_of(const Gains& gains);
 
+/// Multiplies every gain that is a factor of the loop's gain (GainField::in_loop).
+void scale_loop_gains(Gains& gains, double factor);
+
 /// The numbers of the kind's own gain of that name: 1, 6 or n. Throws std::logic_error if it has none.
 const JointVector& own(const Gains& gains, const std::string& name);
 JointVector& own(Gains& gains, const std::string& name);

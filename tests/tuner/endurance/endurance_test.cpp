@@ -1,0 +1,104 @@
+#include "tuner/endurance/endurance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/scenario/gains_file.hpp"
+#include "tests/sim/support/rollouts.hpp"
+#include "tuner/endurance/error_windows.hpp"
+
+namespace armtune {
+namespace {
+
+const std::atomic<bool> kNever{false};
+
+std::vector<EnduranceResult> endured(const Scenario& scenario, const Gains& gains, double minutes,
+                                     int workers = 1) {
+  EnduranceOptions options;
+  options.minutes = minutes;
+  options.workers = workers;
+  return endure({scenario}, [&gains](const Scenario&) { return gains; }, options, kNever);
+}
+
+TEST(Endurance, ExtendsAScenarioAndShortensNone) {
+  const Scenario scenario = test::scenario_of("moving_target");
+  EXPECT_EQ(extended_to(scenario, 1800.0).duration, 1800.0);
+  EXPECT_EQ(extended_to(scenario, 1.0).duration, scenario.duration);
+}
+
+TEST(ErrorWindows, AreOfEqualLengthAndDoNotMeet) {
+  for (const double duration : {40.0, 600.0, 1800.0, 7200.0}) {
+    const auto windows = compared_windows(duration);
+    EXPECT_DOUBLE_EQ(windows[0].to - windows[0].from, windows[1].to - windows[1].from);
+    EXPECT_LE(windows[0].to, windows[1].from + 1e-9);
+    EXPECT_DOUBLE_EQ(windows[1].to, duration);
+    EXPECT_GT(windows[0].from, 0.0);
+  }
+  const auto long_run = compared_windows(7200.0);
+  EXPECT_EQ(long_run[0].from, 60.0);
+  EXPECT_EQ(long_run[0].to, 660.0);
+  EXPECT_EQ(long_run[1].from, 6600.0);
+}
+
+/// An adaptation that learns from noise fails; the same gains with the bounds hold. The adaptation gain is twenty
+/// times the tuned one, so that minutes show what takes a quarter of an hour otherwise.
+TEST(Endurance, SeesParameterDriftAndTheBoundsPreventIt) {
+  const Scenario scenario = test::scenario_of("identified_realistic_moving_target");
+  Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+  gains.adaptation_gain *= 20.0;
+  const auto bounded = endured(scenario, gains, 5.0);
+  ASSERT_EQ(bounded.size(), 1U);
+  EXPECT_TRUE(bounded[0].held()) << (bounded[0].broken ? to_string(*bounded[0].broken) : bounded[0].ended);
+  EXPECT_EQ(bounded[0].engine, Engine::kNative);
+  EXPECT_DOUBLE_EQ(bounded[0].simulated, 300.0);
+  gains.adaptation_filter = 0.0;
+  gains.adaptation_leakage = 0.0;
+  const auto drifting = endured(scenario, gains, 5.0);
+  ASSERT_TRUE(drifting[0].broken);
+  EXPECT_EQ(drifting[0].engine, Engine::kSimbody) << "what fails is confirmed there";
+  EXPECT_EQ(drifting[0].broken->limit, JointLimit::kEffort);
+  EXPECT_GT(drifting[0].broken->time, scenario.duration / 4) << "and not at once";
+}
+
+/// Without roll control the last joint winds up until it passes its limit; with it, it does not.
+TEST(Endurance, SeesWindingAndTheRollControlPreventsIt) {
+  const Scenario scenario = test::scenario_of("identified_realistic_moving_target");
+  Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+  ASSERT_GT(gains.roll_centering_gain, 0.0);
+  EXPECT_TRUE(endured(scenario, gains, 5.0)[0].held());
+  gains.roll_centering_gain = 0.0;
+  const auto winding = endured(scenario, gains, 5.0);
+  ASSERT_TRUE(winding[0].broken);
+  EXPECT_EQ(winding[0].broken->limit, JointLimit::kPosition);
+  EXPECT_EQ(winding[0].broken->joint, scenario.robot->joints.back().name);
+}
+
+TEST(Endurance, IsTheSameForAnyNumberOfWorkers) {
+  const Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
+  const Gains gains = test::quick_gains(scenario);
+  const auto one = endured(scenario, gains, 0.5, 1);
+  const auto two = endured(scenario, gains, 0.5, 2);
+  EXPECT_EQ(one[0].rms_growth, two[0].rms_growth);
+  EXPECT_EQ(one[0].peak_growth, two[0].peak_growth);
+  EXPECT_EQ(one[0].broken.has_value(), two[0].broken.has_value());
+}
+
+TEST(Endurance, SaysHowAStepGoesOn) {
+  EXPECT_TRUE(how_extended(test::scenario_of("moving_target")).empty());
+  EXPECT_EQ(how_extended(test::scenario_of("step_position")).size(), 1U);
+  EXPECT_EQ(how_extended(test::scenario_of("sines_position")).size(), 1U);
+}
+
+/// Twenty minutes of one bundled realistic scenario under its tuned gains: within every limit, and no error grows.
+TEST(Endurance, TheBundledTunedGainsHoldForTwentyMinutes) {
+  const Scenario scenario = test::scenario_of("identified_realistic_target_switch");
+  const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+  const auto results = endured(scenario, gains, 20.0);
+  EXPECT_TRUE(results[0].held()) << (results[0].broken ? to_string(*results[0].broken) : results[0].ended);
+  EXPECT_LE(results[0].rms_growth, 1.2);
+  EXPECT_LE(results[0].peak_growth, 1.5);
+}
+
+}  // namespace
+}  // namespace armtune
