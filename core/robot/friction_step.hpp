@@ -1,23 +1,25 @@
 #pragma once
-// Friction over one step of integration, linearly implicit where it is stiff.
+// Friction over one step of integration: linearly implicit where it is stiff, explicit elsewhere.
 //
-// An explicit step of h multiplies a velocity that only friction changes by 1 - h c / d + ..., where c is the
-// slope of the friction law and d the inertia that the joint moves. This grows without bound once h c / d
-// exceeds 2, which light links without rotor inertia reach at once: at rest the smoothed Coulomb part alone
-// has c = 20 Fc. Here each evaluation k of an explicit Runge-Kutta rule, at the velocity v, solves
+// An explicit step of h multiplies a velocity that only friction changes by about 1 - h c / d, where c is the
+// slope of the friction law and d the inertia that the joint moves. The step is unstable once h c / d exceeds
+// 2. Light links without rotor inertia reach this at rest, where the smoothed Coulomb part alone has a slope
+// of 20 Fc. Therefore each evaluation k of a Runge-Kutta rule, at the velocity v, solves
 //
-//   (M + D + G) k = torque - C v - g - f(v) - (2 / h) G (v0 - v),    v0: velocity at the start of the step,
+//   (M + D + G) k = torque - C v - g - f(v) - (2 / h) G (v0 - v),    v0: velocity at the start of the step.
 //
-// for the friction c (v0 + h k / 2) of the middle of the step instead of f(v) = c v, if G = h c / 2. This is
-// a W-method (Steihaug and Wolfbrandt 1979; Hairer and Wanner, Solving Ordinary Differential Equations II,
-// section IV.7). Its consequences:
-//   - Any diagonal G of size h keeps second order, because the two terms with G differ by O(h^2). G = 0
-//     keeps the rule's own order. G is 0 where friction is not stiff, and h c / 2 where it is.
-//   - Then M + D + G >= h c / 2, so that no step of friction alone overshoots, whatever the arm.
+// With G = h c / 2 and f(v) = c v this is friction in the middle of the step, c (v0 + h k / 2). It is a
+// W-method (Steihaug and Wolfbrandt 1979; Hairer and Wanner, Solving Ordinary Differential Equations II,
+// section IV.7), with these choices:
+//   - G is 0 where friction is not stiff. The rule is then the explicit one, to the bit, and has its order.
+//   - Where friction is stiff, G is h c / 2. The rule is then of second order (the semi-implicit Euler rule
+//   of
+//     first), because the two terms with G differ by O(h^2). A step of friction alone gains no energy,
+//     because h c is at most twice M + D + G.
 //   - Beyond h c = 2 d the inertia d + G is raised to h c, so that friction alone stops the joint within the
-//     step. Smaller would let the velocity change its sign in every step and hardly decay.
-//   - c = Fv + Fc / max(|v|, 0.05) is no less than the secant f(v) / v. The slope f'(v) would not do: at high
-//     speed it is zero, and a step that takes away h Fc / d of velocity would then throw the joint back.
+//     step. With less, the velocity would change its sign in every step and hardly decay.
+//   - c = Fv + Fc / max(|v|, 0.05) is no less than the secant f(v) / v. The derivative f'(v) does not serve:
+//     it vanishes at high speed, where a step that takes away h Fc / d of velocity would throw a joint back.
 
 #include <cmath>
 
@@ -27,29 +29,31 @@
 
 namespace armtune {
 
-/// What a joint's friction adds to the equation of motion of the joint.
+/// Holds what a joint's friction adds to the left side (inertia) and the right side (force) of its equation
+/// of motion.
 template <typename T>
 struct AddedByFriction {
   T inertia;  ///< [kg m^2, kg]
   T force;    ///< [N m, N]
 };
 
-/// Friction at an instant: the torque f(q') alone, which the dynamics subtract by themselves.
+/// Adds nothing: at an instant friction is the torque f(q') alone, which the dynamics subtract by themselves.
 struct InstantFriction {
   template <typename T>
   void add(const ChainT<T>& /*chain*/, Eigen::Index /*i*/, const T& /*qd*/, T& /*inertia*/,
            T& /*force*/) const {}
 };
 
-/// Friction over a step of h.
+/// Adds what friction needs over a step of h.
 template <typename T>
 class FrictionStep {
  public:
   /// h [s]; start: q' (n) at the beginning of the step, which must outlive this.
   FrictionStep(const T& h, const JointVectorT<T>& start) : h_(h), rate_(T(2.0) / h), start_(start) {}
 
-  /// Returns what the friction of joint i adds at its velocity qd. inertia: d, that of the joint with those
-  /// behind it free, rotor included: the pivot of M + D eliminated from the last joint on.
+  /// Returns what the friction of joint i adds at its velocity qd. inertia: d, which the joint moves while
+  /// the joints behind it are free and those before it are held, rotor included. This is the articulated
+  /// inertia, and the pivot of M + D if that is eliminated from the last joint on.
   AddedByFriction<T> added(const ChainT<T>& chain, Eigen::Index i, const T& qd, const T& inertia) const {
     using std::abs;
     const T speed = abs(qd);
@@ -58,7 +62,8 @@ class FrictionStep {
         chain.viscous_friction[i] + chain.coulomb_friction[i] / select(speed > slowest, speed, slowest);
     const T hc = h_ * c;
     // Friction is not stiff up to `least`. While the joints before it give way as well, the joint moves less
-    // than d: down to d / 8 in each direction of straight chains of equal rods, but no less than its rotor.
+    // than d, but no less than its rotor. Between parallel axes of equal rods d shrinks by 5 (two rods) to
+    // 16 (four) to 33 (seven) where friction acts on all of them.
     const T rotor = T(kOfRotor) * chain.rotor_inertia[i];
     const T share = T(kOfInertia) * inertia;
     const T coupled = select(share > rotor, share, rotor);
@@ -72,7 +77,7 @@ class FrictionStep {
     return {select(stopping > G, stopping, G), -(rate_ * G) * (start_[i] - qd)};
   }
 
-  /// Adds it.
+  /// Adds it to the inertia and the force of joint i.
   void add(const ChainT<T>& chain, Eigen::Index i, const T& qd, T& inertia, T& force) const {
     const AddedByFriction<T> friction = added(chain, i, qd, inertia);
     inertia += friction.inertia;
@@ -80,10 +85,10 @@ class FrictionStep {
   }
 
  private:
-  /// h c relative to the rotor inertia: an explicit midpoint step is stable up to 2 of the whole inertia.
+  /// Of the rotor inertia: an explicit step is stable up to 2.
   static constexpr double kOfRotor = 1.75;
-  /// h c relative to d: half of the eighth that is left at least.
-  static constexpr double kOfInertia = 0.0625;
+  /// Of d: 2 / 33, as above.
+  static constexpr double kOfInertia = 1.0 / 16.0;
 
   T h_, rate_;
   const JointVectorT<T>& start_;

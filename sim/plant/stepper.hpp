@@ -42,7 +42,9 @@ struct StepWorkspaceT {
 };
 using StepWorkspace = StepWorkspaceT<double>;
 
-/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations. Not for Stepper::kReference.
+/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations; qd is written after its last call.
+/// Plants let f integrate stiff friction implicitly (core/robot/friction_step.hpp). Not for
+/// Stepper::kReference.
 template <typename T, typename Accelerations>
 void integrate(Stepper stepper, const T& h, Accelerations&& f, JointVectorT<T>& q, JointVectorT<T>& qd,
                StepWorkspaceT<T>& w) {
