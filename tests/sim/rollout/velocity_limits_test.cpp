@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/control/velocity_governor.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
@@ -23,6 +26,16 @@ Metrics run(const Scenario& scenario, const Gains& gains) {
   EXPECT_NE(result.status, RolloutStatus::kDiverged) << result.reason;
   EXPECT_EQ(result.end_time, scenario.duration);
   return result.metrics;
+}
+
+/// Smallest distance of a joint origin, which is what the published law acts on [m].
+double nearest_origin(const Scenario& scenario, const Gains& gains) {
+  double nearest = HUGE_VAL;
+  Rollout(scenario, Stepper::kMidpoint).run(gains, [&nearest](const Observation& o) {
+    nearest = std::min(nearest, o.control->obstacle_distance);
+    return true;
+  });
+  return nearest;
 }
 
 void record(const char* what, double off, double on) {
@@ -72,7 +85,7 @@ TEST(VelocityLimits, AreLeftAloneByBothWhereThePublishedLawKeepsThem) {
 TEST(VelocityLimits, HoldForQuickReturnsFromObstaclesThatStayAsFarAway) {
   const Scenario scenario = scenario_of("obstacle_pass", 20.0);
   Gains gains = quick_gains(scenario);
-  const Metrics published = run(scenario, gains);
+  const double published = nearest_origin(scenario, gains);
   gains.trajectoryDurationErrorGain = 1.0;
   const Metrics off = run(scenario, gains);
   const Metrics on = run(scenario, governed(gains));
@@ -82,8 +95,9 @@ TEST(VelocityLimits, HoldForQuickReturnsFromObstaclesThatStayAsFarAway) {
   EXPECT_LT(on[Metric::kJointVelocityMaxRatio], 1.0);
   EXPECT_LT(on[Metric::kObstacleMinClearance], gains.obstacleInfluenceRadius) << "an obstacle came near";
   // Slower returns meet the obstacle elsewhere: it may differ either way, by far less than the distance, and
-  // is no worse than with the published ones, which are slower still.
-  EXPECT_GE(on[Metric::kObstacleMinClearance], published[Metric::kObstacleMinClearance]);
+  // of the origins, which alone are repelled, is no worse than with the published ones, which are slower
+  // still.
+  EXPECT_GE(nearest_origin(scenario, governed(gains)), published);
   EXPECT_GE(on[Metric::kObstacleMinClearance], off[Metric::kObstacleMinClearance] - 1e-3);
 }
 
