@@ -84,7 +84,7 @@ TEST(Recording, ThePagesKinematicsPutTheToolWhereItWas) {
   }
 }
 
-TEST(Recording, ObstaclesAreAsFarFromTheJointsAsTheRolloutSaw) {
+TEST(Recording, ObstaclesAreAsFarFromJointsAndToolAsTheRolloutSaw) {
   // Of every period: the column is the least since the row before.
   const CsvTable table = test::recording_of(recorded().scenario, recorded().gains, 1);
   const auto run = run_of(table, &recorded().shown(), &recorded().arm(), {});
@@ -93,11 +93,14 @@ TEST(Recording, ObstaclesAreAsFarFromTheJointsAsTheRolloutSaw) {
   for (std::size_t i = 0; i < run.replay.n; i += 5) {
     std::vector<double> q;
     for (const Series& joint : run.replay.q) q.push_back(joint.at(i));
+    const auto frames = test::frames(arm, q);
+    std::vector<Vec3> points = {frames.back() * arm.tool.p};
+    for (const Eigen::Isometry3d& frame : frames) points.emplace_back(frame.translation());
     double nearest = INFINITY;
-    for (const Eigen::Isometry3d& frame : test::frames(arm, q)) {
+    for (const Vec3& point : points) {
       for (const auto& center : run.replay.obstacles) {
         const Vec3 p(center[0].at(i), center[1].at(i), center[2].at(i));
-        nearest = std::min(nearest, (frame.translation() - p).norm());
+        nearest = std::min(nearest, (point - p).norm());
       }
     }
     const std::size_t row = row_at(table, static_cast<double>(i) * run.replay.dt);
