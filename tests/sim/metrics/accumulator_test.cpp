@@ -236,7 +236,20 @@ TEST_F(Accumulated, EffortIsTheCommandBeforeSaturationAndItsRateThatOfTheTorque)
   add();
   const Metrics m = result();
   EXPECT_DOUBLE_EQ(m[Metric::kJointEffortMaxRatio], 2.0);
+  EXPECT_EQ(m[Metric::kJointEffortSaturatedPeriods], 0.0) << "as the controller says it";
   EXPECT_DOUBLE_EQ(m[Metric::kEffortRateRms], 5.0 / kPeriod) << "the first period has none before it";
+}
+
+TEST_F(Accumulated, SaturatedPeriodsAreCountedInEveryStateAndOnlyGrow) {
+  double counted = 0.0;
+  for (const bool saturated : {true, false, true, true, false}) {
+    p_.control.saturated = saturated;
+    p_.control.state = saturated ? kAvoidObstacles : kFollowTrajectory;
+    add();
+    counted += saturated ? 1.0 : 0.0;
+  }
+  EXPECT_EQ(result()[Metric::kJointEffortSaturatedPeriods], counted);
+  EXPECT_TRUE(only_worsens(Metric::kJointEffortSaturatedPeriods));
 }
 
 TEST_F(Accumulated, TheSmallestClearanceCountsInEveryState) {
