@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <random>
 
 #include "core/robot/forward_dynamics.hpp"
@@ -173,6 +174,24 @@ TEST(FrictionStep, AddsAnInertiaThatIsContinuousAndNeverLessThanWhatStopsAStiffJ
   }
 }
 
+TEST(FrictionStep, TakesViscousFrictionInTheMiddleOfTheStepWhateverTheVelocityOfTheEvaluation) {
+  constexpr double d = 0.3;
+  const JointVector start = JointVector::Constant(1, 0.7);
+  const FrictionStep<double> friction(kStep, start);
+  for (const double rotor : {0.0, 0.1, d}) {
+    for (const double z : {1.0, 1.5, 1.99}) {  // h c / d
+      const double c = z * d / kStep;
+      const Chain chain = one_joint(c, 0.0, rotor);
+      for (const double v : {-0.4, 0.0, 0.6, 0.7}) {
+        const AddedByFriction<double> added = friction.added(chain, 0, v, d);
+        // (d + h c / 2) k = -c v0, from d k = -c v and what is added to both sides.
+        EXPECT_NEAR(added.inertia, 0.5 * kStep * c, 1e-12 * d) << z << " with rotor " << rotor;
+        EXPECT_NEAR(-c * v + added.force, -c * start[0], 1e-12 * c) << z << ", " << v;
+      }
+    }
+  }
+}
+
 TEST(FrictionStep, IsStableForTheSecantOfFastJointsNotForTheirSlope) {
   const JointVector rest = JointVector::Zero(1);
   const FrictionStep<double> friction(kStep, rest);
@@ -182,6 +201,8 @@ TEST(FrictionStep, IsStableForTheSecantOfFastJointsNotForTheirSlope) {
     const double added = friction.added(chain, 0, v, d).inertia;
     // The velocity that Coulomb friction takes away in a step is at most what there is.
     EXPECT_LE(kStep * coulomb_direction(v) / (d + added), v * (1.0 + 1e-9)) << v;
+    // No joint is slowed down by more than that: h Fc / |v| is what stops it in a step.
+    EXPECT_NEAR(d + added, std::max(kStep / std::max(v, kCoulombVelocity), 1.5 * d), 1e-12) << v;
   }
 }
 
