@@ -85,7 +85,7 @@ TEST_F(Report, OfASimulationAndAComparison) {
   ASSERT_EQ(run_program({"compare", "published", files_ / "run", "--scenarios", files_ / "short.yaml",
                          "--out", files_ / "compared"})
                 .exit_code,
-            1)
+            3)
       << "the published gains need longer than this to track";
   const auto compared = data(files_ / "compared");
   EXPECT_EQ(at(compared, "kind").as_string(), "compare");

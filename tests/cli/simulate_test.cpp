@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
@@ -150,6 +151,74 @@ TEST(Compare, GivesTheNumbersOfTheRunItself) {
               errors.at(rows.at(comparison.at(r, "scenario")), comparison.at(r, "metric")));
   }
   EXPECT_THAT(done.out, HasSubstr("ratio"));
+}
+
+/// Kp a hundredfold: the command says so with joint and time, last on the screen, in the file and as exit
+/// code.
+TEST(Simulate, SaysWhichCheckFailedAndEndsWithThree) {
+  const ShortStudy files;
+  Gains wild = test::quick_gains(test::scenario_of("moving_target"));
+  wild.task_space_gains_p *= 100.0;
+  files.write("wild.yaml", gains_yaml(wild, {}));
+  const Finished failed =
+      run_program({"simulate", files / "short.yaml", "--gains", files / "wild.yaml", "--out", files / "run"});
+  EXPECT_EQ(failed.exit_code, 3) << failed.err;
+  const auto verdict = yaml::parse_file(files / "run/verdict.yaml");
+  EXPECT_FALSE(verdict.find("passed")->as_boolean());
+  bool effort = false;
+  for (const yaml::Node& check : verdict.find("checks")->items()) {
+    if (check.find("check")->as_string() != "effort limit") continue;
+    effort = true;
+    EXPECT_FALSE(check.find("passed")->as_boolean());
+    const std::string joint = check.find("joint")->as_string();
+    EXPECT_THAT(failed.out, HasSubstr(joint));
+    EXPECT_GT(check.find("time")->as_number(), 0.0);
+    EXPECT_GT(check.find("value")->as_number(), check.find("threshold")->as_number());
+  }
+  EXPECT_TRUE(effort);
+  EXPECT_GT(failed.out.rfind("Simulation checks: failed"), failed.out.rfind("wrote "));
+  if (report::available()) {
+    EXPECT_THAT(test::read_text(files / "run/report.html"), HasSubstr("Simulation checks: failed"));
+  }
+  // The same gains as they were pass, and what was not checked is named.
+  const Finished passed = run_program({"simulate", files / "short.yaml", "--gains", files / "gains.yaml"});
+  EXPECT_EQ(passed.exit_code, 0) << passed.err;
+  EXPECT_THAT(passed.out, HasSubstr("Not checked: "));
+}
+
+TEST(Simulate, EnduranceExtendsTheScenarioAndNamesWhatBreaks) {
+  const test::TemporaryFolder folder;
+  Gains gains = load_gains("extended_tuned", joint_names(*test::scenario_of("moving_target").robot));
+  gains.roll_centering_gain = 0.0;
+  const std::string winding = folder.write("winding.yaml", gains_yaml(gains, {}));
+  const std::string scenario = "identified_realistic_moving_target";
+  const Finished failed = run_program({"simulate", scenario, "--gains", winding, "--engine", "native",
+                                       "--endurance", "4", "--out", folder / "run"});
+  EXPECT_EQ(failed.exit_code, 3) << failed.err;
+  EXPECT_THAT(failed.out, HasSubstr("wrist_3_joint"));
+  const auto verdict = yaml::parse_file(folder / "run/verdict.yaml");
+  for (const yaml::Node& check : verdict.find("checks")->items()) {
+    // Forty seconds show nothing of it.
+    EXPECT_EQ(check.find("passed")->as_boolean(), check.find("check")->as_string() != "endurance");
+  }
+  const Finished held = run_program(
+      {"simulate", scenario, "--gains", "extended_tuned", "--engine", "native", "--endurance", "4"});
+  EXPECT_EQ(held.exit_code, 0) << held.out;
+}
+
+/// A circle about the base with a fixed orientation of the tool turns the first joint round and round.
+TEST(Simulate, APathThatWindsAJointUpIsRefusedByTheJointsName) {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.write("laps.yaml",
+                                            "base: moving_target\nduration: 60\npath:\n  center: [0, 0, "
+                                            "0.4]\n  frequency: 0.6283185307179586\n  terms:\n"
+                                            "    - {order: 1, cos: [-0.6, 0, 0], sin: [0, -0.6, 0]}\n"
+                                            "targets:\n  - {name: below, center: [0, 0, 0], frequency: "
+                                            "0.6283185307179586, terms: [{order: 1, cos: [-0.6, 0, 0], "
+                                            "sin: [0, -0.6, 0]}]}\n");
+  const Finished refused = run_program({"simulate", scenario, "--gains", "extended_tuned"});
+  EXPECT_EQ(refused.exit_code, 2) << refused.out;
+  EXPECT_THAT(refused.err, HasSubstr("shoulder_pan_joint"));
 }
 
 }  // namespace

@@ -247,5 +247,34 @@ TEST(TuneCommand, SaysThatTheSweepUsesUpTheBudget) {
   EXPECT_THAT(enough.out, testing::Not(HasSubstr("use up")));
 }
 
+/// Nothing that breaks a constraint, and nothing that is no better than the start, is called tuned.
+TEST(TuneCommand, ASearchThatFailsSaysSoAndNamesWhatIsInTheWay) {
+  const std::string impossible = "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 0.001}\n";
+  for (const char* evaluations : {"1", "6"}) {
+    const ShortStudy files(test::kShortParameters, test::kShortObjective, impossible);
+    const Finished done = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
+                                       "--max-evaluations", evaluations, "--no-analysis"});
+    EXPECT_EQ(done.exit_code, 3) << done.err;
+    EXPECT_FALSE(test::read_text(files / "run/gains.yaml").starts_with("# tuned"));
+    EXPECT_THAT(done.out, testing::Not(testing::ContainsRegex("\n[a-z_]+ +start +tuned +ratio")));
+    EXPECT_THAT(done.out, HasSubstr("joint_velocity/max_ratio <= 0.001"));
+    EXPECT_THAT(done.out, HasSubstr("Simulation checks: failed"));
+    const bool one = std::string(evaluations) == "1";
+    EXPECT_THAT(done.out, HasSubstr(one ? "the start gains" : "least violation"));
+  }
+}
+
+TEST(TuneCommand, ASearchThatFindsNothingBetterKeepsTheStartGains) {
+  const ShortStudy files;
+  const Finished done = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
+                                     "--max-evaluations", "1", "--no-analysis"});
+  EXPECT_EQ(done.exit_code, 3) << done.err;
+  const auto joints = joint_names(*test::scenario_of("moving_target").robot);
+  const Gains kept = load_gains(files / "run/gains.yaml", joints);
+  const Gains start = load_gains(files / "run/start/gains.yaml", joints);
+  EXPECT_EQ(gains_yaml(kept, {}), gains_yaml(start, {}));
+  EXPECT_THAT(done.out, HasSubstr("nothing better than the start"));
+}
+
 }  // namespace
 }  // namespace armtune

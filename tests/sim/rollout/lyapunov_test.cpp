@@ -59,7 +59,11 @@ Balance balance(ControlState state, const std::string& gains_name, double period
   scenario.control_period = period;
   scenario.plant.viscous_friction = JointVector::Constant(6, 2.0);
   Gains gains = load_gains(gains_name, joint_names(*scenario.robot));
-  gains.adaptation_projection = false;  // it moves theta besides the law, towards the truth in another norm
+  // What moves theta besides the law: projection, towards the truth in another norm, leakage, and a filter's
+  // lag.
+  gains.adaptation_projection = false;
+  gains.adaptation_leakage = 0.0;
+  gains.adaptation_filter = 0.0;
   const Chain chain = plant_model(scenario).chain;
   const ParameterVector truth = theta_of(chain);
   // The observer sees theta after the period's step; the torque was made with the one before.

@@ -18,7 +18,8 @@ std::vector<EnduranceResult> endured(const Scenario& scenario, const Gains& gain
   EnduranceOptions options;
   options.minutes = minutes;
   options.workers = workers;
-  return endure({scenario}, [&gains](const Scenario&) { return gains; }, options, kNever);
+  return endure(
+      {scenario}, [&gains](const Scenario&) { return gains; }, options, kNever);
 }
 
 TEST(Endurance, ExtendsAScenarioAndShortensNone) {
@@ -41,8 +42,8 @@ TEST(ErrorWindows, AreOfEqualLengthAndDoNotMeet) {
   EXPECT_EQ(long_run[1].from, 6600.0);
 }
 
-/// An adaptation that learns from noise fails; the same gains with the bounds hold. The adaptation gain is twenty
-/// times the tuned one, so that minutes show what takes a quarter of an hour otherwise.
+/// An adaptation that learns from noise fails; the same gains with the bounds hold. The adaptation gain is
+/// twenty times the tuned one, so that minutes show what takes a quarter of an hour otherwise.
 TEST(Endurance, SeesParameterDriftAndTheBoundsPreventIt) {
   const Scenario scenario = test::scenario_of("identified_realistic_moving_target");
   Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
@@ -90,7 +91,8 @@ TEST(Endurance, SaysHowAStepGoesOn) {
   EXPECT_EQ(how_extended(test::scenario_of("sines_position")).size(), 1U);
 }
 
-/// Twenty minutes of one bundled realistic scenario under its tuned gains: within every limit, and no error grows.
+/// Twenty minutes of one bundled realistic scenario under its tuned gains: within every limit, and no error
+/// grows.
 TEST(Endurance, TheBundledTunedGainsHoldForTwentyMinutes) {
   const Scenario scenario = test::scenario_of("identified_realistic_target_switch");
   const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));

@@ -19,7 +19,8 @@ using testing::HasSubstr;
 const std::atomic<bool> kNever{false};
 const std::string kMargins = "margins: {delay_periods: 1, gain: 1.2, noise: 2, rate: 0.8}\n";
 
-/// A constraint's corner rollout and a margin's bisection must agree on every loop, the sound and the unsound ones.
+/// A constraint's corner rollout and a margin's bisection must agree on every loop, the sound and the unsound
+/// ones.
 TEST(Corner, HoldsExactlyWhereTheMarginsSayThatTheLoopHolds) {
   const Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
   const Gains gains = test::quick_gains(scenario);
@@ -97,9 +98,9 @@ TEST(Corner, AStudysMarginsBecomeOneConstraintEachOverCornersOfEveryScenario) {
 
 /// Arms are drawn for the scenarios; corners are the nominal arm's.
 TEST(Corner, RolloutsAreOfTheNominalArmAndWhatIsMissingIsTheConstraint) {
-  const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
-                               test::kShortSearch + "margins: {gain: 1.2, rate: 0.8}\n" +
-                                   "robust: {samples: 2, measure: worst}\n");
+  const test::ShortStudy files(
+      test::kShortParameters, test::kShortObjective, test::kShortConstraints,
+      test::kShortSearch + "margins: {gain: 1.2, rate: 0.8}\n" + "robust: {samples: 2, measure: worst}\n");
   const Study study = load_study(files.path());
   Workers workers(simulated_scenarios(study), study.stepper, 2, study.robust);
   Conditions native;

@@ -43,7 +43,7 @@ TEST(StudyFile, TheBundledStudyTunesTwentyGainsOverItsFourScenarios) {
   ASSERT_FALSE(study.constraints.empty());
   EXPECT_EQ(study.constraints[0].metric, Metric::kJointVelocityMaxRatio);
   EXPECT_EQ(study.constraints[0].limit, 0.9);
-  EXPECT_EQ(study.sweep.size(), 2U);
+  EXPECT_TRUE(study.sweep.empty()) << "a sweep would spend a short budget before anything is searched";
 }
 
 TEST(StudyFile, OfAnotherControllerTunesThatOnesGainsFromTheirStart) {

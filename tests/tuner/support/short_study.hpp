@@ -43,7 +43,7 @@ class ShortStudy {
     write("study.yaml",
           "description: two gains in seconds\ngains: gains.yaml\n"
           "scenarios: [short.yaml, short_realistic.yaml]\n" +
-              parameters + objective + constraints + kShortVerdict + search);
+              parameters + objective + constraints + search + kShortVerdict);
   }
 
   std::string write(const std::string& name, const std::string& text) const {

@@ -1,0 +1,110 @@
+#include "tuner/verdict/search_checks.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/support/rollouts.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/robustness/margins.hpp"
+#include "tuner/robustness/monte_carlo.hpp"
+#include "tuner/study/corner.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::HasSubstr;
+
+const std::atomic<bool> kNever{false};
+
+TuneResult result_of(bool start_feasible, double start_violation, bool feasible, double violation,
+                     double objective) {
+  TuneResult result;
+  result.start.feasible = start_feasible;
+  result.start.violation = start_violation;
+  result.start.objective = 1.0;
+  result.best.feasible = feasible;
+  result.best.violation = violation;
+  result.best.objective = objective;
+  return result;
+}
+
+TEST(SearchOutcome, IsTunedOnlyWhereTheResultIsFeasibleAndBetterThanTheStart) {
+  EXPECT_EQ(outcome_of(result_of(true, 0.0, true, 0.0, 0.9)), SearchOutcome::kTuned);
+  EXPECT_EQ(outcome_of(result_of(true, 0.0, true, 0.0, 1.0)), SearchOutcome::kStart);
+  EXPECT_EQ(outcome_of(result_of(true, 0.0, true, 0.0, 1.1)), SearchOutcome::kStart);
+  EXPECT_EQ(outcome_of(result_of(true, 0.0, false, 0.1, 0.2)), SearchOutcome::kStart);
+  // A start that breaks a constraint: any feasible point is better, whatever its objective.
+  EXPECT_EQ(outcome_of(result_of(false, 0.5, true, 0.0, 1.5)), SearchOutcome::kTuned);
+  EXPECT_EQ(outcome_of(result_of(false, 0.5, false, 0.2, 2.0)), SearchOutcome::kLeastViolation);
+  EXPECT_EQ(outcome_of(result_of(false, 0.5, false, 0.5, 1.0)), SearchOutcome::kStart);
+}
+
+/// Margins of quick gains over a short scenario: what each check says is what `failure_at` says.
+TEST(MarginChecks, PassExactlyWhereTheLoopHoldsAtTheThreshold) {
+  const test::ShortStudy files;
+  Study study = load_study(files.path());
+  study.scenarios = {test::scenario_of("realistic_fixed_target", 5.0)};
+  const Gains gains = test::quick_gains(study.scenarios.front());
+  MarginOptions options;
+  options.stepper = study.stepper;
+  int failed = 0;
+  for (const double delay : {1.0, 60.0}) {
+    study.thresholds = VerdictThresholds();
+    study.thresholds.delay_periods = delay;
+    SimulationVerdict verdict;
+    ASSERT_TRUE(add_margin_checks(study, gains, {.workers = 2}, kNever, verdict));
+    ASSERT_EQ(verdict.checks.size(), kMarginCount);
+    for (std::size_t m = 0; m < kMarginCount; ++m) {
+      const MarginThreshold& margin = margin_thresholds()[m];
+      const MarginDemand demand{margin.kind, study.thresholds.*margin.value};
+      const auto why = failure_at(margin.kind, demanded_value(demand, study.scenarios.front()),
+                                  study.scenarios.front(), gains, options, kNever);
+      EXPECT_EQ(verdict.checks[m].passed, why->empty()) << margin.key << ": " << *why;
+      failed += verdict.checks[m].passed ? 0 : 1;
+      if (!verdict.checks[m].passed) {
+        EXPECT_EQ(verdict.checks[m].scenario, "realistic_fixed_target");
+      }
+    }
+  }
+  EXPECT_GE(failed, 1) << "sixty periods of delay are beyond any loop";
+}
+
+TEST(YieldCheck, CountsTheArmsThatMonteCarloCounts) {
+  const test::ShortStudy files;
+  Study study = load_study(files.path());
+  study.scenarios = {test::scenario_of("realistic_fixed_target", 5.0)};
+  study.thresholds.arms = 6;
+  study.thresholds.yield = 0.5;
+  Gains gains = test::quick_gains(study.scenarios.front());
+  for (const double factor : {1.0, 60.0}) {
+    gains.task_space_gains_p *= factor;
+    SimulationVerdict verdict;
+    ASSERT_TRUE(add_yield_check(study, gains, {.workers = 2}, kNever, verdict));
+    MonteCarloOptions how;  // in Simbody alone
+    how.samples = 6;
+    how.workers = 2;
+    double kept = 0.0;
+    for (const MonteCarloSample& sample : monte_carlo(study.scenarios, gains, how, kNever))
+      kept += sample.keeps_all() ? 1.0 : 0.0;
+    EXPECT_DOUBLE_EQ(verdict.checks.front().value, kept / 6.0) << factor;
+    EXPECT_EQ(verdict.checks.front().passed, kept >= 3.0) << factor;
+    EXPECT_EQ(kept > 3.0, factor == 1.0) << "or only one side of the check was seen";
+  }
+}
+
+TEST(BoundsNote, NamesTheGainsOnTheirBounds) {
+  const test::ShortStudy files;
+  const Study study = load_study(files.path());
+  SimulationVerdict none;
+  add_bounds_note(study, study.space.start, none);
+  EXPECT_TRUE(none.notes.empty());
+  Gains gains = study.space.start;
+  value(gains, study.space.free.front().entry) = study.space.free.front().upper;
+  SimulationVerdict one;
+  add_bounds_note(study, gains, one);
+  ASSERT_EQ(one.notes.size(), 1U);
+  EXPECT_THAT(one.notes.front(), HasSubstr(study.space.free.front().entry.name));
+}
+
+}  // namespace
+}  // namespace armtune
