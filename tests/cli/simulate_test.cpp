@@ -35,8 +35,8 @@ TEST(Simulate, WritesTheFilesItNames) {
                                      "--out", files / "run", "--workers", "1"});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.err, "") << "quiet where there is no terminal";
-  std::vector<std::string> expected = {"errors.csv", "rollout_short.csv", "columns.csv",
-                                       "gains.yaml", "run.yaml",          "scene.json"};
+  std::vector<std::string> expected = {"errors.csv", "rollout_short.csv", "columns.csv", "gains.yaml",
+                                       "run.yaml",   "verdict.yaml",      "scene.json"};
   if (report::available()) expected.emplace_back("report.html");
   EXPECT_THAT(files_in(files / "run"), testing::UnorderedElementsAreArray(expected));
   for (const std::string& file : expected) {
@@ -92,7 +92,7 @@ TEST(Simulate, ADeadlineEndsAScenarioWithAStatusAndLosesNoOther) {
   const Finished late =
       run_program({"simulate", files / "short.yaml", files / "short_realistic.yaml", "--gains",
                    files / "gains.yaml", "--out", files / "run", "--rollout-deadline", "1e-9"});
-  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_EQ(late.exit_code, 3);
   const auto errors = test::read_csv(files / "run/errors.csv");
   ASSERT_EQ(errors.rows.size(), 2U);
   for (std::size_t row = 0; row < 2; ++row) {
@@ -124,7 +124,7 @@ TEST(Simulate, ARunThatDivergesOrDoesNotTrackFailsAndSaysWhy) {
   files.write("too_short.yaml", "base: moving_target\nduration: 3\n");
   const Finished failed = run_program(
       {"simulate", files / "too_short.yaml", "--gains", files / "gains.yaml", "--out", files / "run"});
-  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_EQ(failed.exit_code, 3);
   EXPECT_THAT(failed.out, HasSubstr("followTrajectory was never held"));
   const auto errors = test::read_csv(files / "run/errors.csv");
   EXPECT_EQ(errors.at(0, "status"), "no_samples");

@@ -237,7 +237,7 @@ TEST(TuneCommand, SaysThatTheSweepUsesUpTheBudget) {
                          "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 0.9, 1.1]}]\n"
                          "search: {max_evaluations: 3, max_minutes: 5}\n");
   const Finished cut = run_program({"tune", files.path(), "--out", files / "cut", "--no-analysis"});
-  EXPECT_THAT(cut.out, testing::AllOf(HasSubstr("3 evaluations or 5 minutes at most"),
+  EXPECT_THAT(cut.out, testing::AllOf(HasSubstr("3 evaluations or 5 minutes at most, 2 rollouts each"),
                                       HasSubstr("the sweep's 3 points use up the budget: only 2 of them")));
   const Finished whole = run_program(
       {"tune", files.path(), "--max-evaluations", "4", "--out", files / "whole", "--no-analysis"});

@@ -155,7 +155,11 @@ TEST_F(YardstickProgram, OfATunedRunIsOfBothGainSets) {
   EXPECT_THAT(start.out, HasSubstr("run/report.html"));
   const auto data = test::parsed(test::data_of(read_text(files_ / "run/report.html")));
   EXPECT_EQ(test::at(data, "yardstick").items().size(), 4U);
-  EXPECT_THAT(test::at(data, "verdict/details/0").as_string(), HasSubstr("the joint limits allow"));
+  // Behind the simulation checks.
+  bool told = false;
+  for (const yaml::Node& detail : test::at(data, "verdict/details").items())
+    told = told || detail.as_string().find("the joint limits allow") != std::string::npos;
+  EXPECT_TRUE(told);
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ std::string progress_text(const TuneProgress& p, const Workers& workers, double 
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
   if (args.live) fmt::print("watch it: open {}/report.html in a browser\n", args.folder);
   fmt::print(
-      "study {}: {} gains over {} scenarios{}{}, {} in {} and {} of {} rollouts at most; results go to {}\n",
+      "study {}: {} gains over {} scenarios{}{}, {} in {} and {} at most, {} rollouts each; results go to "
+      "{}\n",
       study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
       study.margins.empty() ? "" : fmt::format(" and {} margins as corners", study.margins.size()),
       search_text(study), engine_text(study), budget_text(study.max_evaluations, study.max_minutes),

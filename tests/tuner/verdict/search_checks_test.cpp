@@ -52,7 +52,7 @@ TEST(MarginChecks, PassExactlyWhereTheLoopHoldsAtTheThreshold) {
     study.thresholds = VerdictThresholds();
     study.thresholds.delay_periods = delay;
     SimulationVerdict verdict;
-    ASSERT_TRUE(add_margin_checks(study, gains, {.workers = 2}, kNever, verdict));
+    ASSERT_TRUE(add_margin_checks(study, gains, {2, {}}, kNever, verdict));
     ASSERT_EQ(verdict.checks.size(), kMarginCount);
     for (std::size_t m = 0; m < kMarginCount; ++m) {
       const MarginThreshold& margin = margin_thresholds()[m];
@@ -79,7 +79,7 @@ TEST(YieldCheck, CountsTheArmsThatMonteCarloCounts) {
   for (const double factor : {1.0, 60.0}) {
     gains.task_space_gains_p *= factor;
     SimulationVerdict verdict;
-    ASSERT_TRUE(add_yield_check(study, gains, {.workers = 2}, kNever, verdict));
+    ASSERT_TRUE(add_yield_check(study, gains, {2, {}}, kNever, verdict));
     MonteCarloOptions how;  // in Simbody alone
     how.samples = 6;
     how.workers = 2;
