@@ -8,7 +8,9 @@
 
 #include "sim/scenario/gains_file.hpp"
 #include "tests/sim/support/csv.hpp"
+#include "tuner/robustness/margins.hpp"
 #include "tuner/search/tune.hpp"
+#include "tuner/study/corner.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
 namespace armtune {
@@ -169,6 +171,43 @@ TEST_F(CommittedResults, FrontHasNoPointThatAnotherDominatesAndDominatesThePubli
     EXPECT_TRUE(e.feasible);
     EXPECT_NEAR(e.objective, front[i][0], 5e-3) << i;
     EXPECT_NEAR(largest_velocity_ratio(e), front[i][1], 5e-3) << i;
+  }
+}
+
+/// An arm that is not bundled, under the gains that `robot --task` and `tune` gave it.
+TEST(CommittedUr5e, FollowsWithAThirdLessErrorThanItsStartAndHoldsEveryMargin) {
+  const std::string folder = ARMTUNE_SOURCE_DIR "/results/ur5e";
+  const Scenario scenario = load_scenario(folder + "/task.yaml");
+  const auto joints = joint_names(*scenario.robot);
+  const Gains start = load_gains(folder + "/start/gains.yaml", joints);
+  const Gains tuned = load_gains(folder + "/gains.yaml", joints);
+  const std::atomic<bool> never{false};
+  const RolloutResult before = Rollout(scenario, Stepper::kMidpoint).run(start);
+  const RolloutResult after = Rollout(scenario, Stepper::kMidpoint).run(tuned);
+  for (const Metric m : {Metric::kPositionMax, Metric::kOrientationMax}) {
+    EXPECT_LE(after.metrics[m], 0.7 * before.metrics[m]) << name(m);
+  }
+  const VerdictThresholds thresholds;
+  for (const MarginThreshold& margin : margin_thresholds()) {
+    const double value = demanded_value({margin.kind, thresholds.*margin.value}, scenario);
+    EXPECT_EQ(failure_at(margin.kind, value, scenario, tuned, MarginOptions(), never), "") << margin.key;
+  }
+  // And on 200 other arms, as the committed summaries have it.
+  for (const char* set : {"start", "tuned"}) {
+    const auto summary = test::read_csv(folder + "/arms/summary_" + set + ".csv");
+    ASSERT_FALSE(summary.rows.empty());
+    EXPECT_EQ(summary.at(0, "samples"), "200") << set;
+  }
+  const auto median = [&](const char* set, Metric metric) {
+    const auto summary = test::read_csv(folder + "/arms/summary_" + set + ".csv");
+    for (std::size_t row = 0; row < summary.rows.size(); ++row) {
+      if (summary.at(row, "metric") == name(metric)) return std::stod(summary.at(row, "median"));
+    }
+    return std::nan("");
+  };
+  for (const Metric m :
+       {Metric::kPositionRms, Metric::kPositionMax, Metric::kOrientationRms, Metric::kOrientationMax}) {
+    EXPECT_LE(median("tuned", m), 0.7 * median("start", m)) << name(m);
   }
 }
 
