@@ -54,7 +54,7 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     if (start[s].status != RolloutStatus::kCompleted && !scenarios[s].pushed) {
       throw InputError(
           fmt::format("{}: the start gains do not complete {}: {}; the objective is relative to them, so "
-                      "begin with gains that do",
+                      "begin with gains that do; a study with 'robust' asks it of every arm that it draws",
                       where, scenarios[s].name, start[s].reason));
     }
     durations_.push_back(scenarios[s].duration);
