@@ -111,26 +111,28 @@ int show_gains(const Arguments& args) {
   return kDone;
 }
 
-/// Of all gain sets together: each failure names the set it belongs to.
+/// Checks all gain sets together: each failure names the set that it belongs to.
 SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>& scenarios,
                              const std::vector<ComparedSet>& sets) {
   SimulationVerdict verdict;
+  bool extended = args.endurance > 0.0;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     add_rollout_checks(sets[i].results, sets[i].name, verdict);
-    if (args.endurance <= 0.0 || stop_requested()) continue;
+    if (!extended || stop_requested()) {
+      extended = false;
+      continue;
+    }
     const auto endured = run_endurance(
         scenarios,
         [&](const Scenario& s) { return load_gains(gains_name(args.sets[i]), joint_names(*s.robot)); },
         {args.endurance, stepper_from_name(args.stepper), args.workers, {}}, sets[i].name);
     fmt::print("{}, every scenario extended to {:.4g} minutes:\n{}\n", sets[i].name, args.endurance,
                endurance_table(endured));
+    extended = endured.size() == scenarios.size();
+    if (!extended) continue;
     add_endurance_checks(endured, VerdictThresholds(), sets[i].name, verdict);
   }
-  if (args.endurance <= 0.0)
-    verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
-  verdict.not_checked.emplace_back("stability margins (armtune margins)");
-  verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
-  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  add_unchecked(extended, verdict);
   add_assumptions(scenarios, verdict);
   return verdict;
 }

@@ -70,20 +70,15 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 
-/// What was looked at: the scenarios shown, and longer ones where that was asked for.
-SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>& scenarios,
+/// Checks the scenarios that were simulated, and the extended ones if every one of them ended.
+SimulationVerdict verdict_of(const std::vector<Scenario>& scenarios,
                              const std::vector<ScenarioResult>& results,
                              const std::vector<EnduranceResult>& endured) {
   SimulationVerdict verdict;
   add_rollout_checks(results, "", verdict);
-  if (args.endurance > 0.0) {
-    add_endurance_checks(endured, VerdictThresholds(), "", verdict);
-  } else {
-    verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
-  }
-  verdict.not_checked.emplace_back("stability margins (armtune margins)");
-  verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
-  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  const bool extended = endured.size() == scenarios.size();
+  if (extended) add_endurance_checks(endured, VerdictThresholds(), "", verdict);
+  add_unchecked(extended, verdict);
   add_assumptions(scenarios, verdict);
   return verdict;
 }
@@ -131,7 +126,7 @@ int run(const Arguments& args) {
         {args.endurance, options.stepper, args.workers, {}}, args.gains);
     fmt::print("\nEvery scenario extended to {:.4g} minutes:\n{}", args.endurance, endurance_table(endured));
   }
-  const SimulationVerdict verdict = verdict_of(args, scenarios, results, endured);
+  const SimulationVerdict verdict = verdict_of(scenarios, results, endured);
   if (!args.folder.empty()) {
     YardstickFiles yardstick;
     if (args.yardstick && !stop_requested()) {

@@ -45,10 +45,14 @@ Scenario extended_to(const Scenario& scenario, double seconds) {
 
 std::vector<std::string> how_extended(const Scenario& scenario) {
   std::vector<std::string> sentences;
-  if (scenario.planned)
-    sentences.emplace_back("the planned motion is held at its end, or the task follows it");
-  if (scenario.path.spline) sentences.emplace_back("the tool's waypoints are held at the last one");
-  if (scenario.orientation && scenario.orientation->turn)
+  if (scenario.planned && !scenario.has_task()) {
+    sentences.emplace_back(
+        "after the planned motion comes the scenario's task; without one the tool is held where the motion "
+        "ends");
+  }
+  if (scenario.path.spline && !scenario.path.spline->loops())
+    sentences.emplace_back("the tool's waypoints are held at the last one");
+  if (scenario.orientation && scenario.orientation->turn && !scenario.orientation->turn->loops())
     sentences.emplace_back("the orientation's waypoints are held at the last one");
   if (scenario.stimulus) {
     sentences.emplace_back(std::holds_alternative<Step>(scenario.stimulus->shape)

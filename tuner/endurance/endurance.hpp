@@ -38,7 +38,7 @@ struct EnduranceResult {
   bool held() const { return !broken && ended.empty(); }
 };
 
-/// The scenario, simulated for at least `seconds` from its start.
+/// Returns the scenario with a duration of at least `seconds`.
 Scenario extended_to(const Scenario& scenario, double seconds);
 
 /// Returns how what a scenario asks for goes on beyond its own duration, one sentence for each part that

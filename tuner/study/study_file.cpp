@@ -87,8 +87,8 @@ std::vector<std::size_t> applicable(const yaml::Node& node, Metric metric,
   return found;
 }
 
-/// Returns the scenarios that an objective term counts in: the listed ones, to each of which its metric must
-/// apply, or else all that it applies to.
+/// Returns the scenarios that an objective term counts in. Without a list these are all that its metric
+/// applies to. It must apply to each scenario of a list.
 std::vector<std::size_t> read_term_scenarios(const yaml::Node& term, Metric metric, const yaml::Node* listed,
                                              const std::vector<Scenario>& scenarios) {
   const yaml::Node& named = *term.find("metric");
@@ -191,6 +191,14 @@ SampleSet read_samples(const yaml::Node& node) {
   return set;
 }
 
+/// Returns the threshold that the field's key gives, or `fallback` without it.
+double read_threshold(yaml::MapReader& map, const ThresholdField& field, double fallback) {
+  const double value = map.number_in(field.name, fallback, field.least, field.most);
+  if (field.whole && value != std::floor(value))
+    map.required(field.name).fail(fmt::format("{} {}: give a whole number", value, field.unit));
+  return value;
+}
+
 /// The keys of `margins`, each one optional: what corner rollouts demand.
 std::vector<MarginDemand> read_margins(const yaml::Node& node) {
   yaml::MapReader map(node);
@@ -200,10 +208,7 @@ std::vector<MarginDemand> read_margins(const yaml::Node& node) {
         std::find_if(threshold_fields().begin(), threshold_fields().end(),
                      [&margin](const ThresholdField& f) { return std::string(f.name) == margin.key; });
     if (!map.has(margin.key)) continue;
-    demands.push_back({margin.kind, map.number_in(margin.key, 0.0, field->least, field->most)});
-    const double value = demands.back().value;
-    if (margin.kind == MarginKind::kTorqueDelay && value != std::floor(value))
-      map.required(margin.key).fail(fmt::format("{} periods: give a whole number", value));
+    demands.push_back({margin.kind, read_threshold(map, *field, 0.0)});
   }
   map.finish();
   if (demands.empty())
@@ -226,7 +231,7 @@ VerdictThresholds read_thresholds(const yaml::Node& node) {
   yaml::MapReader map(node);
   VerdictThresholds thresholds;
   for (const ThresholdField& field : threshold_fields()) {
-    thresholds.*field.value = map.number_in(field.name, thresholds.*field.value, field.least, field.most);
+    thresholds.*field.value = read_threshold(map, field, thresholds.*field.value);
   }
   map.finish();
   return thresholds;

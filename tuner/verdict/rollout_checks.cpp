@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace armtune {
@@ -71,6 +72,7 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   Check limits{CheckKind::kEndurance};
   Check growth{CheckKind::kErrorGrowth};
   growth.threshold = thresholds.rms_growth;
+  bool compared = false;
   for (const EnduranceResult& r : results) {
     if (!r.held() && (limits.passed || (r.broken && r.broken->time < limits.time))) {
       limits.passed = false;
@@ -83,7 +85,8 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
         limits.time = r.simulated;
       }
     }
-    if (!r.held()) continue;  // its last window is not that of a whole rollout
+    if (!r.held() || std::isnan(r.rms_growth)) continue;  // no errors in both windows to compare
+    compared = true;
     const bool rms = r.rms_growth > thresholds.rms_growth;
     const bool peak = r.peak_growth > thresholds.peak_growth;
     if (!rms && !peak) {
@@ -99,7 +102,18 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
     growth.threshold = rms ? thresholds.rms_growth : thresholds.peak_growth;
   }
   verdict.checks.push_back(std::move(limits));
-  verdict.checks.push_back(std::move(growth));
+  if (compared) {
+    verdict.checks.push_back(std::move(growth));
+  } else {
+    add_once(named("growth of errors (no scenario has errors to compare)", set), verdict.not_checked);
+  }
+}
+
+void add_unchecked(bool extended, SimulationVerdict& verdict) {
+  if (!extended) verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
+  verdict.not_checked.emplace_back("stability margins (armtune margins)");
+  verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
+  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
 }
 
 void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {

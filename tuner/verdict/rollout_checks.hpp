@@ -17,9 +17,14 @@ namespace armtune {
 void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
                         SimulationVerdict& verdict);
 
-/// Adds a check for limits in the extended scenarios, and one for the growth of errors.
+/// Adds a check for limits in the extended scenarios, and one for the growth of errors. Where no scenario ran
+/// to its end with errors to compare, the growth is listed as not checked instead.
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
                           const std::string& set, SimulationVerdict& verdict);
+
+/// Lists as not checked what simulating the scenarios leaves out, each with the command that checks it, and
+/// what no simulation can check. extended: whether every scenario was extended.
+void add_unchecked(bool extended, SimulationVerdict& verdict);
 
 /// Adds what the checks assume of the scenarios' arms, such as rotor inertia that a robot file leaves out.
 void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);

@@ -7,7 +7,7 @@ namespace armtune {
 const std::array<ThresholdField, 9>& threshold_fields() {
   static constexpr std::array<ThresholdField, 9> fields{{
       {"delay_periods", "control periods", "extra torque delay that the loop must hold",
-       &VerdictThresholds::delay_periods, true, 0.0, 1000.0},
+       &VerdictThresholds::delay_periods, true, 0.0, 1000.0, true},
       {"gain", "1", "common factor on the loop's gains that the loop must hold", &VerdictThresholds::gain,
        true, 1.0, 100.0},
       {"noise", "1", "factor on the sensors' noise that the loop must hold", &VerdictThresholds::noise, true,
@@ -16,7 +16,7 @@ const std::array<ThresholdField, 9>& threshold_fields() {
        false, 0.01, 1.0},
       {"yield", "1", "share of the random arms that must keep every limit", &VerdictThresholds::yield, true,
        0.0, 1.0},
-      {"arms", "1", "number of random arms", &VerdictThresholds::arms, true, 1.0, 100000.0},
+      {"arms", "1", "number of random arms", &VerdictThresholds::arms, true, 1.0, 100000.0, true},
       {"minutes", "min", "simulated time that every scenario is extended to", &VerdictThresholds::minutes,
        true, 0.0, 1440.0},
       {"rms_growth", "1", "largest RMS error of the last minutes over that of the first ones",

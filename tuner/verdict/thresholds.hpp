@@ -28,6 +28,7 @@ struct ThresholdField {
   double VerdictThresholds::*value;
   bool larger_is_stricter;
   double least, most;
+  bool whole = false;  ///< counts something: only whole numbers are asked for
 };
 
 /// Every threshold, in the order of the structure.

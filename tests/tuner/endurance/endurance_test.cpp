@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "sim/scenario/gains_file.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/planned.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/endurance/error_windows.hpp"
 
@@ -89,6 +91,38 @@ TEST(Endurance, SaysHowAStepGoesOn) {
   EXPECT_TRUE(how_extended(test::scenario_of("moving_target")).empty());
   EXPECT_EQ(how_extended(test::scenario_of("step_position")).size(), 1U);
   EXPECT_EQ(how_extended(test::scenario_of("sines_position")).size(), 1U);
+}
+
+/// Waypoints that loop repeat, so that nothing is to be said of them; others are held.
+TEST(Endurance, SaysThatWaypointsAreHeldOnlyWhereTheyDoNotLoop) {
+  const MotionPoint<Vec3> here{Vec3(0.5, 0.0, 0.5), Vec3::Zero(), Vec3::Zero()};
+  const MotionPoint<Vec3> there{Vec3(0.5, 0.2, 0.5), Vec3::Zero(), Vec3::Zero()};
+  Scenario scenario = test::scenario_of("moving_target");
+  for (const bool loops : {false, true}) {
+    scenario.path.spline = std::make_shared<const PositionSpline>(
+        std::vector<double>{0.0, 1.0, 2.0}, std::vector<MotionPoint<Vec3>>{here, there, here}, loops);
+    EXPECT_EQ(how_extended(scenario).size(), loops ? 0U : 1U);
+  }
+}
+
+/// A planned motion that fills its scenario is followed by the task, and the sentence says so.
+TEST(Endurance, GoesOnWithTheTaskAfterAPlannedMotion) {
+  Scenario base = test::scenario_of("moving_target");
+  const Gains gains = test::quick_gains(base);
+  const test::TemporaryFolder folder;
+  test::QuinticPlan plan;
+  plan.start = base.start_position;
+  plan.goal = gains.joint_space_goal * M_PI / 180.0;
+  folder.write("plan.csv", test::plan_csv(*base.robot, plan));
+  const Scenario scenario = load_scenario(folder.write(
+      "own.yaml",
+      "base: moving_target\nplanned: plan.csv\nduration: planned\ntheta_start: {model_scale: 1}\n"));
+  ASSERT_FALSE(scenario.has_task());
+  EXPECT_EQ(how_extended(scenario).size(), 1U);
+  EXPECT_TRUE(how_extended(extended_to(scenario, 60.0)).empty()) << "its task is in it already";
+  const auto results = endured(scenario, gains, 0.5);
+  EXPECT_TRUE(results[0].ended.empty()) << results[0].ended;
+  EXPECT_FALSE(std::isnan(results[0].rms_growth)) << "the task was tracked";
 }
 
 /// Twenty minutes of one bundled realistic scenario under its tuned gains: within every limit, and no error

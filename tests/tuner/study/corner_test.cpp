@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "tests/sim/support/rollouts.hpp"
 #include "tests/tuner/support/short_study.hpp"
@@ -131,6 +134,19 @@ TEST(Corner, ADemandOfNothingOrOfHalfAPeriodIsRefused) {
     const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
                                  test::kShortSearch + margins);
     EXPECT_THAT(test::refusal([&] { load_study(files.path()); }), HasSubstr("margins")) << margins;
+  }
+}
+
+/// What is checked is what the file asks for: half a period would be cut to none without a word.
+TEST(Corner, AVerdictOfHalfAPeriodOrOfHalfAnArmIsRefused) {
+  const test::ShortStudy files;
+  std::ifstream file(files.path());
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string without = text.substr(0, text.find("verdict:"));
+  for (const char* verdict : {"verdict: {delay_periods: 1.5}\n", "verdict: {arms: 20.5}\n"}) {
+    files.write("study.yaml", without + verdict);
+    EXPECT_THAT(test::refusal([&] { load_study(files.path()); }), HasSubstr("give a whole number"))
+        << verdict;
   }
 }
 

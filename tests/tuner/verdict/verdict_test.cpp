@@ -11,6 +11,7 @@
 namespace armtune {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -148,6 +149,14 @@ TEST(EnduranceChecks, FailForALimitAndForErrorsThatGrow) {
   EXPECT_EQ(broke.checks[0].joint, "wrist");
   EXPECT_EQ(broke.checks[0].time, 527.0);
   EXPECT_TRUE(broke.checks[1].passed) << "a rollout that broke off has no last minutes";
+  // Nothing was tracked, or nothing came to its end: no sentence about growth is true.
+  for (const EnduranceResult& nothing : {EnduranceResult{"idle", 1800.0, {}, "", NAN, NAN}, breaking}) {
+    SimulationVerdict verdict;
+    add_endurance_checks({nothing}, thresholds, "", verdict);
+    ASSERT_EQ(verdict.checks.size(), 1U);
+    EXPECT_EQ(verdict.checks[0].kind, CheckKind::kEndurance);
+    EXPECT_THAT(verdict.not_checked, ElementsAre(HasSubstr("growth of errors")));
+  }
 }
 
 TEST(VerdictThresholds, ALoosenedOneIsNamedAndAStricterOneIsNot) {
