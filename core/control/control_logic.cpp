@@ -167,7 +167,8 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
           : GazeControl::Output{
                 {Q_0T, Vec3::Zero(), Vec3::Zero()}, false, aim(scene).turn(arm.R_0T, arm.p_0T)};
   if (scene.orientation == nullptr && roll_.is_on()) {
-    // A slerp from the current orientation begins anew in every period: no roll is behind it.
+    // Only a slerp from a frozen start keeps the roll of its beginning: one from the current orientation
+    // restarts in every period.
     const bool frozen_start = gaze.slerping && gains_.slerp_reference == SlerpReference::kStart;
     roll_.step(measured.q, period_, frozen_start);
     roll_.add_to(gaze.desired);

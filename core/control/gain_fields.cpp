@@ -72,9 +72,7 @@ std::vector<GainField> make_fields() {
        "rate at which joints that the task does not need go to the middle of their limits; 0: they rest",
        &Gains::joint_centering_gain, false},
       {"roll_centering_gain", "1/s",
-       "rate at which a gaze rolls the tool so that the last joint goes to the middle of its limits; 0: it "
-       "does "
-       "not",
+       "rate at which a gaze rolls the tool until the last joint is in the middle of its limits; 0: no roll",
        &Gains::roll_centering_gain, false},
       share("slerp_start", "interpolation parameter at the start of a slerp (the released code: 0.2)",
             &Gains::slerp_start),

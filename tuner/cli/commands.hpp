@@ -11,8 +11,8 @@ namespace armtune::cli {
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kBadInput = 2;
-inline constexpr int kChecksFailed =
-    3;  ///< done, but a simulation check failed or nothing feasible was found
+/// The command is done, but a simulation check failed, or a search found nothing feasible.
+inline constexpr int kChecksFailed = 3;
 inline constexpr int kInterrupted = 130;
 
 void add_robot_command(CLI::App& app, int& exit_code);

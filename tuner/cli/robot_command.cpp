@@ -40,9 +40,8 @@ void show(const RobotModel& model) {
   fmt::print("\nSI units: rad, m, rad/s, m/s, N m, N, kg m^2.\n");
   if (model.chain.rotor_inertia.isZero(0.0)) {
     fmt::print(
-        "No rotor inertia is given. Geared joints have some, and without it light wrists do not bear the "
-        "gains "
-        "that the real arm does:\nwrite a robot YAML with 'urdf:' and 'rotor_inertia:'.\n");
+        "No rotor inertia is given. Geared joints have some, and without it light wrists do not bear the\n"
+        "gains that the real arm does: write a robot YAML with 'urdf:' and 'rotor_inertia:'.\n");
   }
 }
 

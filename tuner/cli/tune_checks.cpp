@@ -78,9 +78,8 @@ void print_recommendation(const TuneResult& result, const Objective& objective, 
   fmt::print("Nothing feasible was found. In the way: {}.\n", to_text(constraints.checks.front()));
   if (result.best.objective <= 1.0) {
     fmt::print(
-        "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: use it to search "
-        "on "
-        "(--warm-start {0}), not on the robot.\n",
+        "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "
+        "on the robot. A further search can begin with it (--warm-start {0}).\n",
         folder);
   } else {
     fmt::print(

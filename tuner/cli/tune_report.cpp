@@ -24,15 +24,15 @@ namespace armtune::cli {
 
 namespace {
 
-/// How a gains file says what it holds.
+/// Returns the first words of a gains file, which say what its gains are.
 const char* title_of(SearchOutcome outcome) {
   switch (outcome) {
     case SearchOutcome::kTuned:
-      return "tuned";
+      return "tuned by armtune";
     case SearchOutcome::kStart:
-      return "start gains, than which nothing better was found";
+      return "start gains: armtune found nothing better";
     case SearchOutcome::kLeastViolation:
-      return "NOT tuned: the point with the least violation that was found";
+      return "NOT feasible: the point with the least violation that armtune found";
   }
   return "";
 }
@@ -146,13 +146,13 @@ void write_start(const Study& study, const std::string& folder) {
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
   write_text_file(
       folder + "/gains.yaml",
-      gains_yaml(result.best.gains,
-                 {fmt::format("{} by armtune, study {}, seed {}", title_of(outcome_of(result)), study.name,
-                              study.solver.seed),
-                  fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}{}",
-                              result.best.objective, largest_velocity_ratio(result.best), robust_text(study),
-                              result.best.feasible ? "feasible" : "NOT feasible",
-                              result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
+      gains_yaml(
+          result.best.gains,
+          {fmt::format("{}, study {}, seed {}", title_of(outcome_of(result)), study.name, study.solver.seed),
+           fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}{}",
+                       result.best.objective, largest_velocity_ratio(result.best), robust_text(study),
+                       result.best.feasible ? "feasible" : "NOT feasible",
+                       result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
 }
 
 std::vector<YardstickFiles> measure_sets(const Study& study, const TuneResult& result,

@@ -35,9 +35,9 @@ double scale_of(double bound) {
                   larger_is_better(term.metric) ? "; a constraint with 'at_least' needs no reference" : ""));
 }
 
-/// A share of a rollout's cost that is at most what the term will score there with this weight. The score of
-/// a metric of which more is better lies above its tangent in the reference, 2 - value / reference, as far
-/// as that is not above 5.
+/// Returns a share of a rollout's cost that is at most what the term will score there with this weight. Where
+/// more of a metric is better, the score lies above its tangent at the reference, 2 - value / reference,
+/// while that tangent is at most 5.
 EndCost::Share least_share(Metric metric, double weight, double reference) {
   if (!larger_is_better(metric)) return {metric, 0.0, weight / reference, weight * kLargestRatio};
   return {metric, 2.0 * reference, -weight / reference, weight * kLargestRatio / 2.0};
