@@ -7,6 +7,14 @@ namespace armtune {
 GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
                                         const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
                                         const std::optional<SpeedBound>& speed) {
+  const Output output = next(gains, R_0T, Q_0T, tool, aim, time, speed);
+  last_ = {output.desired.angular_velocity, output.desired.angular_acceleration};
+  return output;
+}
+
+GazeControl::Output GazeControl::next(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
+                                      const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
+                                      const std::optional<SpeedBound>& speed) {
   const Vec3 turn = aim.turn(R_0T, tool.position);
   if (slerping_ && time - start_time_ >= parameter_.duration()) slerping_ = false;
   if (!slerping_) {
@@ -29,6 +37,11 @@ GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, co
       duration = std::max(duration, shortest_duration(speed->inverse(), displacement, speed->bound));
     }
     parameter_ = rest_to_rest(gains.slerp_start, 1.0, duration);
+    onward_.reset();
+    if (gains.gaze_feedforward) {
+      onward_.emplace(MotionPoint<Vec3>{Vec3::Zero(), last_.velocity, last_.acceleration},
+                      MotionPoint<Vec3>{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, duration);
+    }
   }
   if (gains.slerp_reference == SlerpReference::kCurrent) {
     return {interpolated(gains, R_0T, Q_0T, tool, aim, time), true, turn};
@@ -44,7 +57,9 @@ OrientationPoint GazeControl::interpolated(const Gains& gains, const Mat3& R_fro
   if (gains.gaze_feedforward) {
     const MotionPoint<Vec3> motion = aim.turn_motion(R_from, tool, turn_);
     turn_ = motion.position;
-    return slerp(Q_from, motion, s);
+    const OrientationPoint onward =
+        slerp(Eigen::Quaterniond::Identity(), onward_->at(time - start_time_), {1.0, 0.0, 0.0});
+    return composed(onward, slerp(Q_from, motion, s));
   }
   turn_ = aim.turn_on(R_from, tool.position, turn_);
   return slerp(Q_from, turn_, s);

@@ -1,7 +1,9 @@
 #pragma once
 // Gaze orientation control (equation 7): below the angular threshold the goal orientation itself, above it a
 // slerp whose parameter is a quintic over k_s times the angle. With gaze feed-forward the desired orientation
-// turns as the line from tool to target does; without, as published, it stands still outside slerps. An
+// turns as the line from tool to target does; without, as published, it stands still outside slerps. There a
+// slerp also begins in the motion that the desired orientation had: from rest its velocity would jump, and
+// Kd would make a torque of that jump. An
 // orientation that is given in place of a target is turned to in the same way. Its
 // rates are exact for a slerp from the start; from the `current` orientation they leave out that this one
 // moves.
@@ -39,7 +41,13 @@ class GazeControl {
                 const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
                 const std::optional<SpeedBound>& speed = {});
 
+  /// To be called while the arm does something else: the next slerp begins at rest.
+  void rest() { last_ = {}; }
+
  private:
+  Output next(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
+              const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
+              const std::optional<SpeedBound>& speed);
   OrientationPoint interpolated(const Gains& gains, const Mat3& R_from, const Eigen::Quaterniond& Q_from,
                                 const MotionPoint<Vec3>& tool, const ToolAim& aim, double time);
 
@@ -49,6 +57,8 @@ class GazeControl {
   Mat3 R_start_ = Mat3::Identity();
   Eigen::Quaterniond Q_start_ = Eigen::Quaterniond::Identity();
   Quintic<double> parameter_ = rest_to_rest(0.0, 1.0, 1.0);
+  TurnRate last_;                        ///< of the desired orientation in the last period
+  std::optional<Quintic<Vec3>> onward_;  ///< the rotation vector by which a slerp goes on as it began
 };
 
 }  // namespace armtune

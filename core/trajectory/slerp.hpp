@@ -27,4 +27,12 @@ inline OrientationPoint slerp(const Eigen::Quaterniond& start, const MotionPoint
   return {rotation_exp(s.position * phi.position) * start, rate.velocity, rate.acceleration};
 }
 
+/// `outer` turned on top of `inner`, both about base axes: Q = Q_outer Q_inner.
+inline OrientationPoint composed(const OrientationPoint& outer, const OrientationPoint& inner) {
+  const Vec3 carried = outer.orientation * inner.angular_velocity;
+  return {outer.orientation * inner.orientation, outer.angular_velocity + carried,
+          outer.angular_acceleration + outer.orientation * inner.angular_acceleration +
+              outer.angular_velocity.cross(carried)};
+}
+
 }  // namespace armtune

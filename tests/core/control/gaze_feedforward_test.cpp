@@ -87,6 +87,91 @@ TEST(GazeControl, WithFeedForwardASlerpEndsWithTheZAxisOnTheLineAndTurningWithIt
   }
 }
 
+/// A gaze that tracks one target until t = 0, where another one takes its place.
+struct Switch {
+  static constexpr double kPeriod = 0.002;
+  Path tool, before, after;
+  Mat3 R_0T;
+  Eigen::Quaterniond Q_0T;
+  Gains gains = gains_for_gaze();
+  GazeControl control;
+  OrientationPoint last;  ///< desired in the period before the switch
+  double duration = 0.0;
+
+  Switch(std::mt19937& generator, bool feedforward, bool rested = false) {
+    const Sight s = sight(generator, 1.2);
+    R_0T = s.poses.R_0T;
+    Q_0T = s.Q_0T;
+    tool = {s.poses.p_0T, 0.6, 0.0, {{1, Vec3::Zero(), Vec3(0.1, 0.05, -0.1)}}};
+    after = {s.p_0G, 0.7, 0.0, {{1, Vec3::Zero(), Vec3(-0.1, 0.1, 0.05)}}};
+    // On the tool's axis, and moving past it.
+    const Vec3 ahead = s.poses.p_0T + 0.8 * Vec3(R_0T.col(2));
+    before = {ahead, 0.9, 0.0, {{1, Vec3::Zero(), random_vec3(generator, 0.4)}}};
+    gains.gaze_feedforward = feedforward;
+    duration = gains.slerpDurationErrorGain * s.angle;
+    const auto tracking =
+        control.update(gains, R_0T, Q_0T, tool.at(-kPeriod), {before.at(-kPeriod)}, -kPeriod);
+    EXPECT_FALSE(tracking.slerping);
+    last = tracking.desired;
+    if (rested) control.rest();
+    EXPECT_TRUE(control.update(gains, R_0T, Q_0T, tool.at(0.0), {after.at(0.0)}, 0.0).slerping);
+  }
+  OrientationPoint desired(double t) const {
+    GazeControl state = control;
+    return state.update(gains, R_0T, Q_0T, tool.at(t), {after.at(t)}, t).desired;
+  }
+};
+
+TEST(GazeControl, WithFeedForwardASlerpBeginsInTheMotionThatTheGazeHad) {
+  std::mt19937 generator(571);
+  double slowest = HUGE_VAL;
+  for (int sample = 0; sample < 20; ++sample) {
+    const std::mt19937 same = generator;
+    const Switch moving(generator, true);
+    const OrientationPoint first = moving.desired(0.0);
+    EXPECT_LT((first.angular_velocity - moving.last.angular_velocity).norm(), 1e-12);
+    EXPECT_LT((first.angular_acceleration - moving.last.angular_acceleration).norm(), 1e-12);
+    EXPECT_LT(first.orientation.angularDistance(moving.Q_0T), 1e-12);
+    slowest = std::min(slowest, moving.last.angular_velocity.norm());
+    generator = same;
+    const Switch rested(generator, true, true);
+    EXPECT_EQ(rested.desired(0.0).angular_velocity.norm(), 0.0);
+    generator = same;
+    const Switch published(generator, false);
+    EXPECT_EQ(published.desired(0.0).angular_velocity.norm(), 0.0) << "as published";
+  }
+  EXPECT_GT(slowest, 1e-3) << "a gaze at rest shows nothing";
+}
+
+TEST(GazeControl, ASlerpThatBeginsInMotionTurnsAsItsOrientationDoesAndEndsOnTheLine) {
+  std::mt19937 generator(572);
+  WorstError velocity("wd", 1e-10);
+  WorstError acceleration("wd'", 1e-9);
+  WorstError end("u and u'", 1e-10);
+  double onward = 0.0;
+  for (int sample = 0; sample < 20; ++sample) {
+    const std::mt19937 same = generator;
+    const Switch moving(generator, true);
+    generator = same;
+    const Switch rested(generator, true, true);
+    const double t = moving.duration * test::random_number(generator, 0.1, 0.9);
+    const auto R = [&](double h) { return Mat3(moving.desired(t + h).orientation.toRotationMatrix()); };
+    const Mat3 W = test::derivative(R) * R(0.0).transpose();
+    const Vec3 w = 0.5 * Vec3(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1));
+    const auto rate = [&](double h) { return moving.desired(t + h).angular_velocity; };
+    velocity.compare(moving.desired(t).angular_velocity, w, "random", 1.0);
+    acceleration.compare(moving.desired(t).angular_acceleration, test::derivative(rate), "random", 1.0);
+    onward = std::max(onward, moving.desired(t).orientation.angularDistance(rested.desired(t).orientation));
+    const double last = moving.duration * (1.0 - 1e-12);
+    const OrientationPoint at_end = moving.desired(last);
+    const MotionPoint<Vec3> u = gaze_direction(moving.tool.at(last), moving.after.at(last));
+    const Vec3 z = at_end.orientation * Vec3::UnitZ();
+    end.compare(z, u.position, "z");
+    end.compare(Vec3(at_end.angular_velocity.cross(z)), u.velocity, "w x z", 0.1);
+  }
+  EXPECT_GT(onward, 1e-3) << "or both are the same";
+}
+
 TEST(GazeControl, BelowTheThresholdTheDesiredOrientationTurnsWithTheLineOnlyWithFeedForward) {
   std::mt19937 generator(561);
   Gains gains = gains_for_gaze();
