@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/common/error.hpp"
@@ -204,6 +205,24 @@ JointVector RobotModel::velocity_limits() const {
 JointVector RobotModel::effort_limits() const {
   JointVector limits(n());
   for (int i = 0; i < n(); ++i) limits[i] = joints[static_cast<std::size_t>(i)].limits.effort;
+  return limits;
+}
+
+JointVector RobotModel::lower_limits() const {
+  JointVector limits(n());
+  for (int i = 0; i < n(); ++i) {
+    const JointLimits& of_joint = joints[static_cast<std::size_t>(i)].limits;
+    limits[i] = of_joint.has_position ? of_joint.lower : -std::numeric_limits<double>::infinity();
+  }
+  return limits;
+}
+
+JointVector RobotModel::upper_limits() const {
+  JointVector limits(n());
+  for (int i = 0; i < n(); ++i) {
+    const JointLimits& of_joint = joints[static_cast<std::size_t>(i)].limits;
+    limits[i] = of_joint.has_position ? of_joint.upper : std::numeric_limits<double>::infinity();
+  }
   return limits;
 }
 

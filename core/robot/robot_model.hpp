@@ -38,6 +38,9 @@ struct RobotModel {
   int joint_index(const std::string& joint) const;
   JointVector velocity_limits() const;
   JointVector effort_limits() const;
+  /// Infinite for joints without position limits, which are infinitely far from them.
+  JointVector lower_limits() const;
+  JointVector upper_limits() const;
 };
 
 /// Joint positions (n) from [rad, m] to [deg, m], the units of files, and back.

@@ -59,21 +59,13 @@ MetricAccumulator::MetricAccumulator(const RobotModel& model, double threshold, 
     : model_(model),
       per_velocity_limit_(model.velocity_limits().cwiseInverse()),
       per_effort_limit_(model.effort_limits().cwiseInverse()),
+      lower_limits_(model.lower_limits()),
+      upper_limits_(model.upper_limits()),
       threshold_(threshold),
       period_(period),
       min_margin_(kInfinity),
       min_clearance_(kInfinity),
-      last_torque_(JointVector::Zero(model.n())) {
-  // A joint without position limits is infinitely far from them.
-  lower_limits_.setConstant(model.n(), -kInfinity);
-  upper_limits_.setConstant(model.n(), kInfinity);
-  for (int i = 0; i < model.n(); ++i) {
-    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
-    if (!limits.has_position) continue;
-    lower_limits_[i] = limits.lower;
-    upper_limits_[i] = limits.upper;
-  }
-}
+      last_torque_(JointVector::Zero(model.n())) {}
 
 void MetricAccumulator::add(const Observation& o) {
   if (o.control->state != state_) {

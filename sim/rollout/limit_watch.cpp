@@ -4,22 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace armtune {
 
 LimitWatch::LimitWatch(const RobotModel& model)
-    : joints_(joint_names(model)), velocity_(model.velocity_limits()), effort_(model.effort_limits()) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  lower_.setConstant(model.n(), -kInfinity);
-  upper_.setConstant(model.n(), kInfinity);
-  for (int i = 0; i < model.n(); ++i) {
-    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
-    if (!limits.has_position) continue;
-    lower_[i] = limits.lower;
-    upper_[i] = limits.upper;
-  }
-}
+    : joints_(joint_names(model)),
+      velocity_(model.velocity_limits()),
+      lower_(model.lower_limits()),
+      upper_(model.upper_limits()),
+      effort_(model.effort_limits()) {}
 
 void LimitWatch::note(JointLimit limit, Eigen::Index joint, double time, double value, double bound) {
   Found& found = found_[static_cast<std::size_t>(limit)];

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -63,6 +64,15 @@ std::span<const PerturbationField> perturbation_fields() {
       {"target_speed", "1", "+- share of each target's speed on its path", &P::target_speed, 1.0, false},
   };
   return fields;
+}
+
+Perturbation default_perturbation(std::span<const Scenario> scenarios) {
+  constexpr double kMostPayload = 3.0;  // times the scenario's own
+  Perturbation perturbation;
+  for (const Scenario& scenario : scenarios) {
+    perturbation.payload = std::max(perturbation.payload, kMostPayload * scenario.plant.payload.mass);
+  }
+  return perturbation;
 }
 
 Perturbation no_perturbation() {

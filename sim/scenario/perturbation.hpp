@@ -18,7 +18,7 @@ struct Perturbation {
   double inertia = 0.2;
   double rotor = 0.2;
   double friction = 0.5;
-  double payload = 3.0;  ///< [kg]
+  double payload = 0.0;  ///< [kg]; zero: the scenario's own stays
   double delay = 1.0;    ///< control periods, a whole number
   double noise = 0.5;
   double theta = 0.1;
@@ -38,6 +38,10 @@ struct PerturbationField {
 
 /// Every width, in order.
 std::span<const PerturbationField> perturbation_fields();
+
+/// The widths unless told otherwise: those of Perturbation, and payloads up to three times the heaviest that
+/// one of the scenarios carries.
+Perturbation default_perturbation(std::span<const Scenario> scenarios);
 
 /// Nothing differs but the noise's seed: widths of zero, phases as they are.
 Perturbation no_perturbation();

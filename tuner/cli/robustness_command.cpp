@@ -40,6 +40,7 @@ struct Arguments {
   long only = -1;
   long seed = 1;
   double deadline = 0.0;
+  bool payload_given = false;
   MonteCarloOptions options;
 };
 
@@ -118,6 +119,9 @@ int run(Arguments args, Team& team) {
   // Unless others are asked for: the ones that come near limits.
   const std::vector<Scenario> scenarios =
       scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
+  if (!args.payload_given) {
+    options.perturbation.payload = default_perturbation(scenarios).payload;
+  }
   const GainSet set = load_gain_set(args.set, scenarios);
   RolloutPlan plan = monte_carlo_plan(scenarios, options);
   plan.deadline = args.deadline;
@@ -248,12 +252,15 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--limit", args->limits,
                       "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
                       "velocities and positions inside the arm's own");
+  CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);
     std::replace(option.begin(), option.end(), '_', '-');
-    command->add_option(option, p.*f.width, fmt::format("{} [{}]", f.meaning, f.unit))
-        ->capture_default_str()
-        ->group("Uncertainty (uniform)");
+    CLI::Option* width = command->add_option(option, p.*f.width, fmt::format("{} [{}]", f.meaning, f.unit))
+                             ->capture_default_str()
+                             ->group("Uncertainty (uniform)");
+    if (f.width == &Perturbation::payload)
+      payload = width->default_str("three times the scenarios' heaviest");
   }
   command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
       ->group("Uncertainty (uniform)");
@@ -269,8 +276,10 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");
-  command->callback(
-      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
+  command->callback([args, payload, &exit_code] {
+    args->payload_given = payload->count() > 0;
+    exit_code = on_ranks([&args](Team& team) { return run(*args, team); });
+  });
 }
 
 }  // namespace armtune::cli

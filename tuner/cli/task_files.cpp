@@ -33,7 +33,7 @@ constraints:
 
 # Gains that hold: the worst of several arms that differ from the model at random counts, and one corner rollout for
 # each stability margin must hold on the arm of the model.
-robust: {{samples: 6, measure: worst, uncertainty: {{payload: {payload}}}}}   # kg at the tool, from 0 on
+robust: {{samples: 6, measure: worst}}
 margins: {{delay_periods: 1, gain: 1.2, noise: 2, rate: 0.8}}
 
 search:
@@ -42,12 +42,9 @@ search:
   seed: 1
 )";
 
-/// Payloads that are drawn reach this many times the task's own.
-constexpr double kMostPayload = 3.0;
-
-std::string study_text(const RobotModel& robot, bool looks, double payload) {
+std::string study_text(const RobotModel& robot, bool looks) {
   return fmt::format("description: {}\n", yaml::quoted("first gains for " + robot.name)) +
-         fmt::format(kStudy, fmt::arg("payload", fmt::format("{:.3g}", kMostPayload * payload)),
+         fmt::format(kStudy,
                      fmt::arg("orientation_parameters", looks ? "  - {name: slerpDurationErrorGain}\n" : ""),
                      fmt::arg("orientation_terms", looks ? "  - {metric: error/orientation/max, weight: 1}\n"
                                                            "  - {metric: error/orientation/rms, weight: 1}\n"
@@ -65,8 +62,7 @@ void write_task_files(const std::shared_ptr<const RobotModel>& robot, const std:
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(gains, {fmt::format("from the inertia and the limits of {}; a start, not tuned",
                                                  robot->name)}));
-  write_text_file(folder + "/study.yaml", study_text(*robot, tracks_orientation(task.scenario.mask),
-                                                     task.scenario.plant.payload.mass));
+  write_text_file(folder + "/study.yaml", study_text(*robot, tracks_orientation(task.scenario.mask)));
   fmt::print(
       "wrote {0}: task.yaml (a circle of {1:.3g} m), gains.yaml, study.yaml\nnext: armtune tune "
       "{0}/study.yaml\n",

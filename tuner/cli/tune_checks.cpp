@@ -62,8 +62,7 @@ SimulationVerdict check_search(const Study& study, const TuneResult& result, con
   return verdict;
 }
 
-void print_recommendation(const TuneResult& result, const Objective& objective, const Study& study,
-                          const std::string& folder) {
+void print_recommendation(const TuneResult& result, const Check& constraints, const std::string& folder) {
   const SearchOutcome outcome = outcome_of(result);
   if (outcome == SearchOutcome::kTuned) return;
   if (outcome == SearchOutcome::kStart) {
@@ -73,9 +72,7 @@ void print_recommendation(const TuneResult& result, const Objective& objective, 
         folder);
     return;
   }
-  SimulationVerdict constraints;
-  add_search_checks(study, result, objective, constraints);
-  fmt::print("Nothing feasible was found. In the way: {}.\n", to_text(constraints.checks.front()));
+  fmt::print("Nothing feasible was found. In the way: {}.\n", to_text(constraints));
   if (result.best.objective <= 1.0) {
     fmt::print(
         "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "

@@ -14,8 +14,8 @@ namespace armtune::cli {
 SimulationVerdict check_search(const Study& study, const TuneResult& result, const Objective& objective,
                                const ComparedSet& simulated, bool deep, int workers);
 
-/// Prints what a search that found nothing better, or nothing feasible, recommends.
-void print_recommendation(const TuneResult& result, const Objective& objective, const Study& study,
-                          const std::string& folder);
+/// Prints what a search that found nothing better, or nothing feasible, recommends. constraints: the check of
+/// that kind, which says what is in the way.
+void print_recommendation(const TuneResult& result, const Check& constraints, const std::string& folder);
 
 }  // namespace armtune::cli

@@ -67,11 +67,11 @@ Study load(const Arguments& args) {
   return study;
 }
 
-std::string progress_text(const TuneProgress& p, const Workers& workers, double seconds, double max_minutes) {
-  const double left = seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, max_minutes);
+std::string progress_text(const Study& study, const TuneProgress& p, const Workers& workers, double seconds) {
+  const double left = seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, study.max_minutes);
   return fmt::format("{:<6} {}/{}  best {:.4f}{}  velocity ratio {:.3f}  {:.2f} rollouts/s  {:.0f} s left",
                      p.phase, p.evaluations, p.max_evaluations, p.best->objective,
-                     p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(*p.best),
+                     p.best->feasible ? "" : " (infeasible)", largest_velocity_ratio(study, *p.best),
                      static_cast<double>(workers.rollouts_done()) / seconds, left);
 }
 
@@ -119,7 +119,7 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
     if (live)
       live->update(p.evaluations, p.max_evaluations,
                    seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, study.max_minutes));
-    line.show(progress_text(p, workers, seconds_since(began), study.max_minutes));
+    line.show(progress_text(study, p, workers, seconds_since(began)));
   };
   TuneResult result;
   try {
@@ -207,8 +207,8 @@ int run(Arguments args, Team& team) {
   const bool analysed = args.analysis && !result.interrupted &&
                         analyse(study, result, *objective, workers, {args.folder, args.workers});
   print_search(study, result, *objective);
-  print_recommendation(result, *objective, study, args.folder);
   const SimulationVerdict verdict = check_search(study, result, *objective, sets[1], analysed, args.workers);
+  print_recommendation(result, verdict.checks.front(), args.folder);
   write_verdict(args.folder, verdict);
   const std::string report = add_report(args.folder, [&study, &result] {
     return report::scene_of(

@@ -64,9 +64,9 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 
 std::string robust_text(const Study& study) {
   if (!study.robust) return {};
-  return fmt::format(" ({} of {} arms each)",
+  return fmt::format(" ({} of {} arms each, their own among them)",
                      risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
-                     study.robust->samples);
+                     arms(*study.robust));
 }
 
 Provenance study_provenance(const Study& study, int workers, double seconds,
@@ -150,7 +150,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
           result.best.gains,
           {fmt::format("{}, study {}, seed {}", title_of(outcome_of(result)), study.name, study.solver.seed),
            fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}{}",
-                       result.best.objective, largest_velocity_ratio(result.best), robust_text(study),
+                       result.best.objective, largest_velocity_ratio(study, result.best), robust_text(study),
                        result.best.feasible ? "feasible" : "NOT feasible",
                        result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
 }
@@ -195,10 +195,9 @@ void print_gains(const Study& study, const TuneResult& result) {
   fmt::print("{:<44}{:>12}{:>17}{:>11}\n", "gain", "start", found, "ratio");
   for (const Parameter& p : study.space.free) {
     const double tuned = value(gains, p.entry);
-    const bool at_bound = tuned <= p.lower * (1.0 + 1e-9) || tuned >= p.upper * (1.0 - 1e-9);
     fmt::print("{:<44}{:>12.5g}{:>17.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
                p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
-               at_bound ? "  at its bound" : "");
+               on_bound(p, tuned) ? "  at its bound" : "");
   }
   fmt::print("\n");
 }
@@ -210,8 +209,8 @@ void print_search(const Study& study, const TuneResult& result, const Objective&
                                result.best_of_sweep->feasible ? "" : ", not feasible")
                  : "",
              result.evaluations, result.reason);
-  fmt::print("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(result.best), robust_text(study),
-             result.best.feasible ? "every constraint holds" : "NOT feasible:");
+  fmt::print("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(study, result.best),
+             robust_text(study), result.best.feasible ? "every constraint holds" : "NOT feasible:");
   if (result.best.feasible) return;
   if (result.best.status != "completed") fmt::print("  {}\n", result.best.status);
   for (std::size_t c = 0; c < objective.constraints().size(); ++c) {

@@ -39,7 +39,7 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   auto record = journal_ != nullptr ? journal_->find(number) : std::nullopt;
   if (!record) return std::nullopt;
   if (record->x != candidate.x || record->phase != candidate.phase ||
-      record->results.size() != study_.scenarios.size() * (1 + study_.margins.size()) ||
+      record->results.size() != results_per_evaluation(study_) ||
       (outdone(record->results) && std::isinf(candidate.bar))) {
     throw InputError(
         fmt::format("{}: as evaluation {} the search now asks for {} than the journal holds: its file was "

@@ -63,33 +63,28 @@ std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const 
     one.engine = engine;
     return one;
   };
-  std::vector<std::size_t> doubtful;  // broken in another engine than Simbody
+  // Keeps the result of a job. Returns false where another engine than Simbody saw a limit break: Simbody has
+  // the last word.
+  const auto keep = [&](std::size_t job, Engine engine, RolloutResult&& result) {
+    const std::size_t k = missing[job / scenarios.size()];
+    const std::size_t s = job % scenarios.size();
+    samples[k].results[s] = std::move(result);
+    judge(k, s);
+    if (engine != Engine::kSimbody && !samples[k].broken[s].empty()) return false;
+    if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);
+    report();
+    if (options.progress) options.progress(++rollouts, jobs);
+    return true;
+  };
+  std::vector<std::size_t> doubtful;
   crew.run(
       jobs, [&](std::size_t job) { return job_of(job, options.engine); }, stop,
       [&](std::size_t job, RolloutResult&& result) {
-        const std::size_t k = missing[job / scenarios.size()];
-        const std::size_t s = job % scenarios.size();
-        samples[k].results[s] = std::move(result);
-        judge(k, s);
-        if (options.engine != Engine::kSimbody && !samples[k].broken[s].empty()) {
-          doubtful.push_back(job);
-          return;
-        }
-        if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);
-        report();
-        if (options.progress) options.progress(++rollouts, jobs);
+        if (!keep(job, options.engine, std::move(result))) doubtful.push_back(job);
       });
   crew.run(
       doubtful.size(), [&](std::size_t i) { return job_of(doubtful[i], Engine::kSimbody); }, stop,
-      [&](std::size_t i, RolloutResult&& result) {
-        const std::size_t k = missing[doubtful[i] / scenarios.size()];
-        const std::size_t s = doubtful[i] % scenarios.size();
-        samples[k].results[s] = std::move(result);
-        judge(k, s);
-        if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);
-        report();
-        if (options.progress) options.progress(++rollouts, jobs);
-      });
+      [&](std::size_t i, RolloutResult&& result) { keep(doubtful[i], Engine::kSimbody, std::move(result)); });
   std::vector<MonteCarloSample> whole;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if (done[k] == scenarios.size()) whole.push_back(std::move(samples[k]));

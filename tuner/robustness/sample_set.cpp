@@ -15,6 +15,10 @@ std::span<const char* const> risk_measure_names() {
   return names;
 }
 
+Scenario arm_of(const SampleSet& set, const Scenario& scenario, std::size_t k) {
+  return k < set.samples ? perturbed(scenario, set.perturbation, set.seed, k) : scenario;
+}
+
 double measured(const SampleSet& set, bool larger_is_better, std::vector<double> values) {
   if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) return NAN;
   if (set.measure == RiskMeasure::kMean) {
@@ -42,19 +46,22 @@ RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> sample
     if (result.status != RolloutStatus::kCompleted && sample.end_time >= result.end_time) continue;
     result.status = sample.status;
     result.end_time = sample.end_time;
-    result.reason = fmt::format("sample {}: {}", k, sample.reason);
-  }
-  double largest = -1.0;
-  for (const RolloutResult& sample : samples) {
-    const double ratio = sample.metrics[Metric::kJointVelocityMaxRatio];
-    if (ratio > largest) result.metrics.max_ratio_joint = sample.metrics.max_ratio_joint;
-    largest = std::max(largest, ratio);
+    result.reason = k < set.samples ? fmt::format("sample {}: {}", k, sample.reason) : sample.reason;
   }
   for (const Metric m : all_metrics()) {
     std::vector<double> values;
     values.reserve(samples.size());
     for (const RolloutResult& sample : samples) values.push_back(sample.metrics[m]);
     result.metrics[m] = measured(set, larger_is_better(m), std::move(values));
+  }
+  // Joint and time of the largest velocity are those of the arm that had it.
+  double largest = -1.0;
+  for (const RolloutResult& sample : samples) {
+    const double ratio = sample.metrics[Metric::kJointVelocityMaxRatio];
+    if (!(ratio > largest)) continue;
+    largest = ratio;
+    result.metrics.max_ratio_joint = sample.metrics.max_ratio_joint;
+    result.metrics[Metric::kJointVelocityMaxRatioTime] = sample.metrics[Metric::kJointVelocityMaxRatioTime];
   }
   return result;
 }

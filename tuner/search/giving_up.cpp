@@ -7,8 +7,7 @@ std::optional<Outdone> giving_up(const Study& study, const std::optional<Objecti
   if (!study.end_outdone || !one_value || study.robust || !objective) return {};
   const double penalty = study.solver.penalty;
   // One scenario, nothing of which is known before its end: there is nothing left to save then.
-  const std::vector<std::optional<RolloutResult>> none_yet(study.scenarios.size() *
-                                                           (1 + study.margins.size()));
+  const std::vector<std::optional<RolloutResult>> none_yet(results_per_evaluation(study));
   if (none_yet.size() == 1 && objective->end_cost(0, none_yet, penalty, 0.0).shares.empty()) return {};
   Outdone outdone;
   outdone.end = [&objective, penalty](std::size_t scenario,

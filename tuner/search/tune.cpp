@@ -276,10 +276,10 @@ TuneResult Run::result() && {
 
 }  // namespace
 
-double largest_velocity_ratio(const Evaluation& e) {
+double largest_velocity_ratio(const Study& study, const Evaluation& e) {
   double largest = 0.0;
-  for (const RolloutResult& r : e.results) {
-    largest = std::max(largest, r.metrics[Metric::kJointVelocityMaxRatio]);
+  for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+    largest = std::max(largest, e.results[s].metrics[Metric::kJointVelocityMaxRatio]);
   }
   return largest;
 }

@@ -48,7 +48,7 @@ struct TuneResult {
 TuneResult tune(const Study& study, Workers& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);
 
-/// Largest |q'|/limit over an evaluation's scenarios.
-double largest_velocity_ratio(const Evaluation& e);
+/// Largest |q'|/limit over an evaluation's scenarios, the corners of margins aside.
+double largest_velocity_ratio(const Study& study, const Evaluation& e);
 
 }  // namespace armtune

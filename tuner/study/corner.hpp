@@ -10,7 +10,7 @@
 
 #include "sim/rollout/rollout_result.hpp"
 #include "tuner/robustness/margin_kind.hpp"
-#include "tuner/verdict/thresholds.hpp"
+#include "tuner/study/thresholds.hpp"
 
 namespace armtune {
 

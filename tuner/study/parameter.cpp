@@ -50,6 +50,11 @@ double value(const Gains& gains, const GainEntry& entry) {
   return numbers(gains, *entry.field)[entry.component];
 }
 
+bool on_bound(const Parameter& parameter, double value) {
+  constexpr double kRounding = 1e-9;
+  return value <= parameter.lower * (1.0 + kRounding) || value >= parameter.upper * (1.0 - kRounding);
+}
+
 std::vector<double> ParameterSpace::start_point() const {
   std::vector<double> x;
   for (const Parameter& p : free) x.push_back(to_coordinate(p, p.start));

@@ -34,6 +34,9 @@ struct Parameter {
   Scale scale = Scale::kLog;
 };
 
+/// True if a value lies on one of the parameter's bounds, but for rounding.
+bool on_bound(const Parameter& parameter, double value);
+
 /// A gain that follows a tuned parameter: value = factor * its value.
 struct Link {
   GainEntry entry;

@@ -9,8 +9,8 @@
 #include "tuner/search/solver.hpp"
 #include "tuner/study/objective.hpp"
 #include "tuner/study/parameter.hpp"
+#include "tuner/study/thresholds.hpp"
 #include "tuner/study/warm_start.hpp"
-#include "tuner/verdict/thresholds.hpp"
 
 namespace armtune {
 
@@ -51,7 +51,9 @@ struct Study {
 /// Everything that is simulated for an evaluation: the study's scenarios, then the corners of its margins,
 /// margin by margin.
 std::vector<Scenario> simulated_scenarios(const Study& study);
-/// How many rollouts that is, arms of `robust` included.
+/// How many results an evaluation has: one for each of those, folded over the arms of `robust`.
+std::size_t results_per_evaluation(const Study& study);
+/// How many rollouts that takes, arms of `robust` included.
 std::size_t rollouts_per_evaluation(const Study& study);
 
 /// The study's solver, with the initial step that its warm start begins with.

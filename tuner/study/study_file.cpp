@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -14,6 +13,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/map_reader.hpp"
+#include "tuner/study/hold_keys.hpp"
 #include "tuner/study/parameter_keys.hpp"
 #include "tuner/study/search_keys.hpp"
 #include "tuner/study/study.hpp"
@@ -153,90 +153,6 @@ void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constr
   }
 }
 
-SampleSet read_samples(const yaml::Node& node) {
-  yaml::MapReader map(node);
-  SampleSet set;
-  constexpr long kMostSamples = 1000;
-  const long samples = map.integer("samples", static_cast<long>(set.samples));
-  if (samples < 1 || samples > kMostSamples)
-    map.required("samples").fail(fmt::format("{}: must lie between 1 and {}", samples, kMostSamples));
-  set.samples = static_cast<std::size_t>(samples);
-  const long seed = map.integer("seed", static_cast<long>(set.seed));
-  if (seed < 0) map.required("seed").fail("must not be negative");
-  set.seed = static_cast<std::uint64_t>(seed);
-  const auto names = risk_measure_names();
-  const std::string measure = map.string("measure", names[static_cast<std::size_t>(set.measure)]);
-  const auto found = std::find(names.begin(), names.end(), measure);
-  if (found == names.end()) {
-    map.required("measure").fail(fmt::format("'{}' is not one of: {}", measure, fmt::join(names, ", ")));
-  }
-  set.measure = static_cast<RiskMeasure>(found - names.begin());
-  set.level = map.number_in("level", set.level, 0.0, 1.0);
-  if (set.level <= 0.0 || set.level >= 1.0)
-    map.required("level").fail("must lie between 0 and 1, ends excluded");
-  if (const yaml::Node* widths = map.optional("uncertainty")) {
-    yaml::MapReader uncertainty(*widths);
-    for (const PerturbationField& f : perturbation_fields()) {
-      set.perturbation.*f.width = uncertainty.number(f.name, set.perturbation.*f.width);
-    }
-    set.perturbation.phases = uncertainty.boolean("phases", set.perturbation.phases);
-    uncertainty.finish();
-    try {
-      validate(set.perturbation, "uncertainty");
-    } catch (const InputError& e) {
-      widths->fail(e.what());
-    }
-  }
-  map.finish();
-  return set;
-}
-
-/// Returns the threshold that the field's key gives, or `fallback` without it.
-double read_threshold(yaml::MapReader& map, const ThresholdField& field, double fallback) {
-  const double value = map.number_in(field.name, fallback, field.least, field.most);
-  if (field.whole && value != std::floor(value))
-    map.required(field.name).fail(fmt::format("{} {}: give a whole number", value, field.unit));
-  return value;
-}
-
-/// The keys of `margins`, each one optional: what corner rollouts demand.
-std::vector<MarginDemand> read_margins(const yaml::Node& node) {
-  yaml::MapReader map(node);
-  std::vector<MarginDemand> demands;
-  for (const MarginThreshold& margin : margin_thresholds()) {
-    const auto field =
-        std::find_if(threshold_fields().begin(), threshold_fields().end(),
-                     [&margin](const ThresholdField& f) { return std::string(f.name) == margin.key; });
-    if (!map.has(margin.key)) continue;
-    demands.push_back({margin.kind, read_threshold(map, *field, 0.0)});
-  }
-  map.finish();
-  if (demands.empty())
-    node.fail("no margin is demanded; leave the key out, or give one of: delay_periods, gain, rate, noise");
-  return demands;
-}
-
-/// One constraint for each margin, over its corners, which stand behind the study's scenarios.
-void add_margin_constraints(Study& study) {
-  std::size_t corner = study.scenarios.size();
-  for (const MarginDemand& demand : study.margins) {
-    Constraint& constraint = study.constraints.emplace_back();
-    constraint.margin = demand;
-    for (std::size_t s = 0; s < study.scenarios.size(); ++s) constraint.scenarios.push_back(corner++);
-  }
-}
-
-/// The keys of `verdict`: thresholds of the simulation checks.
-VerdictThresholds read_thresholds(const yaml::Node& node) {
-  yaml::MapReader map(node);
-  VerdictThresholds thresholds;
-  for (const ThresholdField& field : threshold_fields()) {
-    thresholds.*field.value = read_threshold(map, field, thresholds.*field.value);
-  }
-  map.finish();
-  return thresholds;
-}
-
 /// The start gains, of the controller that the study's file or the caller names.
 Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& asked,
                  const Scenario& first) {
@@ -253,19 +169,6 @@ Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& 
 }
 
 }  // namespace
-
-std::vector<Scenario> simulated_scenarios(const Study& study) {
-  std::vector<Scenario> all = study.scenarios;
-  for (const MarginDemand& demand : study.margins) {
-    for (const Scenario& scenario : study.scenarios) all.push_back(corner_of(scenario, demand));
-  }
-  return all;
-}
-
-std::size_t rollouts_per_evaluation(const Study& study) {
-  const std::size_t arms = study.robust ? study.robust->samples : 1;
-  return study.scenarios.size() * (arms + study.margins.size());
-}
 
 Study load_study(const std::string& name_or_path, const std::string& controller) {
   const std::string path = find_data_file("studies", name_or_path);
@@ -302,13 +205,12 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   if (const yaml::Node* node = map.optional("sweep"); node != nullptr && !another) {
     study.sweep = read_sweep(*node, gain_entries(fields_of(start), joints), study.space);
   }
-  if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node);
+  if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node, study.scenarios);
   if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {
     end_no_sample_early(map.required("constraints"), study.constraints);
   }
   if (const yaml::Node* node = map.optional("margins")) {
-    study.margins = read_margins(*node);
-    add_margin_constraints(study);
+    read_margins(*node, study);
   }
   if (const yaml::Node* node = map.optional("verdict")) study.thresholds = read_thresholds(*node);
   if (const yaml::Node* node = map.optional("search")) {

@@ -1,4 +1,4 @@
-#include "tuner/verdict/thresholds.hpp"
+#include "tuner/study/thresholds.hpp"
 
 #include <fmt/format.h>
 

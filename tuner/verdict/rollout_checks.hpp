@@ -7,7 +7,7 @@
 #include "sim/csv/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tuner/endurance/endurance.hpp"
-#include "tuner/verdict/thresholds.hpp"
+#include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/verdict.hpp"
 
 namespace armtune {

@@ -6,19 +6,64 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <optional>
 
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
+#include "tuner/verdict/first_breach.hpp"
 #include "tuner/workers/parallel.hpp"
 
 namespace armtune {
 namespace {
 
-/// The joint and time that a result names with a metric, where it names one.
-void place(const RolloutResult& result, Metric metric, Check& check) {
-  if (metric != Metric::kJointVelocityMaxRatio) return;
-  check.joint = result.metrics.max_ratio_joint;
-  check.time = result.metrics[Metric::kJointVelocityMaxRatioTime];
+/// The broken constraint c of the point `best`, in the scenario where it misses most, with the joint and the
+/// time of its first breach.
+Check broken_constraint(const Study& study, const Evaluation& best, const Objective& objective,
+                        std::size_t c) {
+  const Constraint& constraint = objective.constraints()[c];
+  Check check{CheckKind::kConstraints, false};
+  check.detail = objective.constraint_name(c);
+  check.unit = field(constraint.metric).unit;
+  double largest = -HUGE_VAL;
+  std::size_t worst = 0;
+  for (const std::size_t s : constraint.scenarios) {
+    const double value = best.results[s].metrics[constraint.metric];
+    const double excess = constraint.upper ? value - objective.limit(c, s) : objective.limit(c, s) - value;
+    if (!(excess > largest)) continue;
+    largest = excess;
+    worst = s;
+  }
+  const Scenario& scenario = study.scenarios[worst];
+  check.scenario = scenario.name;
+  check.value = best.results[worst].metrics[constraint.metric];
+  check.threshold = objective.limit(c, worst);
+  // What ends a rollout early is a metric that is bad where it is large, or the other way round.
+  if (constraint.upper == larger_is_better(constraint.metric)) return check;
+  if (const auto breach = first_breach(study, scenario, best.gains, {constraint.metric, check.threshold})) {
+    check.joint = breach->joint;
+    check.time = breach->time;
+  }
+  return check;
+}
+
+/// The same of a margin's constraint, whose corner says itself why it does not hold.
+Check broken_margin(const Study& study, const Evaluation& best, const Objective& objective, std::size_t c) {
+  const Constraint& constraint = objective.constraints()[c];
+  Check check{CheckKind::kConstraints, false};
+  check.detail = objective.constraint_name(c);
+  MarginOptions how;
+  how.stepper = study.stepper;
+  const std::atomic<bool> never{false};
+  for (const Scenario& scenario : study.scenarios) {
+    const MarginDemand& asked = *constraint.margin;
+    const auto reason =
+        failure_at(asked.kind, demanded_value(asked, scenario), scenario, best.gains, how, never);
+    if (!reason || reason->empty()) continue;
+    check.scenario = scenario.name;
+    check.detail += fmt::format(" ({})", *reason);
+    break;
+  }
+  return check;
 }
 
 CheckKind check_of(MarginKind kind) {
@@ -58,25 +103,16 @@ void add_search_checks(const Study& study, const TuneResult& result, const Objec
   const Evaluation& best = result.best;
   Check constraints{CheckKind::kConstraints};
   double worst = 0.0;
+  std::optional<std::size_t> in_the_way;
   for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
     if (!(best.relative[c] > worst)) continue;
     worst = best.relative[c];
-    const Constraint& constraint = objective.constraints()[c];
-    constraints = {CheckKind::kConstraints, false};
-    constraints.detail = objective.constraint_name(c);
-    if (constraint.margin) continue;
-    constraints.unit = field(constraint.metric).unit;
-    double largest = -HUGE_VAL;
-    for (const std::size_t s : constraint.scenarios) {
-      const double value = best.results[s].metrics[constraint.metric];
-      const double excess = constraint.upper ? value - objective.limit(c, s) : objective.limit(c, s) - value;
-      if (!(excess > largest)) continue;
-      largest = excess;
-      constraints.scenario = study.scenarios[s].name;
-      constraints.value = value;
-      constraints.threshold = objective.limit(c, s);
-      place(best.results[s], constraint.metric, constraints);
-    }
+    in_the_way = c;
+  }
+  if (in_the_way) {
+    constraints = objective.constraints()[*in_the_way].margin
+                      ? broken_margin(study, best, objective, *in_the_way)
+                      : broken_constraint(study, best, objective, *in_the_way);
   }
   if (best.status != "completed" && constraints.passed) {
     constraints.passed = false;
@@ -94,17 +130,14 @@ void add_search_checks(const Study& study, const TuneResult& result, const Objec
 }
 
 void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& verdict) {
-  std::vector<std::string> on_bound;
+  std::vector<std::string> names;
   for (const Parameter& p : study.space.free) {
-    const double v = value(gains, p.entry);
-    constexpr double kRounding = 1e-9;
-    if (v <= p.lower * (1.0 + kRounding) || v >= p.upper * (1.0 - kRounding))
-      on_bound.push_back(p.entry.name);
+    if (on_bound(p, value(gains, p.entry))) names.push_back(p.entry.name);
   }
-  if (on_bound.empty()) return;
+  if (names.empty()) return;
   verdict.notes.push_back(
-      fmt::format("{} of {} gains lie on a bound of the study, which may hold them back: {}", on_bound.size(),
-                  study.space.free.size(), fmt::join(on_bound, ", ")));
+      fmt::format("{} of {} gains lie on a bound of the study, which may hold them back: {}", names.size(),
+                  study.space.free.size(), fmt::join(names, ", ")));
 }
 
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
@@ -148,7 +181,7 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict) {
   MonteCarloOptions how;
-  if (study.robust) how.perturbation = study.robust->perturbation;
+  how.perturbation = study.robust ? study.robust->perturbation : default_perturbation(study.scenarios);
   how.samples = static_cast<std::uint64_t>(study.thresholds.arms);
   how.stepper = study.stepper;
   how.workers = options.workers;
@@ -181,7 +214,10 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
     check.detail += fmt::format("; most often {}", most->first);
   }
   verdict.checks.push_back(std::move(check));
-  verdict.assumes.push_back(study.robust ? "the study's spread of arms" : "the default spread of arms");
+  verdict.assumes.push_back(fmt::format(
+      "{} spread of arms, {}", study.robust ? "the study's" : "the default",
+      how.perturbation.payload > 0.0 ? fmt::format("payloads up to {:.3g} kg", how.perturbation.payload)
+                                     : std::string("each with the scenario's payload")));
   return true;
 }
 

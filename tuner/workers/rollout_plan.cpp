@@ -17,8 +17,8 @@ double deadline_of(double asked, const Scenario& scenario) {
 
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample) {
   const Scenario& own = plan.scenarios[scenario];
-  return plan.draw && scenario < plan.drawn ? perturbed(own, plan.draw->perturbation, plan.draw->seed, sample)
-                                            : own;
+  const bool as_it_is = !plan.draw || scenario >= plan.drawn || plan.draw->own == sample;
+  return as_it_is ? own : perturbed(own, plan.draw->perturbation, plan.draw->seed, sample);
 }
 
 std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan) {

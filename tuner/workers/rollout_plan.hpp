@@ -22,6 +22,7 @@ namespace armtune {
 struct Draw {
   Perturbation perturbation;
   std::uint64_t seed = 1;
+  std::optional<std::uint64_t> own = {};  ///< the number that stands for the scenario's own arm, if one does
 };
 
 struct RolloutPlan {

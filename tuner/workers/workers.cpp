@@ -10,7 +10,7 @@ RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
   RolloutPlan plan;
   plan.scenarios = scenarios;
   plan.stepper = stepper;
-  if (samples) plan.draw = Draw{samples->perturbation, samples->seed};
+  if (samples) plan.draw = Draw{samples->perturbation, samples->seed, samples->samples};
   plan.drawn = static_cast<std::size_t>(
       std::find_if(scenarios.begin(), scenarios.end(), [](const Scenario& s) { return s.pushed; }) -
       scenarios.begin());

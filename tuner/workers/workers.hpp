@@ -56,7 +56,7 @@ class Workers {
   std::size_t scenarios() const { return crew_->plan().scenarios.size(); }
   /// The arms that a scenario is simulated with.
   std::size_t samples(std::size_t scenario) const {
-    return samples_ && scenario < crew_->plan().drawn ? samples_->samples : 1;
+    return samples_ && scenario < crew_->plan().drawn ? arms(*samples_) : 1;
   }
 
   std::unique_ptr<Crew> crew_;

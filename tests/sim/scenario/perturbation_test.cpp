@@ -33,6 +33,7 @@ std::vector<double> everything(const Scenario& s) {
 Perturbation of_the_arm() {
   Perturbation p;
   p.center = p.delay = p.noise = p.theta = p.target_speed = 0.0;
+  p.payload = 3.0;
   return p;
 }
 
@@ -102,7 +103,7 @@ TEST(Perturbed, StaysWithinItsRangesFillsThemAndIsAnArmThatCanBeBuilt) {
 
 TEST(Perturbed, WhatHasNoWidthStaysAndWhatIsAddedMovesNothingElse) {
   const Scenario scenario = load_scenario("realistic_obstacle_pass");
-  Perturbation more;
+  Perturbation more = of_the_arm();
   more.center = 0.01;
   more.delay = 2;
   more.noise = 0.5;
@@ -196,6 +197,17 @@ TEST(Perturbed, PathsThroughKnotsVaryTheirSpeedAndThoseThatComeRoundTheirBeginni
   EXPECT_LE(latest, turn);
   EXPECT_LT(earliest, 0.05 * turn);
   EXPECT_GT(latest, 0.95 * turn);
+}
+
+TEST(Perturbed, ByDefaultCarriesUpToThreeTimesTheHeaviestPayload) {
+  const std::vector<Scenario> bare = {load_scenario("moving_target")};
+  EXPECT_EQ(default_perturbation(bare).payload, 0.0) << "no payload: none is drawn";
+  const std::vector<Scenario> loaded = {load_scenario("youbot_realistic_moving_target")};
+  EXPECT_DOUBLE_EQ(default_perturbation(loaded).payload, 3.0 * loaded[0].plant.payload.mass);
+  const std::vector<Scenario> both = {bare[0], load_scenario("realistic_moving_target")};
+  EXPECT_DOUBLE_EQ(default_perturbation(both).payload, 3.0)
+      << "the UR10 of the realistic scenarios carries 1 kg";
+  EXPECT_EQ(default_perturbation(both).mass, Perturbation().mass);
 }
 
 TEST(Perturbed, RefusesRangesThatLeaveNoArm) {

@@ -125,6 +125,38 @@ TEST(Endurance, GoesOnWithTheTaskAfterAPlannedMotion) {
   EXPECT_FALSE(std::isnan(results[0].rms_growth)) << "the task was tracked";
 }
 
+/// A planned motion without any task is held where it ends.
+TEST(Endurance, HoldsTheToolAfterAPlannedMotionWithoutATask) {
+  const Scenario base = test::scenario_of("moving_target");
+  Gains gains = load_gains("extended_tuned", joint_names(*base.robot));
+  const test::TemporaryFolder folder;
+  test::QuinticPlan plan;
+  plan.start = base.start_position;
+  plan.goal = gains.joint_space_goal * M_PI / 180.0;
+  folder.write("plan.csv", test::plan_csv(*base.robot, plan));
+  const Scenario scenario = load_scenario(
+      folder.write("own.yaml",
+                   "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\nduration: planned\nseed: 1\n"
+                   "theta_start: {model_scale: 1}\n"));
+  ASSERT_FALSE(scenario.has_task());
+  const auto sentences = how_extended(scenario);
+  ASSERT_EQ(sentences.size(), 1U);
+  const auto results = endured(scenario, gains, 0.5);
+  ASSERT_EQ(results.size(), 1U);
+  EXPECT_TRUE(results[0].held()) << (results[0].broken ? to_string(*results[0].broken) : results[0].ended);
+  EXPECT_DOUBLE_EQ(results[0].simulated, 30.0);
+  // The tool is where the motion ended, at rest.
+  JointVector last, speed;
+  Rollout(extended_to(scenario, 30.0), Stepper::kMidpoint, Engine::kNative)
+      .run(gains, [&](const Observation& o) {
+        last = *o.q;
+        speed = *o.qd;
+        return true;
+      });
+  EXPECT_LT((last - plan.goal).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LT(speed.cwiseAbs().maxCoeff(), 0.01);
+}
+
 /// Twenty minutes of one bundled realistic scenario under its tuned gains: within every limit, and no error
 /// grows.
 TEST(Endurance, TheBundledTunedGainsHoldForTwentyMinutes) {

@@ -63,6 +63,22 @@ TEST(FoldedResult, IsCompletedOnlyIfEverySampleIs) {
   EXPECT_EQ(all.end_time, 3.0);
 }
 
+TEST(FoldedResult, NamesJointAndTimeOfOneArmTheOneWithTheLargestVelocity) {
+  std::vector<RolloutResult> samples(3);
+  const double ratios[] = {0.4, 0.9, 0.6};
+  const double times[] = {7.0, 2.0, 5.0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    samples[k].metrics[Metric::kJointVelocityMaxRatio] = ratios[k];
+    samples[k].metrics[Metric::kJointVelocityMaxRatioTime] = times[k];
+    samples[k].metrics.max_ratio_joint = std::string(1, static_cast<char>('a' + k));
+  }
+  for (const RiskMeasure measure : {RiskMeasure::kWorst, RiskMeasure::kMean}) {
+    const Metrics metrics = folded(set_of(measure), samples).metrics;
+    EXPECT_EQ(metrics.max_ratio_joint, "b");
+    EXPECT_EQ(metrics[Metric::kJointVelocityMaxRatioTime], 2.0);
+  }
+}
+
 TEST(FoldedResult, OfSeveralFailuresIsTheOneThatEndedFirst) {
   std::vector<RolloutResult> samples(4);
   const auto fail = [&samples](std::size_t k, RolloutStatus status, double end) {
@@ -111,9 +127,28 @@ TEST_F(RobustStudy, ItsWorkersGiveTheMeasureOfRolloutsOfEachArm) {
       worst = std::max(worst, Rollout(arm, study_.stepper).run(gains[0]).metrics[Metric::kOrientationRms]);
     }
     nominal = Rollout(study_.scenarios[s], study_.stepper).run(gains[0]).metrics[Metric::kOrientationRms];
-    EXPECT_EQ((*results)[0][s].metrics[Metric::kOrientationRms], worst);
+    EXPECT_EQ((*results)[0][s].metrics[Metric::kOrientationRms], std::max(worst, nominal));
     EXPECT_NE(worst, nominal);
   }
+}
+
+TEST_F(RobustStudy, TunesOnTheScenariosOwnArmToo) {
+  SampleSet set = *study_.robust;
+  EXPECT_EQ(arms(set), set.samples + 1);
+  // Arms that hardly differ from one another, and from the scenario's own by a load that it does not have.
+  set.perturbation = no_perturbation();
+  set.perturbation.payload = 1e-9;
+  Scenario loaded = study_.scenarios[1];
+  loaded.plant.payload.mass = 6.0;
+  Workers workers({loaded}, study_.stepper, 2, set);
+  const std::vector<Gains> gains = {study_.space.start};
+  const auto results = workers.run(gains, kNever);
+  const auto error = [&](const Scenario& s) {
+    return Rollout(s, study_.stepper).run(gains[0]).metrics[Metric::kPositionRms];
+  };
+  EXPECT_EQ((*results)[0][0].metrics[Metric::kPositionRms], error(loaded));
+  EXPECT_GT(error(loaded), 1.1 * error(arm_of(set, loaded, 0)));
+  EXPECT_EQ(rollouts_per_evaluation(study_), study_.scenarios.size() * 4);
 }
 
 TEST_F(RobustStudy, IsTunedOnThemTheSameForAnyNumberOfWorkers) {

@@ -131,8 +131,8 @@ TEST(Tune, EndsHopelessRolloutsEarlyAndStillSeesTheBestOneWhole) {
   Study study = load_study(files.path());
   // Beyond repair: halfway between what the start needs and the stiffest wrist of the sweep.
   const Tuned whole = run(study, 2, files / "whole.csv");
-  const double start = largest_velocity_ratio(whole.evaluations[0]);
-  const double fastest = largest_velocity_ratio(whole.evaluations.at(2));
+  const double start = largest_velocity_ratio(study, whole.evaluations[0]);
+  const double fastest = largest_velocity_ratio(study, whole.evaluations.at(2));
   ASSERT_GT(fastest, 1.05 * start);
   const double limit = 0.75 * start + 0.25 * fastest;
   const Hopeless beyond = {Hopeless::Kind::kFrom, 0.5 * (start + fastest)};

@@ -80,7 +80,7 @@ TEST(Corner, AStudysMarginsBecomeOneConstraintEachOverCornersOfEveryScenario) {
   const Study study = load_study(files.path());
   ASSERT_EQ(study.margins.size(), 4U);
   EXPECT_EQ(study.constraints.size(), 2U + 4U);
-  EXPECT_EQ(rollouts_per_evaluation(study), 2U * (3U + 4U));
+  EXPECT_EQ(rollouts_per_evaluation(study), 2U * (4U + 4U));
   const std::vector<Scenario> all = simulated_scenarios(study);
   ASSERT_EQ(all.size(), 2U * 5U);
   for (std::size_t s = 0; s < all.size(); ++s) EXPECT_EQ(all[s].pushed, s >= 2) << s;

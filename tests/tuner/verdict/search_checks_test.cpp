@@ -82,6 +82,7 @@ TEST(YieldCheck, CountsTheArmsThatMonteCarloCounts) {
     ASSERT_TRUE(add_yield_check(study, gains, {2, {}}, kNever, verdict));
     MonteCarloOptions how;  // in Simbody alone
     how.samples = 6;
+    how.perturbation = default_perturbation(study.scenarios);
     how.workers = 2;
     double kept = 0.0;
     for (const MonteCarloSample& sample : monte_carlo(study.scenarios, gains, how, kNever))

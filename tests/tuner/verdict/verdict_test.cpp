@@ -5,8 +5,8 @@
 
 #include "sim/csv/text_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
-#include "tuner/verdict/thresholds.hpp"
 
 namespace armtune {
 namespace {

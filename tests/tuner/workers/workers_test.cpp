@@ -71,11 +71,12 @@ TEST(Workers, SimulateSideBySideWhatTheySimulateAlone) {
   set.samples = 70;  // more arms than a worker keeps
   set.measure = RiskMeasure::kWorst;
   scenarios = {test::scenario_of("moving_target", 2.2)};
-  Workers arms(scenarios, Stepper::kMidpoint, 2, set);
-  const auto folded_results = (*arms.run({candidates.data(), 1}, never, {}, {Engine::kNative}))[0];
+  const std::size_t arms_of_set = arms(set);
+  Workers on_arms(scenarios, Stepper::kMidpoint, 2, set);
+  const auto folded_results = (*on_arms.run({candidates.data(), 1}, never, {}, {Engine::kNative}))[0];
   double largest = 0.0;
-  for (std::uint64_t k = 0; k < set.samples; ++k) {
-    const Scenario arm = perturbed(scenarios[0], set.perturbation, set.seed, k);
+  for (std::size_t k = 0; k < arms_of_set; ++k) {
+    const Scenario arm = arm_of(set, scenarios[0], k);
     const RolloutResult alone = Rollout(arm, Stepper::kMidpoint, Engine::kNative).run(candidates[0]);
     largest = std::max(largest, alone.metrics[Metric::kJointVelocityMaxRatio]);
   }
@@ -140,11 +141,11 @@ TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
     EXPECT_EQ(test::bits(ended[1].metrics), test::bits(alone.metrics));
     EXPECT_EQ(ended[1].end_time, alone.end_time);
 
-    Workers arms(scenarios, Stepper::kMidpoint, count, set);
-    const auto folded_results = (*arms.run(candidates, never, {}, {Engine::kSimbody, limits}))[0];
+    Workers on_arms(scenarios, Stepper::kMidpoint, count, set);
+    const auto folded_results = (*on_arms.run(candidates, never, {}, {Engine::kSimbody, limits}))[0];
     double first = HUGE_VAL;
-    for (std::uint64_t k = 0; k < 2; ++k) {
-      const Scenario arm = perturbed(scenarios[1], set.perturbation, set.seed, k);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Scenario arm = arm_of(set, scenarios[1], k);
       first = std::min(first, Rollout(arm, Stepper::kMidpoint).run(candidates[0], {}, limits[1]).end_time);
     }
     EXPECT_EQ(folded_results[0].status, RolloutStatus::kNoSamples);

@@ -1,0 +1,99 @@
+#include "tuner/study/hold_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/common/error.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune {
+namespace {
+
+/// Returns the threshold that the field's key gives, or `fallback` without it.
+double read_threshold(yaml::MapReader& map, const ThresholdField& field, double fallback) {
+  const double value = map.number_in(field.name, fallback, field.least, field.most);
+  if (field.whole && value != std::floor(value))
+    map.required(field.name).fail(fmt::format("{} {}: give a whole number", value, field.unit));
+  return value;
+}
+
+/// One constraint for each margin, over its corners, which stand behind the study's scenarios.
+void add_margin_constraints(Study& study) {
+  std::size_t corner = study.scenarios.size();
+  for (const MarginDemand& demand : study.margins) {
+    Constraint& constraint = study.constraints.emplace_back();
+    constraint.margin = demand;
+    for (std::size_t s = 0; s < study.scenarios.size(); ++s) constraint.scenarios.push_back(corner++);
+  }
+}
+
+}  // namespace
+
+SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scenarios) {
+  yaml::MapReader map(node);
+  SampleSet set;
+  set.perturbation = default_perturbation(scenarios);
+  constexpr long kMostSamples = 1000;
+  const long samples = map.integer("samples", static_cast<long>(set.samples));
+  if (samples < 1 || samples > kMostSamples)
+    map.required("samples").fail(fmt::format("{}: must lie between 1 and {}", samples, kMostSamples));
+  set.samples = static_cast<std::size_t>(samples);
+  const long seed = map.integer("seed", static_cast<long>(set.seed));
+  if (seed < 0) map.required("seed").fail("must not be negative");
+  set.seed = static_cast<std::uint64_t>(seed);
+  const auto names = risk_measure_names();
+  const std::string measure = map.string("measure", names[static_cast<std::size_t>(set.measure)]);
+  const auto found = std::find(names.begin(), names.end(), measure);
+  if (found == names.end()) {
+    map.required("measure").fail(fmt::format("'{}' is not one of: {}", measure, fmt::join(names, ", ")));
+  }
+  set.measure = static_cast<RiskMeasure>(found - names.begin());
+  set.level = map.number_in("level", set.level, 0.0, 1.0);
+  if (set.level <= 0.0 || set.level >= 1.0)
+    map.required("level").fail("must lie between 0 and 1, ends excluded");
+  if (const yaml::Node* widths = map.optional("uncertainty")) {
+    yaml::MapReader uncertainty(*widths);
+    for (const PerturbationField& f : perturbation_fields()) {
+      set.perturbation.*f.width = uncertainty.number(f.name, set.perturbation.*f.width);
+    }
+    set.perturbation.phases = uncertainty.boolean("phases", set.perturbation.phases);
+    uncertainty.finish();
+    try {
+      validate(set.perturbation, "uncertainty");
+    } catch (const InputError& e) {
+      widths->fail(e.what());
+    }
+  }
+  map.finish();
+  return set;
+}
+
+void read_margins(const yaml::Node& node, Study& study) {
+  yaml::MapReader map(node);
+  for (const MarginThreshold& margin : margin_thresholds()) {
+    const auto field =
+        std::find_if(threshold_fields().begin(), threshold_fields().end(),
+                     [&margin](const ThresholdField& f) { return std::string(f.name) == margin.key; });
+    if (!map.has(margin.key)) continue;
+    study.margins.push_back({margin.kind, read_threshold(map, *field, 0.0)});
+  }
+  map.finish();
+  if (study.margins.empty())
+    node.fail("no margin is demanded; leave the key out, or give one of: delay_periods, gain, rate, noise");
+  add_margin_constraints(study);
+}
+
+VerdictThresholds read_thresholds(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  VerdictThresholds thresholds;
+  for (const ThresholdField& field : threshold_fields()) {
+    thresholds.*field.value = read_threshold(map, field, thresholds.*field.value);
+  }
+  map.finish();
+  return thresholds;
+}
+
+}  // namespace armtune

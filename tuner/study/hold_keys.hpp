@@ -1,0 +1,22 @@
+#pragma once
+// What a study asks so that its gains hold on a real arm, as its file says it: several arms, margins, and the
+// thresholds of the checks after the search.
+
+#include "sim/yaml/document.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune {
+
+/// Returns the arms that the keys of `robust` describe, which differ from those of the scenarios. Throws
+/// InputError with file, line and key.
+SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scenarios);
+
+/// Adds what the keys of `margins` demand, and one constraint for each of them over its corners. The study's
+/// scenarios and other constraints stand already. Throws InputError with file, line and key.
+void read_margins(const yaml::Node& node, Study& study);
+
+/// Returns the thresholds of `verdict`; keys that are left out keep their defaults. Throws InputError with
+/// file, line and key.
+VerdictThresholds read_thresholds(const yaml::Node& node);
+
+}  // namespace armtune

@@ -1,0 +1,59 @@
+#include "tuner/verdict/first_breach.hpp"
+
+#include "sim/rollout/rollout.hpp"
+
+namespace armtune {
+namespace {
+
+/// How near each joint is to the limit that the metric is about, the largest value the nearest (n). Empty for
+/// a metric that is no joint's.
+JointVector nearness(Metric metric, const RobotModel& model, const Observation& o) {
+  switch (metric) {
+    case Metric::kJointVelocityMaxRatio:
+      return o.qd->cwiseAbs().cwiseQuotient(model.velocity_limits());
+    case Metric::kJointEffortMaxRatio:
+      return o.control->commanded.cwiseAbs().cwiseQuotient(model.effort_limits());
+    case Metric::kJointPositionMinMargin:
+      return (model.lower_limits() - *o.q).cwiseMax(*o.q - model.upper_limits());
+    default:
+      return {};
+  }
+}
+
+/// Of one arm.
+std::optional<Breach> breach_of(const Scenario& scenario, const Gains& gains, const EndLimit& limit,
+                                Stepper stepper) {
+  const Engine engine = stepper == Stepper::kReference ? Engine::kSimbody : Engine::kNative;
+  Breach breach;
+  JointVector near;
+  const auto watch = [&](const Observation& o) {
+    near = nearness(limit.metric, *scenario.robot, o);
+    breach.time = o.time;
+    return true;
+  };
+  const RolloutResult result = Rollout(scenario, stepper, engine).run(gains, watch, {limit});
+  if (!limit.reached_by(result.metrics[limit.metric])) return std::nullopt;
+  if (near.size() > 0) {
+    Eigen::Index joint = 0;
+    near.maxCoeff(&joint);
+    breach.joint = scenario.robot->joints[static_cast<std::size_t>(joint)].name;
+  }
+  return breach;
+}
+
+}  // namespace
+
+std::optional<Breach> first_breach(const Study& study, const Scenario& scenario, const Gains& gains,
+                                   const EndLimit& limit) {
+  if (!only_worsens(limit.metric)) return std::nullopt;
+  std::optional<Breach> first;
+  const std::size_t count = study.robust ? arms(*study.robust) : 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Scenario arm = study.robust ? arm_of(*study.robust, scenario, k) : scenario;
+    const auto breach = breach_of(arm, gains, limit, study.stepper);
+    if (breach && (!first || breach->time < first->time)) first = breach;
+  }
+  return first;
+}
+
+}  // namespace armtune
