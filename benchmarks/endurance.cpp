@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "core/common/error.hpp"
 #include "sim/csv/cell.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "tuner/endurance/endurance.hpp"
@@ -30,16 +32,17 @@ struct Case {
   std::string scenario;
 };
 
-const std::vector<Case>& bundled_cases() {
-  static const std::vector<Case> all = {{"extended_tuned", "identified_realistic_fixed_target"},
-                                        {"extended_tuned", "identified_realistic_moving_target"},
-                                        {"extended_tuned", "identified_realistic_target_switch"},
-                                        {"extended_tuned", "identified_realistic_obstacle_pass"},
-                                        {"panda_tuned", "panda_moving_target"},
-                                        {"panda_tuned", "panda_target_switch"},
-                                        {"panda_tuned", "panda_obstacle_pass"},
-                                        {"youbot_tuned", "youbot_moving_target"},
-                                        {"youbot_tuned", "youbot_target_switch"}};
+/// The tuned gains of every bundled arm, and the realistic scenarios of that arm.
+std::vector<Case> bundled_cases() {
+  static const std::map<std::string, std::string> tuned = {
+      {"ur10", "extended_tuned"}, {"panda", "panda_tuned"}, {"youbot", "youbot_tuned"}};
+  std::vector<Case> all;
+  for (const auto& [robot, gains] : tuned) {
+    for (const std::string& scenario : bundled_names("scenarios")) {
+      if (scenario.find("realistic") == std::string::npos) continue;
+      if (load_scenario(scenario).robot->name == robot) all.push_back({gains, scenario});
+    }
+  }
   return all;
 }
 
@@ -94,7 +97,8 @@ int main(int argc, char** argv) {
       const Job& job = jobs[j];
       Scenario scenario = scenarios[job.number];
       if (job.sample >= 0) {
-        scenario = perturbed(scenario, Perturbation(), seed, static_cast<std::uint64_t>(job.sample));
+        scenario = perturbed(scenario, default_perturbation({&scenario, 1}), seed,
+                             static_cast<std::uint64_t>(job.sample));
       }
       const Gains gains = load_gains(cases[job.number].gains, joint_names(*scenario.robot));
       EnduranceOptions options;

@@ -115,7 +115,7 @@ void ControlLogic::follow_joint_trajectory(const JointState& measured, const Arm
   joint_space_references(towards(q_start_, goal, s), gains_.joint_space_gains_p, measured.q, measured.qd,
                          out_.reference);
   Kd_ = gains_.joint_space_gains_d;
-  gaze_.rest();
+  gaze_.tool_turns(arm.twist.tail<3>());
   out_.slerping = false;
   out_.errors = {};
 }
@@ -133,7 +133,7 @@ void ControlLogic::follow_plan(const JointState& measured, const ArmView& arm, c
   tool_jacobian_derivative(model_->chain, at.poses, at.twist, measured.qd, J_dot);
   const Vec6 tool_acceleration = times(at.J, out_.planned.acceleration) + times(J_dot, measured.qd);
   out_.desired = {arm.p_0T, arm.twist.head<3>(), tool_acceleration.head<3>()};
-  gaze_.rest();
+  gaze_.tool_turns(arm.twist.tail<3>());
   out_.slerping = false;
   out_.errors = {};
 }

@@ -38,7 +38,7 @@ GazeControl::Output GazeControl::next(const Gains& gains, const Mat3& R_0T, cons
     }
     parameter_ = rest_to_rest(gains.slerp_start, 1.0, duration);
     onward_.reset();
-    if (gains.gaze_feedforward) {
+    if (gains.gaze_feedforward && gains.slerp_reference == SlerpReference::kStart) {
       onward_.emplace(MotionPoint<Vec3>{Vec3::Zero(), last_.velocity, last_.acceleration},
                       MotionPoint<Vec3>{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, duration);
     }
@@ -57,6 +57,7 @@ OrientationPoint GazeControl::interpolated(const Gains& gains, const Mat3& R_fro
   if (gains.gaze_feedforward) {
     const MotionPoint<Vec3> motion = aim.turn_motion(R_from, tool, turn_);
     turn_ = motion.position;
+    if (!onward_) return slerp(Q_from, motion, s);
     const OrientationPoint onward =
         slerp(Eigen::Quaterniond::Identity(), onward_->at(time - start_time_), {1.0, 0.0, 0.0});
     return composed(onward, slerp(Q_from, motion, s));

@@ -1,12 +1,11 @@
 #pragma once
 // Gaze orientation control (equation 7): below the angular threshold the goal orientation itself, above it a
 // slerp whose parameter is a quintic over k_s times the angle. With gaze feed-forward the desired orientation
-// turns as the line from tool to target does; without, as published, it stands still outside slerps. There a
-// slerp also begins in the motion that the desired orientation had: from rest its velocity would jump, and
-// Kd would make a torque of that jump. An
-// orientation that is given in place of a target is turned to in the same way. Its
-// rates are exact for a slerp from the start; from the `current` orientation they leave out that this one
-// moves.
+// turns as the line from tool to target does; without, as published, it stands still outside slerps.
+// With feed-forward a slerp from its start also begins in the motion that the desired orientation had: from
+// rest its velocity would jump, and Kd would make a torque of that jump.
+// An orientation that is given in place of a target is turned to in the same way. The rates are exact for a
+// slerp from its start; from the `current` orientation they leave out that this one moves.
 
 #include <functional>
 #include <optional>
@@ -29,7 +28,8 @@ class GazeControl {
     Vec3 turn = Vec3::Zero();  ///< of the measured tool to its aim
   };
 
-  /// Largest share of the joints' speed that a slerp may take: its duration is stretched for it.
+  /// Largest speed of the joints that a slerp's own turn may take: its duration is stretched for it. The
+  /// motion in which it begins comes on top, and the velocity governor slows both.
   struct SpeedBound {
     std::function<const TaskInverse&()> inverse;  ///< of the Jacobian as it is; asked when a slerp starts
     const JointVector& bound;                     ///< (n) [rad/s, m/s]
@@ -41,8 +41,8 @@ class GazeControl {
                 const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
                 const std::optional<SpeedBound>& speed = {});
 
-  /// To be called while the arm does something else: the next slerp begins at rest.
-  void rest() { last_ = {}; }
+  /// To be called while joints are tracked: a slerp that comes next begins as the tool turns [rad/s].
+  void tool_turns(const Vec3& angular_velocity) { last_ = {angular_velocity, Vec3::Zero()}; }
 
  private:
   Output next(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,

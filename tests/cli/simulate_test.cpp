@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <thread>
 
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/document.hpp"
@@ -204,6 +206,37 @@ TEST(Simulate, EnduranceExtendsTheScenarioAndNamesWhatBreaks) {
   const Finished held = run_program(
       {"simulate", scenario, "--gains", "extended_tuned", "--engine", "native", "--endurance", "4"});
   EXPECT_EQ(held.exit_code, 0) << held.out;
+}
+
+/// Hours of simulated time take long enough that an interrupt meets them. What is not done has passed
+/// nothing.
+TEST(Simulate, AnInterruptedEnduranceIsNoVerdict) {
+  const test::TemporaryFolder folder;
+  for (const char* command : {"simulate", "compare"}) {
+    const std::string out = folder / command;
+    std::vector<std::string> words = {command};
+    if (std::string(command) == "simulate") {
+      words.insert(words.end(), {"fixed_target", "--gains", "extended_tuned", "--engine", "native"});
+    } else {
+      words.insert(words.end(), {"extended_tuned", "--scenarios", "fixed_target"});
+    }
+    words.insert(words.end(), {"--endurance", "1440", "--out", out});
+    test::Program program(words, folder.path());
+    // Its own 40 s are recorded within seconds; a day of it takes minutes.
+    const std::string recording = out +
+                                  (std::string(command) == "simulate" ? "" : "/rollouts_extended_tuned") +
+                                  "/rollout_fixed_target.csv";
+    for (int i = 0; i < 1200 && !std::filesystem::exists(recording); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    std::this_thread::sleep_for(std::chrono::seconds(5));
+    ASSERT_TRUE(program.running()) << command;
+    program.interrupt();
+    const Finished finished = program.wait();
+    EXPECT_EQ(finished.exit_code, 130) << finished.out << finished.err;
+    EXPECT_THAT(finished.out, testing::Not(HasSubstr("Simulation checks"))) << command;
+    EXPECT_FALSE(std::filesystem::exists(out + "/verdict.yaml")) << command;
+  }
 }
 
 /// A circle about the base with a fixed orientation of the tool turns the first joint round and round.

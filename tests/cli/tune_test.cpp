@@ -169,13 +169,13 @@ TEST(TuneCommand, OnManyArmsItReportsTheMeasureAndTheScenariosOwnArmApart) {
   const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
                                       "--max-evaluations", "4", "--no-analysis"});
   ASSERT_TRUE(tuned.exit_code == 0 || tuned.exit_code == 3) << tuned.err;
-  EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("(worst of 2 arms each)"),
+  EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("(worst of 3 arms each)"),
                                         HasSubstr("The arm of the scenario itself")));
   const auto robust = test::read_csv(files / "run/robust_errors.csv");
   const auto own = test::read_csv(files / "run/errors.csv");
   const auto journal = test::read_csv(files / "run/evaluations.csv");
   ASSERT_EQ(robust.rows.size(), 2U);
-  EXPECT_NE(robust.at(0, "error/orientation/rms"), own.at(0, "error/orientation/rms"));
+  EXPECT_NE(robust.at(1, "effort_rate/rms"), own.at(1, "effort_rate/rms"));
   const auto start = test::read_csv(files / "run/start/robust_errors.csv");
   EXPECT_EQ(start.at(0, "error/orientation/rms"), journal.at(0, "short/error/orientation/rms"));
 }

@@ -126,7 +126,7 @@ SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>&
         scenarios,
         [&](const Scenario& s) { return load_gains(gains_name(args.sets[i]), joint_names(*s.robot)); },
         {args.endurance, stepper_from_name(args.stepper), args.workers, {}}, sets[i].name);
-    fmt::print("{}, every scenario extended to {:.4g} minutes:\n{}\n", sets[i].name, args.endurance,
+    fmt::print("{}, every scenario extended to at least {:.4g} minutes:\n{}\n", sets[i].name, args.endurance,
                endurance_table(endured));
     extended = endured.size() == scenarios.size();
     if (!extended) continue;
@@ -135,6 +135,12 @@ SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>&
   add_unchecked(extended, verdict);
   add_assumptions(scenarios, verdict);
   return verdict;
+}
+
+int interrupted(const Arguments& args, const std::vector<ComparedSet>& sets) {
+  if (!args.folder.empty()) take_away(args.folder, sets);
+  fmt::print(stderr, "interrupted: a comparison is whole or nothing, so nothing was written\n");
+  return kInterrupted;
 }
 
 int run(const Arguments& args) {
@@ -166,15 +172,14 @@ int run(const Arguments& args) {
              options, stop_requested())});
     if (stop_requested()) {
       line.clear();
-      if (!args.folder.empty()) take_away(args.folder, sets);
-      fmt::print(stderr, "interrupted: a comparison is whole or nothing, so nothing was written\n");
-      return kInterrupted;
+      return interrupted(args, sets);
     }
   }
   line.clear();
   const auto metrics = args.all_metrics ? all_metrics() : headline_metrics();
   fmt::print("{}", comparison_table(sets, metrics));
   const SimulationVerdict verdict = verdict_of(args, scenarios, sets);
+  if (stop_requested()) return interrupted(args, sets);
   if (!args.folder.empty()) {
     write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
     for (const ComparedSet& set : sets) {

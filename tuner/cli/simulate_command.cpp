@@ -124,7 +124,8 @@ int run(const Arguments& args) {
     endured = run_endurance(
         scenarios, [&](const Scenario& s) { return load_gains(args.gains, joint_names(*s.robot)); },
         {args.endurance, options.stepper, args.workers, {}}, args.gains);
-    fmt::print("\nEvery scenario extended to {:.4g} minutes:\n{}", args.endurance, endurance_table(endured));
+    fmt::print("\nEvery scenario extended to at least {:.4g} minutes:\n{}", args.endurance,
+               endurance_table(endured));
   }
   const SimulationVerdict verdict = verdict_of(scenarios, results, endured);
   if (!args.folder.empty()) {

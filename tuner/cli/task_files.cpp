@@ -31,7 +31,7 @@ constraints:
   - {{metric: joint_position/min_margin, at_least: 0}}
   - {{metric: joint_effort/max_ratio, at_most: 0.9}}
 
-# Gains that hold: the worst of several arms that differ from the model at random counts, and one corner rollout for
+# Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for
 # each stability margin must hold on the arm of the model.
 robust: {{samples: 6, measure: worst}}
 margins: {{delay_periods: 1, gain: 1.2, noise: 2, rate: 0.8}}

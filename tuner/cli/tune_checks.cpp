@@ -35,7 +35,7 @@ void add_deep_checks(const Study& study, const Gains& gains, int workers, Simula
     verdict.not_checked.emplace_back("endurance (interrupted)");
     return;
   }
-  fmt::print("Every scenario extended to {:.4g} minutes:\n{}\n", study.thresholds.minutes,
+  fmt::print("Every scenario extended to at least {:.4g} minutes:\n{}\n", study.thresholds.minutes,
              endurance_table(endured));
   add_endurance_checks(endured, study.thresholds, "", verdict);
 }
@@ -68,8 +68,12 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   if (outcome == SearchOutcome::kStart) {
     fmt::print(
         "The search found nothing better than the start gains, so {0}/gains.yaml holds the start gains.\n"
-        "Allow more evaluations, or give the parameters other bounds.\n",
-        folder);
+        "{1}Allow more evaluations, or give the parameters other bounds.\n",
+        folder,
+        constraints.passed
+            ? ""
+            : fmt::format("They break a constraint: do not load them on the robot. In the way: {}.\n",
+                          to_text(constraints)));
     return;
   }
   fmt::print("Nothing feasible was found. In the way: {}.\n", to_text(constraints));
@@ -81,8 +85,9 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   } else {
     fmt::print(
         "{0}/gains.yaml holds the point with the least violation, whose objective is {1:.3g} times the "
-        "start's. "
-        "Keep the start gains ({0}/start/gains.yaml), and allow more evaluations.\n",
+        "start's. The start gains ({0}/start/gains.yaml) break a constraint too: load neither on the robot, "
+        "and "
+        "allow more evaluations.\n",
         folder, result.best.objective);
   }
 }

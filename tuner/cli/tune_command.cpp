@@ -261,8 +261,9 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->add_option("--record-every", args->record_every, "control periods per row of rollout_<scenario>.csv")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_flag("!--no-analysis", args->analysis,
-                    "leave out what comes after the search: margins, and which gains matter");
+  command->add_flag(
+      "!--no-analysis", args->analysis,
+      "leave out what comes after the search: margins, random arms, endurance, and which gains matter");
   command->add_flag(
       "--live", args->live,
       "keep report.html fresh while the search goes on: open it in a browser, it loads itself again");

@@ -64,7 +64,7 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 
 std::string robust_text(const Study& study) {
   if (!study.robust) return {};
-  return fmt::format(" ({} of {} arms each, their own among them)",
+  return fmt::format(" ({} of {} arms each)",
                      risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
                      arms(*study.robust));
 }

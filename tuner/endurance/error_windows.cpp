@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFirstMinute = 60.0;     // s: adaptation from a wrong start settles in it
 constexpr double kLongestWindow = 600.0;  // s
-/// Tracking counts from this long after followTrajectory was entered [s], as in the metrics.
+/// Tracking counts from this long after followTrajectory was entered or the target changed [s].
 constexpr double kSettlingTime = 1.0;
 
 double growth(double last, double first) {
@@ -27,8 +27,9 @@ ErrorWindows::ErrorWindows(double start_time, double duration, double period)
     : start_time_(start_time), period_(period), windows_(compared_windows(duration)) {}
 
 void ErrorWindows::look(const Observation& o) {
-  if (o.control->state != state_) {
+  if (o.control->state != state_ || o.target != target_) {
     state_ = o.control->state;
+    target_ = o.target;
     entered_ = o.time;
   }
   if (state_ != ControlState::kFollowTrajectory || o.control->slerping ||

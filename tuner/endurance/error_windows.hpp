@@ -22,8 +22,9 @@ class ErrorWindows {
   /// start_time, duration: of the scenario [s]; period: of control [s].
   ErrorWindows(double start_time, double duration, double period);
 
-  /// To be called once per control period. Counts what the metrics count as tracking: followTrajectory from
-  /// 1 s after it was entered, outside a slerp.
+  /// To be called once per control period. Counts what the metrics count as tracking, followTrajectory from
+  /// 1 s after it was entered, outside a slerp, but for the second after a change of the target: how far the
+  /// next one is away is no error that grows.
   void look(const Observation& o);
 
   /// The errors of one quantity in the first window (0) and in the last (1).
@@ -44,7 +45,8 @@ class ErrorWindows {
   std::array<TimeWindow, 2> windows_;
   std::array<Errors, 2> errors_;
   ControlState state_ = ControlState::kLeaveSingularity;
-  double entered_ = 0.0;
+  std::size_t target_ = 0;
+  double entered_ = 0.0;  ///< when state or target changed last [s]
 };
 
 }  // namespace armtune

@@ -56,8 +56,9 @@ StudyFacts read_study_facts(const std::string& path) {
     }
   }
   if (const yaml::Node* robust = root.find("robust")) {
+    // The scenario's own arm counts too.
     facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(),
-                                needed(*robust, "samples").as_integer());
+                                needed(*robust, "samples").as_integer() + 1);
   }
   return facts;
 }

@@ -25,6 +25,11 @@ double demanded_value(const MarginDemand& demand, const Scenario& scenario) {
   return relative ? demand.value * field(demand.kind).nominal(scenario) : demand.value;
 }
 
+bool has_noise(const std::vector<Scenario>& scenarios) {
+  return std::any_of(scenarios.begin(), scenarios.end(),
+                     [](const Scenario& s) { return s.plant.velocity_noise > 0.0; });
+}
+
 Scenario corner_of(const Scenario& scenario, const MarginDemand& demand) {
   Scenario corner = scenario;
   Gains none;

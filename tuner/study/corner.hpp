@@ -32,6 +32,9 @@ const std::array<MarginThreshold, kMarginCount>& margin_thresholds();
 /// The margin's own quantity where a demand asks for it: noise and rate are multiples of the scenario's own.
 double demanded_value(const MarginDemand& demand, const Scenario& scenario);
 
+/// True if the sensors of any scenario are noisy: without noise a factor on it demands nothing.
+bool has_noise(const std::vector<Scenario>& scenarios);
+
 /// The scenario pushed to the demand. Its name is the scenario's with the demand behind it.
 Scenario corner_of(const Scenario& scenario, const MarginDemand& demand);
 

@@ -13,7 +13,7 @@ struct VerdictThresholds {
   double gain = 1.2;           ///< common factor on the loop's gains that it holds
   double noise = 2.0;          ///< factor on the sensors' noise that it holds
   double rate = 0.8;           ///< share of the control rate at which it still holds
-  double yield = 0.95;         ///< share of the random arms that keep every limit
+  double yield = 0.95;         ///< share of the random arms that keep velocity and position limits
   double arms = 200.0;         ///< how many of them are drawn
   double minutes = 30.0;       ///< of simulated time that every scenario is extended to
   double rms_growth = 1.2;     ///< largest RMS error of the last minutes over that of the first ones

@@ -105,7 +105,8 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   if (compared) {
     verdict.checks.push_back(std::move(growth));
   } else {
-    add_once(named("growth of errors (no scenario has errors to compare)", set), verdict.not_checked);
+    add_once(named("growth of errors (no scenario ran to its end with errors at both ends)", set),
+             verdict.not_checked);
   }
 }
 

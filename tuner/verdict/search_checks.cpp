@@ -37,7 +37,8 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
   check.scenario = scenario.name;
   check.value = best.results[worst].metrics[constraint.metric];
   check.threshold = objective.limit(c, worst);
-  // What ends a rollout early is a metric that is bad where it is large, or the other way round.
+  // A rollout ends at a value that gets worse: an upper limit on a metric of which less is better, or the
+  // other way round.
   if (constraint.upper == larger_is_better(constraint.metric)) return check;
   if (const auto breach = first_breach(study, scenario, best.gains, {constraint.metric, check.threshold})) {
     check.joint = breach->joint;
@@ -165,6 +166,10 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
     const MarginDemand asked = demand(m);
     Check check{check_of(asked.kind)};
     check.threshold = asked.value;
+    if (asked.kind == MarginKind::kVelocityNoise && !has_noise(study.scenarios)) {
+      verdict.not_checked.emplace_back("the noise margin (no scenario has sensor noise)");
+      continue;
+    }
     for (std::size_t s = 0; s < scenarios && check.passed; ++s) {
       const std::string& reason = why[m * scenarios + s].value_or("");
       if (reason.empty()) continue;

@@ -23,7 +23,7 @@ enum class CheckKind {
   kGainFactor,
   kControlRate,
   kVelocityNoise,
-  kYield,           ///< random arms that keep every limit
+  kYield,           ///< random arms that keep their velocity and position limits
   kEndurance,       ///< extended scenarios keep every limit
   kErrorGrowth,     ///< and their errors do not grow
   kBetterThanStart  ///< of a search
@@ -55,7 +55,7 @@ struct SimulationVerdict {
   bool passed() const;
 };
 
-/// Returns, for example, "effort limit, wrist_1_joint, 527.300 s, in moving_target: 94.1 N m, limit 56".
+/// Returns, for example, "effort limit, wrist_1_joint, 527.300 s, in moving_target: 94.1, threshold 56".
 std::string to_text(const Check& check);
 
 /// Returns the lines for a terminal: "Simulation checks: passed" or "... failed: ...", then "Not checked:",

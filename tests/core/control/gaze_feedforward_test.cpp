@@ -113,7 +113,7 @@ struct Switch {
         control.update(gains, R_0T, Q_0T, tool.at(-kPeriod), {before.at(-kPeriod)}, -kPeriod);
     EXPECT_FALSE(tracking.slerping);
     last = tracking.desired;
-    if (rested) control.rest();
+    if (rested) control.tool_turns(Vec3::Zero());
     EXPECT_TRUE(control.update(gains, R_0T, Q_0T, tool.at(0.0), {after.at(0.0)}, 0.0).slerping);
   }
   OrientationPoint desired(double t) const {
@@ -136,6 +136,12 @@ TEST(GazeControl, WithFeedForwardASlerpBeginsInTheMotionThatTheGazeHad) {
     generator = same;
     const Switch rested(generator, true, true);
     EXPECT_EQ(rested.desired(0.0).angular_velocity.norm(), 0.0);
+    GazeControl other;  // behind joint tracking, as the tool turned
+    const Vec3 turning = random_vec3(generator, 0.5);
+    other.tool_turns(turning);
+    const auto began = other.update(moving.gains, moving.R_0T, moving.Q_0T, moving.tool.at(0.0),
+                                    {moving.after.at(0.0)}, 0.0);
+    EXPECT_LT((began.desired.angular_velocity - turning).norm(), 1e-12);
     generator = same;
     const Switch published(generator, false);
     EXPECT_EQ(published.desired(0.0).angular_velocity.norm(), 0.0) << "as published";

@@ -44,6 +44,30 @@ TEST(ErrorWindows, AreOfEqualLengthAndDoNotMeet) {
   EXPECT_EQ(long_run[1].from, 6600.0);
 }
 
+/// A jump to another target counts for a second neither in the first window nor in the last.
+TEST(ErrorWindows, LeaveOutTheSecondAfterAChangeOfTheTarget) {
+  ErrorWindows windows(0.0, 100.0, 0.01);
+  ControlOutput control;
+  control.state = ControlState::kFollowTrajectory;
+  Observation o;
+  o.control = &control;
+  for (int k = 0; k < 10000; ++k) {
+    o.time = 0.01 * k;
+    o.target = k < 9000 ? 0U : 1U;
+    const bool jump = k >= 9000 && k < 9090;
+    o.error.setConstant(jump ? 1.0 : 1e-3);
+    windows.look(o);
+  }
+  EXPECT_DOUBLE_EQ(windows.peak_growth(), 1.0);
+  EXPECT_NEAR(windows.rms_growth(), 1.0, 1e-12);
+  for (int k = 0; k < 200; ++k) {  // later than that it is an error
+    o.time = 98.0 + 0.01 * k;
+    o.error.setConstant(2e-3);
+    windows.look(o);
+  }
+  EXPECT_DOUBLE_EQ(windows.peak_growth(), 2.0);
+}
+
 /// An adaptation that learns from noise fails; the same gains with the bounds hold. The adaptation gain is
 /// twenty times the tuned one, so that minutes show what takes a quarter of an hour otherwise.
 TEST(Endurance, SeesParameterDriftAndTheBoundsPreventIt) {

@@ -29,13 +29,13 @@ Study parameters_study(const std::string& parameters) {
   return load_study(ShortStudy(parameters).path());
 }
 
-TEST(StudyFile, TheBundledStudyTunesTwentyGainsOverItsFourScenarios) {
+TEST(StudyFile, TheBundledStudyTunesTwentyGainsOnSeveralRealisticArmsWithMargins) {
   const Study study = load_study("ur10_gaze");
   EXPECT_EQ(study.space.free.size(), 20U);
   std::vector<std::string> scenarios;
   for (const Scenario& s : study.scenarios) scenarios.push_back(s.name);
-  EXPECT_THAT(scenarios, testing::ElementsAre("moving_target", "realistic_moving_target",
-                                              "realistic_target_switch", "realistic_obstacle_pass"));
+  EXPECT_THAT(scenarios, testing::ElementsAre("realistic_moving_target", "realistic_target_switch",
+                                              "realistic_obstacle_pass"));
   for (const Parameter& p : study.space.free) {
     EXPECT_LT(p.lower, p.start) << p.entry.name;
     EXPECT_GT(p.upper, p.start) << p.entry.name;
@@ -43,7 +43,28 @@ TEST(StudyFile, TheBundledStudyTunesTwentyGainsOverItsFourScenarios) {
   ASSERT_FALSE(study.constraints.empty());
   EXPECT_EQ(study.constraints[0].metric, Metric::kJointVelocityMaxRatio);
   EXPECT_EQ(study.constraints[0].limit, 0.9);
+  EXPECT_GT(study.space.start.adaptation_filter, 0.0);
+  EXPECT_GT(study.space.start.adaptation_leakage, 0.0);
+  EXPECT_GT(study.space.start.roll_centering_gain, 0.0);
   EXPECT_TRUE(study.sweep.empty()) << "a sweep would spend a short budget before anything is searched";
+}
+
+TEST(StudyFile, EveryBundledStudyTunesOnSeveralArmsWithMarginsAndSearchesInTheNativeEngine) {
+  for (const std::string& name : bundled_names("studies")) {
+    const Study study = load_study(name);
+    ASSERT_TRUE(study.robust) << name;
+    EXPECT_GE(study.robust->samples, 6U) << name;
+    EXPECT_EQ(study.robust->measure, RiskMeasure::kWorst) << name;
+    EXPECT_EQ(study.margins.size(), kMarginCount) << name;
+    EXPECT_EQ(study.engine, Engine::kNative) << name;
+    double payload = 0.0;
+    for (const Scenario& s : study.scenarios) {
+      EXPECT_GT(s.plant.velocity_noise, 0.0) << name << ": a realistic arm";
+      payload = std::max(payload, s.plant.payload.mass);
+    }
+    EXPECT_DOUBLE_EQ(study.robust->perturbation.payload, 3.0 * payload) << name;
+    EXPECT_EQ(rollouts_per_evaluation(study), study.scenarios.size() * (arms(*study.robust) + kMarginCount));
+  }
 }
 
 TEST(StudyFile, OfAnotherControllerTunesThatOnesGainsFromTheirStart) {
