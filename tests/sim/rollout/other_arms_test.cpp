@@ -88,18 +88,16 @@ RolloutResult rollout(const char* scenario_name, const char* gains) {
       .run(load_gains(gains, joint_names(*scenario.robot)));
 }
 
-TEST(OtherArms, SevenJointsAreAsAccurateAsSixForTheirReachAndKeepOffTheirLimits) {
-  // The same task by reach, nothing known at the start, gains tuned by a study each.
-  const RolloutResult six = rollout("moving_target", "extended_tuned");
-  const RolloutResult seven = rollout("panda_moving_target", "panda_tuned");
-  const double by_reach =
-      reach(*load_scenario("panda_moving_target").robot) / reach(*load_scenario("moving_target").robot);
-  for (const Metric metric : {Metric::kPositionMax, Metric::kPositionRms}) {
-    EXPECT_LT(seven.metrics[metric], 1.2 * by_reach * six.metrics[metric]) << name(metric);
+TEST(OtherArms, SevenJointsFollowTheirTaskBetterTunedAndKeepOffTheirLimits) {
+  // Nothing known at the start. The tuned gains hold on other arms too, and are still far closer than the
+  // start.
+  const RolloutResult start = rollout("panda_moving_target", "panda");
+  const RolloutResult tuned = rollout("panda_moving_target", "panda_tuned");
+  for (const Metric metric :
+       {Metric::kPositionMax, Metric::kPositionRms, Metric::kOrientationMax, Metric::kOrientationRms}) {
+    EXPECT_LT(tuned.metrics[metric], 0.5 * start.metrics[metric]) << name(metric);
   }
-  for (const Metric metric : {Metric::kOrientationMax, Metric::kOrientationRms}) {
-    EXPECT_LT(seven.metrics[metric], 1.2 * six.metrics[metric]) << name(metric);
-  }
+  EXPECT_LT(tuned.metrics[Metric::kPositionMax], 2e-3);
   for (const char* scenario : {"panda_moving_target", "panda_target_switch", "panda_obstacle_pass"}) {
     const RolloutResult result = rollout(scenario, "panda_tuned");
     EXPECT_GT(result.metrics[Metric::kJointPositionMinMargin], 0.1) << scenario;
