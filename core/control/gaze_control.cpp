@@ -7,7 +7,7 @@ namespace armtune {
 GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
                                         const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
                                         const std::optional<SpeedBound>& speed) {
-  const Output output = next(gains, R_0T, Q_0T, tool, aim, time, speed);
+  Output output = next(gains, R_0T, Q_0T, tool, aim, time, speed);
   last_ = {output.desired.angular_velocity, output.desired.angular_acceleration};
   return output;
 }
