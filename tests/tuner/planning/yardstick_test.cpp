@@ -41,7 +41,7 @@ TEST(Yardstick, NoControllerBeatsTheLimit) {
 void expect_no_matter_of_knots(const char* name, double tolerance) {
   Scenario scenario = load_scenario(name);
   scenario.duration = 20.0;
-  const Gains gains = load_gains("extended", joint_names(*scenario.robot));
+  const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
   const auto laps = of_kind(simulated(scenario, gains, 5), EventKind::kLap);
   ASSERT_EQ(laps.size(), 1U);
   YardstickOptions once, twice;
