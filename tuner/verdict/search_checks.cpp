@@ -37,8 +37,8 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
   check.scenario = scenario.name;
   check.value = best.results[worst].metrics[constraint.metric];
   check.threshold = objective.limit(c, worst);
-  // A rollout ends at a value that gets worse: an upper limit on a metric of which less is better, or the
-  // other way round.
+  // A rollout can end at a limit only where passing it makes the metric worse: at_most where less is better,
+  // at_least where more is.
   if (constraint.upper == larger_is_better(constraint.metric)) return check;
   if (const auto breach = first_breach(study, scenario, best.gains, {constraint.metric, check.threshold})) {
     check.joint = breach->joint;
