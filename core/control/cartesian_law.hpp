@@ -28,4 +28,12 @@ inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, co
           x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose)};
 }
 
+/// Leaves the turn about z (unit, base frame) to the desired motion alone. A roll that is free has no error
+/// that could end what the integral, which the other two turns have filled, makes of it: the tool would roll
+/// for ever.
+inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskReference& reference) {
+  reference.rate.tail<3>() -= z * z.dot(reference.rate.tail<3>() - x.desired_rate.tail<3>());
+  reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());
+}
+
 }  // namespace armtune

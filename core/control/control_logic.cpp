@@ -168,7 +168,8 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
           ? gaze_.update(gains_, arm.R_0T, Q_0T, tool, aim(scene), time - lag_, speed)
           : GazeControl::Output{
                 {Q_0T, Vec3::Zero(), Vec3::Zero()}, false, aim(scene).turn(arm.R_0T, arm.p_0T)};
-  if (scene.orientation == nullptr && roll_.is_on()) {
+  const bool rolls = scene.orientation == nullptr && roll_.is_on();
+  if (rolls) {
     // Only a slerp from a frozen start keeps the roll of its beginning: one from the current orientation
     // restarts in every period.
     const bool frozen_start = gaze.slerping && gains_.slerp_reference == SlerpReference::kStart;
@@ -205,6 +206,7 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
     Kd_.tail(std::min<Eigen::Index>(kWristJoints, Kd_.size())) *= gains_.interpolation_gain_scale;
   }
   task_reference_ = armtune::task_reference(x, Kp, gains_.task_space_gains_i);
+  if (rolls && !gaze.slerping) without_roll_feedback(x, arm.R_0T.col(2), task_reference_);
 }
 
 // A plan keeps its own velocity limits, and what it meets (a moving path, a target) waits for nobody.

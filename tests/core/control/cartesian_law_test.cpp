@@ -100,6 +100,27 @@ Response response(const std::function<void(CartesianErrors&)>& set) {
   return {c.arm.J * r.velocity, c.arm.J * r.acceleration + c.arm.J_dot * r.velocity};
 }
 
+TEST(CartesianReferences, WithoutRollFeedbackTheTurnAboutTheAxisIsTheDesiredOneAndTheRestStays) {
+  std::mt19937 generator(533);
+  const RobotModel arm = test::ur10();
+  for (int sample = 0; sample < 20; ++sample) {
+    Case c;
+    fill(c, generator, arm, 0.01);
+    const Vec3 z = test::random_vec3(generator, 1.0).normalized();
+    const TaskReference with = task_reference(c.x, c.Kp, c.Ki);
+    TaskReference without = with;
+    without_roll_feedback(c.x, z, without);
+    EXPECT_NEAR(z.dot(without.rate.tail<3>()), z.dot(c.x.desired_rate.tail<3>()), 1e-12);
+    EXPECT_NEAR(z.dot(without.acceleration.tail<3>()), z.dot(c.x.desired_accel.tail<3>()), 1e-12);
+    for (const auto& [a, b] :
+         {std::pair{with.rate, without.rate}, std::pair{with.acceleration, without.acceleration}}) {
+      EXPECT_EQ(Vec3(a.head<3>()), Vec3(b.head<3>()));
+      EXPECT_LT(z.cross(a.tail<3>() - b.tail<3>()).norm(), 1e-12);
+      EXPECT_GT((a - b).norm(), 1e-3) << "or nothing was taken out";
+    }
+  }
+}
+
 TEST(CartesianReferences, OppositeToTheErrorOnEveryAxis) {
   for (int i = 0; i < 6; ++i) {
     const Response r = response([i](CartesianErrors& x) { x.pose[i] = 0.1; });

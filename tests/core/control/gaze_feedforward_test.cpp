@@ -21,6 +21,19 @@ using test::Sight;
 using test::sight;
 using test::WorstError;
 
+/// How a desired orientation turns at t, from differences of it and of its own rate.
+struct Differences {
+  Vec3 velocity, acceleration;
+};
+
+template <typename Turn>
+Differences differences(const Turn& turn, double t) {
+  const auto R = [&](double h) { return Mat3(turn.desired(t + h).orientation.toRotationMatrix()); };
+  const auto rate = [&](double h) { return turn.desired(t + h).angular_velocity; };
+  const Mat3 W = test::derivative(R) * R(0.0).transpose();
+  return {0.5 * Vec3(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1)), test::derivative(rate)};
+}
+
 /// Tool and target that move, and a slerp between them that began at t = 0.
 struct MovingSlerp {
   Path tool, target;
@@ -61,14 +74,11 @@ TEST(GazeControl, WithFeedForwardASlerpsReferenceTurnsAsItsOrientationDoes) {
     generator = same;
     const MovingSlerp without(generator, false);
     const double t = slerp.duration * test::random_number(generator, 0.1, 0.9);
-    const auto R = [&](double h) { return Mat3(slerp.desired(t + h).orientation.toRotationMatrix()); };
-    const Mat3 W = test::derivative(R) * R(0.0).transpose();
-    const Vec3 w = 0.5 * Vec3(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1));
-    const auto rate = [&](double h) { return slerp.desired(t + h).angular_velocity; };
-    velocity.compare(slerp.desired(t).angular_velocity, w, "random", 1.0);
-    acceleration.compare(slerp.desired(t).angular_acceleration, test::derivative(rate), "random", 1.0);
+    const Differences d = differences(slerp, t);
+    velocity.compare(slerp.desired(t).angular_velocity, d.velocity, "random", 1.0);
+    acceleration.compare(slerp.desired(t).angular_acceleration, d.acceleration, "random", 1.0);
     EXPECT_EQ(slerp.desired(t).orientation.coeffs(), without.desired(t).orientation.coeffs());
-    published = std::max(published, (without.desired(t).angular_velocity - w).norm());
+    published = std::max(published, (without.desired(t).angular_velocity - d.velocity).norm());
   }
   EXPECT_GT(published, 0.05) << "the published one leaves the goal's motion out";
 }
@@ -161,12 +171,9 @@ TEST(GazeControl, ASlerpThatBeginsInMotionTurnsAsItsOrientationDoesAndEndsOnTheL
     generator = same;
     const Switch rested(generator, true, true);
     const double t = moving.duration * test::random_number(generator, 0.1, 0.9);
-    const auto R = [&](double h) { return Mat3(moving.desired(t + h).orientation.toRotationMatrix()); };
-    const Mat3 W = test::derivative(R) * R(0.0).transpose();
-    const Vec3 w = 0.5 * Vec3(W(2, 1) - W(1, 2), W(0, 2) - W(2, 0), W(1, 0) - W(0, 1));
-    const auto rate = [&](double h) { return moving.desired(t + h).angular_velocity; };
-    velocity.compare(moving.desired(t).angular_velocity, w, "random", 1.0);
-    acceleration.compare(moving.desired(t).angular_acceleration, test::derivative(rate), "random", 1.0);
+    const Differences d = differences(moving, t);
+    velocity.compare(moving.desired(t).angular_velocity, d.velocity, "random", 1.0);
+    acceleration.compare(moving.desired(t).angular_acceleration, d.acceleration, "random", 1.0);
     onward = std::max(onward, moving.desired(t).orientation.angularDistance(rested.desired(t).orientation));
     const double last = moving.duration * (1.0 - 1e-12);
     const OrientationPoint at_end = moving.desired(last);
