@@ -12,7 +12,28 @@ LimitWatch::LimitWatch(const RobotModel& model)
       velocity_(model.velocity_limits()),
       lower_(model.lower_limits()),
       upper_(model.upper_limits()),
-      effort_(model.effort_limits()) {}
+      effort_(model.effort_limits()) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    turning_.push_back(model.chain.motion[i] == JointMotion::kRevolute);
+  }
+}
+
+namespace {
+
+/// The unit of a joint's limit.
+const char* unit(JointLimit limit, bool turning) {
+  switch (limit) {
+    case JointLimit::kVelocity:
+      return turning ? "rad/s" : "m/s";
+    case JointLimit::kPosition:
+      return turning ? "rad" : "m";
+    case JointLimit::kEffort:
+      return turning ? "N m" : "N";
+  }
+  return "";
+}
+
+}  // namespace
 
 void LimitWatch::note(JointLimit limit, Eigen::Index joint, double time, double value, double bound) {
   Found& found = found_[static_cast<std::size_t>(limit)];
@@ -40,8 +61,9 @@ std::vector<BrokenLimit> LimitWatch::broken() const {
   for (const JointLimit limit : kJointLimits) {
     const Found& found = found_[static_cast<std::size_t>(limit)];
     if (found.joint < 0) continue;
+    const auto joint = static_cast<std::size_t>(found.joint);
     all.push_back(
-        {limit, joints_[static_cast<std::size_t>(found.joint)], found.time, found.value, found.bound});
+        {limit, joints_[joint], found.time, found.value, found.bound, unit(limit, turning_[joint])});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const BrokenLimit& a, const BrokenLimit& b) { return a.time < b.time; });
@@ -52,8 +74,8 @@ std::string to_string(const BrokenLimit& broken) {
   const char* what = broken.limit == JointLimit::kVelocity   ? "moves at"
                      : broken.limit == JointLimit::kPosition ? "is at"
                                                              : "is commanded";
-  return fmt::format("{} {} {:.4g}, beyond its {} of {:.4g}, at {:.3f} s", broken.joint, what, broken.value,
-                     name(broken.limit), broken.bound, broken.time);
+  return fmt::format("{} {} {:.4g} {}, beyond its {} of {:.4g}, at {:.3f} s", broken.joint, what,
+                     broken.value, broken.unit, name(broken.limit), broken.bound, broken.time);
 }
 
 }  // namespace armtune

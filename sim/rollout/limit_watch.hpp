@@ -34,6 +34,7 @@ struct BrokenLimit {
   double time = 0.0;   ///< [s]
   double value = 0.0;  ///< what passed it: true velocity or position, commanded effort, in the URDF's units
   double bound = 0.0;  ///< the limit itself, with the sign of the side that was passed
+  std::string unit = {};  ///< of both
 };
 
 class LimitWatch {
@@ -59,11 +60,12 @@ class LimitWatch {
   void note(JointLimit limit, Eigen::Index joint, double time, double value, double bound);
 
   std::vector<std::string> joints_;
+  std::vector<bool> turning_;  ///< revolute joints, not prismatic ones
   JointVector velocity_, lower_, upper_, effort_;
   std::array<Found, kJointLimits.size()> found_;
 };
 
-/// Returns, for example, "wrist_1_joint is commanded 94.1, beyond its effort limit of 56, at 527.300 s".
+/// Returns, for example, "wrist_1_joint is commanded 94.1 N m, beyond its effort limit of 56, at 527.300 s".
 std::string to_string(const BrokenLimit& broken);
 
 }  // namespace armtune

@@ -271,8 +271,9 @@ TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {
   }
   const PathWalk walk = walk_path(scenario, q, gains.joint_centering_gain, gains.roll_centering_gain);
   const bool leaves_limits = !is_off_path(walk) && !is_singular(walk) && walk.margin.value < 0.0;
-  // The roll of a gaze drifts by itself; a roll control would hold it.
-  const bool roll_drifts = RollCentering(*scenario.robot, 1.0, scenario.mask).is_on() &&
+  // The roll of a gaze drifts by itself, which moves the last joint; a roll control would hold it.
+  const bool roll_drifts = walk.joint == scenario.robot->n() - 1 &&
+                           RollCentering(*scenario.robot, 1.0, scenario.mask).is_on() &&
                            !scenario.orientation && gains.roll_centering_gain == 0.0;
   return {trouble(walk, scenario), leaves_limits && !roll_drifts};
 }

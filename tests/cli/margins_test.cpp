@@ -51,7 +51,7 @@ TEST_F(MarginsProgram, WritesTheSameFileWithAnyNumberOfWorkers) {
 
 TEST_F(MarginsProgram, SaysSoWhereNotEvenTheNominalStands) {
   const Finished strict = margins({"--limit", "joint_velocity/max_ratio<=0.01"});
-  EXPECT_EQ(strict.exit_code, 0) << strict.err;
+  EXPECT_EQ(strict.exit_code, 3) << strict.err;
   EXPECT_THAT(strict.out, AllOf(HasSubstr("none"), HasSubstr("as it is, five_seconds does not stand"),
                                 HasSubstr("breaks joint_velocity/max_ratio <= 0.01")));
 }

@@ -249,9 +249,17 @@ TEST(Simulate, APathThatWindsAJointUpIsRefusedByTheJointsName) {
                                             "targets:\n  - {name: below, center: [0, 0, 0], frequency: "
                                             "0.6283185307179586, terms: [{order: 1, cos: [-0.6, 0, 0], "
                                             "sin: [0, -0.6, 0]}]}\n");
-  const Finished refused = run_program({"simulate", scenario, "--gains", "extended_tuned"});
-  EXPECT_EQ(refused.exit_code, 2) << refused.out;
-  EXPECT_THAT(refused.err, HasSubstr("shoulder_pan_joint"));
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"simulate", scenario, "--gains", "extended_tuned"},
+           {"simulate", scenario, "--gains", "published"},
+           {"compare", "published", "extended_tuned", "--scenarios", scenario},
+           {"margins", "extended_tuned", "--scenarios", scenario},
+           {"robustness", "extended_tuned", "--scenarios", scenario, "--samples", "2", "--out",
+            folder / "arms"}}) {
+    const Finished refused = run_program(command);
+    EXPECT_EQ(refused.exit_code, 2) << command.front() << refused.out;
+    EXPECT_THAT(refused.err, HasSubstr("shoulder_pan_joint")) << command.front();
+  }
 }
 
 }  // namespace

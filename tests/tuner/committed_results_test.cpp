@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -99,7 +100,7 @@ TEST_F(CommittedResults, HalveTheOrientationErrorOfTheWorstArm) {
 }
 
 TEST_F(CommittedResults, ReacquireTheTargetInAlmostHalfTheTime) {
-  EXPECT_LE(ratio("realistic_target_switch", Metric::kReacquisitionTime), 0.6);
+  EXPECT_LE(ratio("realistic_target_switch", Metric::kReacquisitionTime), 0.5);
 }
 
 TEST_F(CommittedResults, HoldTheNumbersThatASimulationGivesAgain) {
@@ -130,7 +131,7 @@ TEST_F(CommittedResults, LoseLittleWithTheLessImportantHalfOfTheGainsFixed) {
   }
   const Evaluation e = judge_->judged(gains);
   EXPECT_TRUE(e.feasible) << e.violation;
-  EXPECT_GE(1.0 - e.objective, 0.85 * (1.0 - tuned_->objective));
+  EXPECT_GE(1.0 - e.objective, 0.95 * (1.0 - tuned_->objective));
 }
 
 TEST(CommittedFront, HasNoPointThatAnotherDominatesAndDominatesThePublishedGains) {
@@ -165,31 +166,73 @@ TEST(CommittedFront, HasNoPointThatAnotherDominatesAndDominatesThePublishedGains
   }
 }
 
-/// What benchmark_endurance saw: two hours of the realistic scenarios of every bundled arm. Those that do not
-/// hold are named here and in the README, and no others may join them.
-TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursButForTheNamedScenarios) {
-  const std::set<std::string> known = {
-      "realistic_step_position",      // a reference that jumps asks for more torque than there is
-      "realistic_moving_target",      // theta starts 20 % wrong: a wrist saturates after 11 minutes
-      "realistic_sines_orientation",  // and after 88
+/// What keeps the adaptation bounded must not cost accuracy: the RMS errors of the gains that were bundled
+/// before it was bounded, and that failed after minutes, at payloads that the controller does not know.
+TEST(CommittedExtendedGains, AreAtMostFivePercentWorseThanThoseWhoseAdaptationDrifted) {
+  struct Before {
+    const char* scenario;
+    double payload;                // kg
+    double position, orientation;  // m, rad: RMS of the whole scenario
   };
-  std::set<std::string> failed;
-  std::set<std::string> seen;
-  for (const char* gains : {"extended_tuned", "panda_tuned", "youbot_tuned"}) {
-    const auto table =
-        test::read_csv(std::string(ARMTUNE_SOURCE_DIR "/results/endurance/") + gains + "/endurance.csv");
+  const std::vector<Before> all = {
+      {"identified_realistic_moving_target", 0.0, 9.4e-05, 0.0001879},
+      {"identified_realistic_moving_target", 1.0, 9.974e-05, 0.0002336},
+      {"identified_realistic_moving_target", 3.0, 0.0001242, 0.0004955},
+      {"identified_realistic_target_switch", 0.0, 9.44e-05, 0.0001884},
+      {"identified_realistic_target_switch", 1.0, 0.000104, 0.0002458},
+      {"identified_realistic_target_switch", 3.0, 0.0001472, 0.0005334},
+      {"identified_realistic_obstacle_pass", 0.0, 8.764e-05, 0.0001882},
+      {"identified_realistic_obstacle_pass", 1.0, 9.203e-05, 0.0002242},
+      {"identified_realistic_obstacle_pass", 3.0, 0.0001135, 0.0004429},
+      {"identified_realistic_fixed_target", 0.0, 9.142e-05, 0.0001754},
+      {"identified_realistic_fixed_target", 1.0, 9.674e-05, 0.0001884},
+      {"identified_realistic_fixed_target", 3.0, 0.0001171, 0.000284},
+  };
+  for (const Before& before : all) {
+    Scenario scenario = load_scenario(before.scenario);
+    scenario.plant.payload.mass = before.payload;
+    const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+    const RolloutResult now = Rollout(scenario, Stepper::kMidpoint, Engine::kNative).run(gains);
+    ASSERT_EQ(now.status, RolloutStatus::kCompleted) << now.reason;
+    EXPECT_LE(now.metrics[Metric::kPositionRms], 1.05 * before.position)
+        << before.scenario << " with " << before.payload << " kg";
+    EXPECT_LE(now.metrics[Metric::kOrientationRms], 1.05 * before.orientation)
+        << before.scenario << " with " << before.payload << " kg";
+  }
+}
+
+/// What benchmark_endurance saw: two hours of the realistic scenarios of every bundled arm, and half an hour
+/// of each on twenty random arms. What does not hold is counted here and in the README, and may only become
+/// less.
+TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursAndOnRandomArms) {
+  // An arm that stands still forgets a payload by its leakage: errors grow to 1.22 times, and 1.2 are
+  // allowed.
+  const std::set<std::string> known = {"identified_realistic_fixed_target"};
+  const std::map<std::string, std::size_t> failing_arms = {
+      {"extended_tuned", 15}, {"panda_tuned", 0}, {"youbot_tuned", 0}};
+  std::set<std::string> failed, seen;
+  for (const auto& [gains, allowed] : failing_arms) {
+    const auto table = test::read_csv(ARMTUNE_SOURCE_DIR "/results/endurance/" + gains + "/endurance.csv");
+    std::size_t arms = 0, lost = 0, scenarios = 0;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      if (table.at(row, "arm") != "own") continue;
-      EXPECT_EQ(table.at(row, "minutes"), "120");
       const std::string scenario = table.at(row, "scenario");
-      seen.insert(scenario);
-      if (table.at(row, "passed") != "1") {
-        failed.insert(scenario);
-        continue;
+      const bool own = table.at(row, "arm") == "own";
+      const bool passed = table.at(row, "passed") == "1";
+      EXPECT_EQ(table.at(row, "minutes"), own ? "120" : "30");
+      if (own) {
+        ++scenarios;
+        seen.insert(scenario);
+        if (!passed) failed.insert(scenario);
+      } else {
+        ++arms;
+        lost += passed ? 0 : 1;
       }
+      if (!passed) continue;
       EXPECT_LE(std::stod(table.at(row, "rms_growth")), 1.2) << scenario;
       EXPECT_LE(std::stod(table.at(row, "peak_growth")), 1.5) << scenario;
     }
+    EXPECT_EQ(arms, 20 * scenarios) << gains;
+    EXPECT_LE(lost, allowed) << gains;
   }
   EXPECT_EQ(failed, known);
   for (const std::string& name : bundled_names("scenarios")) {
@@ -215,7 +258,8 @@ TEST(CommittedUr5e, FollowsWithAThirdLessErrorThanItsStartAndHoldsEveryMargin) {
   const VerdictThresholds thresholds;
   for (const MarginThreshold& margin : margin_thresholds()) {
     const double value = demanded_value({margin.kind, thresholds.*margin.value}, scenario);
-    EXPECT_EQ(failure_at(margin.kind, value, scenario, tuned, MarginOptions(), never), "") << margin.key;
+    EXPECT_EQ(failure_at(margin.kind, value, scenario, tuned, MarginOptions(), never)->text, "")
+        << margin.key;
   }
   // And on 200 other arms, as the committed summaries have it.
   for (const char* set : {"start", "tuned"}) {

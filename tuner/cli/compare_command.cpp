@@ -20,6 +20,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/task_notes.hpp"
 #include "tuner/gains/gains_difference.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -147,7 +148,9 @@ int run(const Arguments& args) {
   if (args.gains_only) return show_gains(args);
   const auto scenarios = scenarios_of(args);
   for (const std::string& set : args.sets) {
-    for (const Scenario& s : scenarios) load_gains(gains_name(set), joint_names(*s.robot));
+    for (const Scenario& s : scenarios) {
+      refuse_winding(s, load_gains(gains_name(set), joint_names(*s.robot)));
+    }
   }
   const FolderLock lock = make_run_folder(args.folder);
   SimulateOptions options;
@@ -214,14 +217,15 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                              ->default_str(kWorkersDefault);
   CLI::Option* deadline = command->add_option("--rollout-deadline", args->deadline, kScenarioDeadlineHelp)
                               ->check(CLI::PositiveNumber);
-  add_endurance_option(*command, args->endurance);
+  CLI::Option* endurance = add_endurance_option(*command, args->endurance);
   CLI::Option* all =
       command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
   CLI::Option* folder = command->add_option(
       "--out", args->folder, "new folder for comparison.csv, errors_<set>.csv and report.html");
   CLI::Option* gains = command->add_flag("--gains", args->gains_only,
                                          "the gains that differ, side by side; nothing is simulated");
-  for (CLI::Option* of_simulation : {stepper, workers, deadline, all, folder}) gains->excludes(of_simulation);
+  for (CLI::Option* of_simulation : {stepper, workers, deadline, endurance, all, folder})
+    gains->excludes(of_simulation);
   command
       ->add_option("--robot", args->robot,
                    "with --gains: the arm they are for (default: that of the scenarios)")

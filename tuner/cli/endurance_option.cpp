@@ -10,14 +10,14 @@
 
 namespace armtune::cli {
 
-void add_endurance_option(CLI::App& command, double& minutes) {
-  command
+CLI::Option* add_endurance_option(CLI::App& command, double& minutes) {
+  return command
       .add_option("--endurance", minutes,
                   "extend every scenario to this simulated time and report the first limit that breaks "
                   "(without a value: 30 minutes, which take seconds)")
       ->expected(0, 1)
       ->default_str(fmt::format("{}", kEnduranceMinutes))
-      ->type_name("MINUTES")
+      ->option_text("[MINUTES]")
       ->check(CLI::Range(0.01, 1440.0));
 }
 

@@ -9,12 +9,13 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace armtune::cli {
 
-/// Declares the option. minutes: 0 unless it is given, 30 without a value.
-void add_endurance_option(CLI::App& command, double& minutes);
+/// Declares the option and returns it. minutes: 0 unless it is given, 30 without a value.
+CLI::Option* add_endurance_option(CLI::App& command, double& minutes);
 
 /// Simulates the extended scenarios with a progress line, and prints how what they ask for is extended.
 /// set: name of the gain set for the progress line.

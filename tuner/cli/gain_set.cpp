@@ -7,6 +7,7 @@
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tuner/cli/task_notes.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::cli {
@@ -46,7 +47,9 @@ std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std
 
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios) {
   const std::string path = find_data_file("gains", gains_name(set));
-  for (const Scenario& scenario : scenarios) load_gains(path, joint_names(*scenario.robot));
+  for (const Scenario& scenario : scenarios) {
+    refuse_winding(scenario, load_gains(path, joint_names(*scenario.robot)));
+  }
   return {path, load_gains(path, joint_names(*scenarios.front().robot))};
 }
 

@@ -22,7 +22,8 @@ struct GainSet {
   Gains gains;
 };
 
-/// The gains of a set. Throws InputError unless they fit the robot of every scenario; at least one.
+/// The gains of a set. Throws InputError unless they fit the robot of every scenario (at least one), and
+/// where a path winds a joint up.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
 }  // namespace armtune::cli

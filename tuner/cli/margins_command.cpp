@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -73,7 +74,10 @@ int run(Arguments args) {
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
     fmt::print("\nwrote {}: margins.csv, run.yaml\n", args.folder);
   }
-  return stop_requested() ? kInterrupted : kDone;
+  if (stop_requested()) return kInterrupted;
+  const bool nominal =
+      std::all_of(found.begin(), found.end(), [](const Margin& m) { return m.stands.has_value(); });
+  return nominal ? kDone : kChecksFailed;
 }
 
 std::string help_footer() {
@@ -109,7 +113,7 @@ void add_margins_command(CLI::App& app, int& exit_code) {
                       "moving_target, target_switch, obstacle_pass and their realistic_ variants");
   command->add_option("--limit", args->limits,
                       "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
-                      "velocities and positions inside the arm's own");
+                      "velocities and positions inside the arm's own, and no obstacle touched");
   add_stepper_option(*command, args->stepper);
   command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml");
   command->add_option("--workers", args->options.workers, "threads; results do not depend on it")

@@ -152,7 +152,7 @@ int run(Arguments args, Team& team) {
     fmt::print("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
                fmt::join(args.criteria, " against "), study.space.free.size(), study.scenarios.size(),
                budget_text(options.max_evaluations, study.max_minutes), args.folder);
-    if (resumed) fmt::print("goes on behind {} finished evaluations\n", journal->records());
+    if (resumed) fmt::print("goes on after {} finished evaluations\n", journal->records());
     std::fflush(stdout);
     make_folder(args.folder + "/start");
     write_text_file(args.folder + "/start/gains.yaml",

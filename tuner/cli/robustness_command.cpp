@@ -140,7 +140,7 @@ int run(Arguments args, Team& team) {
       fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
       return *journal->exit_code();
     }
-    if (resumed) fmt::print("goes on behind {} finished samples\n", journal->records());
+    if (resumed) fmt::print("goes on after {} finished samples\n", journal->records());
     options.known = [&journal](std::uint64_t number) {
       auto record = journal->find(number);
       return record ? std::optional(std::move(record->results)) : std::nullopt;
@@ -251,7 +251,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option("--limit", args->limits,
                       "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
-                      "velocities and positions inside the arm's own");
+                      "velocities and positions inside the arm's own, and no obstacle touched");
   CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);

@@ -85,7 +85,7 @@ SimulationVerdict verdict_of(const std::vector<Scenario>& scenarios,
 
 int run(const Arguments& args) {
   if (args.yardstick && args.folder.empty())
-    throw InputError("--yardstick: is held against the recordings of a run folder; give one with --out");
+    throw InputError("--yardstick reads the recordings of a run folder; name one with --out");
   std::vector<Scenario> scenarios;
   for (const std::string& name : args.scenarios) {
     scenarios.push_back(load_scenario(name));

@@ -24,4 +24,9 @@ void warn_of_task(const Scenario& scenario, const Gains& gains) {
   }
 }
 
+void refuse_winding(const Scenario& scenario, const Gains& gains) {
+  const auto [trouble, winds] = find_task_trouble(scenario, gains);
+  if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
+}
+
 }  // namespace armtune::cli

@@ -11,4 +11,7 @@ namespace armtune::cli {
 /// path itself winds a joint up beyond its limits within the scenario's duration, which no gain prevents.
 void warn_of_task(const Scenario& scenario, const Gains& gains);
 
+/// The last of these alone: throws InputError if the path itself winds a joint up.
+void refuse_winding(const Scenario& scenario, const Gains& gains);
+
 }  // namespace armtune::cli

@@ -72,7 +72,8 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
         folder,
         constraints.passed
             ? ""
-            : fmt::format("They break a constraint: do not load them on the robot. In the way: {}.\n",
+            : fmt::format("They break a constraint: do not load them on the robot. In the way: {}.\n"
+                          "Recommended for a further search: the start gains. ",
                           to_text(constraints)));
     return;
   }
@@ -80,14 +81,13 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   if (result.best.objective <= 1.0) {
     fmt::print(
         "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "
-        "on the robot. A further search can begin with it (--warm-start {0}).\n",
+        "on the robot. Recommended for a further search: the least violation (--warm-start {0}).\n",
         folder);
   } else {
     fmt::print(
         "{0}/gains.yaml holds the point with the least violation, whose objective is {1:.3g} times the "
-        "start's. The start gains ({0}/start/gains.yaml) break a constraint too: load neither on the robot, "
-        "and "
-        "allow more evaluations.\n",
+        "start's. The start gains ({0}/start/gains.yaml) break a constraint too: load neither on the robot. "
+        "Recommended for a further search, with more evaluations: the start gains.\n",
         folder, result.best.objective);
   }
 }

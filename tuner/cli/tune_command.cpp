@@ -90,7 +90,7 @@ void announce(const Study& study, const Arguments& args, const Journal& journal)
     fmt::print("the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
                swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched");
   }
-  if (!args.resume.empty()) fmt::print("goes on behind {} finished evaluations\n", journal.records());
+  if (!args.resume.empty()) fmt::print("goes on after {} finished evaluations\n", journal.records());
   std::fflush(stdout);
 }
 

@@ -1,6 +1,9 @@
 #include "tuner/endurance/endurance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "tuner/endurance/error_windows.hpp"
@@ -8,6 +11,9 @@
 
 namespace armtune {
 namespace {
+
+/// Shorter runs are not asked whether their errors grow: their windows hold too few laps to be alike [s].
+constexpr double kShortestCompared = 300.0;
 
 /// One rollout in one engine, until a limit breaks. None if `stop` cut it short.
 std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario, const Gains& gains,
@@ -29,9 +35,12 @@ std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario
     return std::nullopt;
   } else if (rollout.status != RolloutStatus::kCompleted) {
     result.ended = rollout.reason;
+  } else if (const double clearance = rollout.metrics[Metric::kObstacleMinClearance]; clearance < 0.0) {
+    result.ended = fmt::format("comes {:.3g} m into an obstacle", -clearance);
   }
-  result.rms_growth = errors.rms_growth();
-  result.peak_growth = errors.peak_growth();
+  const bool compared = rollout.end_time - scenario.start_time >= kShortestCompared;
+  result.rms_growth = compared ? errors.rms_growth() : NAN;
+  result.peak_growth = compared ? errors.peak_growth() : NAN;
   return result;
 }
 

@@ -30,7 +30,8 @@ struct EnduranceResult {
   double simulated = 0.0;             ///< [s]
   std::optional<BrokenLimit> broken;  ///< the first limit that was passed
   std::string ended;                  ///< why it did not run to its end; empty if it did or a limit broke
-  double rms_growth = 0.0;            ///< of the errors (ErrorWindows); NaN where there was no tracking
+  double rms_growth =
+      0.0;  ///< of the errors (ErrorWindows); NaN where there was no tracking, or under 5 minutes
   double peak_growth = 0.0;
   Engine engine = Engine::kNative;  ///< that has the last word: Simbody where the native engine saw a fault
 

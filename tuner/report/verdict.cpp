@@ -76,8 +76,9 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const bool interrupted = ended.find("interrupted") != std::string::npos;
   std::string gain;
   if (!std::isnan(objective)) {
-    gain = objective < 1.0 ? fmt::format("the objective falls by {:.0f} %", 100.0 * (1.0 - objective))
-                           : fmt::format("the objective is {:.3g} times the start's, no better", objective);
+    gain = objective < 1.0
+               ? fmt::format("the objective falls by {:.0f} %", 100.0 * (1.0 - objective))
+               : fmt::format("the objective alone is no better: {:.3g} times the start's", objective);
   }
   std::string kept = feasible ? "every constraint holds" : "";
   if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);

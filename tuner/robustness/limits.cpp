@@ -12,7 +12,9 @@
 namespace armtune {
 
 std::vector<MetricLimit> arm_limits() {
-  return {{Metric::kJointVelocityMaxRatio, true, 1.0}, {Metric::kJointPositionMinMargin, false, 0.0}};
+  return {{Metric::kJointVelocityMaxRatio, true, 1.0},
+          {Metric::kJointPositionMinMargin, false, 0.0},
+          {Metric::kObstacleMinClearance, false, 0.0}};
 }
 
 MetricLimit parse_limit(const std::string& text) {
@@ -53,6 +55,10 @@ std::string to_string(const MetricLimit& limit) {
   return fmt::format("{} {} {}", name(limit.metric), limit.upper ? "<=" : ">=", limit.value);
 }
 
+std::string saturation_text() {
+  return fmt::format("torque saturated in over {} % of the periods", 100.0 * kSaturatedShare);
+}
+
 std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
                          const Scenario& scenario) {
   if (result.status != RolloutStatus::kCompleted) return name(result.status);
@@ -61,6 +67,8 @@ std::string broken_limit(const RolloutResult& result, const std::vector<MetricLi
     const bool kept = limit.upper ? value <= limit.value : value >= limit.value;
     if (!kept && applies(limit.metric, scenario)) return to_string(limit);
   }
+  const double saturated = result.metrics[Metric::kJointEffortSaturatedPeriods];
+  if (saturated > static_cast<double>(saturated_periods_allowed(scenario))) return saturation_text();
   return {};
 }
 

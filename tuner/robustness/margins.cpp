@@ -31,20 +31,22 @@ class Watch {
     for (const MetricLimit& limit : velocity_) {
       for (Eigen::Index i = 0; i < velocity_limits_.size(); ++i) {
         if (std::abs((*o.qd)[i]) / velocity_limits_[i] <= limit.value) continue;
-        failure_ = fmt::format("{} breaks {} at {:.3f} s", joints_[static_cast<std::size_t>(i)],
-                               to_string(limit), o.time);
+        const std::string& joint = joints_[static_cast<std::size_t>(i)];
+        failure_ = {fmt::format("{} breaks {} at {:.3f} s", joint, to_string(limit), o.time), joint, o.time};
         return false;
       }
     }
     if (o.control->saturated && ++saturated_ > allowed_) {
-      failure_ = fmt::format("torque saturated in over {} % of the periods at {:.3f} s",
-                             100.0 * kSaturatedShare, o.time);
+      Eigen::Index worst = 0;
+      (o.control->commanded - o.control->torque).cwiseAbs().maxCoeff(&worst);
+      failure_ = {fmt::format("{} at {:.3f} s", saturation_text(), o.time),
+                  joints_[static_cast<std::size_t>(worst)], o.time};
       return false;
     }
     return true;
   }
 
-  const std::string& failure() const { return failure_; }
+  const LoopFailure& failure() const { return failure_; }
 
  private:
   std::vector<std::string> joints_;
@@ -52,11 +54,11 @@ class Watch {
   std::vector<MetricLimit> velocity_;
   long allowed_;  ///< periods
   long saturated_ = 0;
-  std::string failure_;
+  LoopFailure failure_;
 };
 
-/// Why the loop does not stand in an engine; empty if it does. None if `stop` cut the rollout short.
-std::optional<std::string> failure(Engine engine, const Scenario& scenario, const Gains& gains,
+/// Why the loop does not stand in an engine, if it does not. None if `stop` cut the rollout short.
+std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, const Gains& gains,
                                    const MarginOptions& options, const std::atomic<bool>& stop) {
   Watch watch(scenario, options.limits);
   const double deadline = deadline_of(0.0, scenario);
@@ -72,13 +74,14 @@ std::optional<std::string> failure(Engine engine, const Scenario& scenario, cons
         }
         return !stop && watch.goes_on(o);
       });
-  if (!watch.failure().empty()) return watch.failure();
+  if (!watch.failure().holds()) return watch.failure();
   if (result.status == RolloutStatus::kInterrupted) return std::nullopt;
   if (result.status != RolloutStatus::kCompleted) {
-    return fmt::format("{} at {:.3f} s", name(result.status), result.end_time);
+    return LoopFailure{fmt::format("{} at {:.3f} s", name(result.status), result.end_time), "",
+                       result.end_time};
   }
   const std::string broken = broken_limit(result, options.limits, scenario);
-  return broken.empty() ? broken : "breaks " + broken;
+  return LoopFailure{broken.empty() ? broken : "breaks " + broken, "", NAN};
 }
 
 /// A loop pushed along one margin, in one engine: every value is simulated once.
@@ -97,16 +100,16 @@ class Pushed {
   bool stands(double value) {
     if (stop_) return false;
     const auto known = reasons_.find(value);
-    if (known != reasons_.end()) return known->second.empty();
+    if (known != reasons_.end()) return known->second.holds();
     Scenario scenario = scenario_;
     Gains gains = gains_;
     margin_.apply(value, scenario, gains);
     const auto why = failure(engine_, scenario, gains, options_, stop_);
     if (why) reasons_.emplace(value, *why);
-    return why && why->empty();
+    return why && why->holds();
   }
   /// Why a value that was tried does not stand.
-  const std::string& reason(double value) const { return reasons_.at(value); }
+  const std::string& reason(double value) const { return reasons_.at(value).text; }
 
  private:
   Engine engine_;
@@ -115,7 +118,7 @@ class Pushed {
   const Gains& gains_;
   const MarginOptions& options_;
   const std::atomic<bool>& stop_;
-  std::map<double, std::string> reasons_;  ///< empty where it stands
+  std::map<double, LoopFailure> reasons_;
 };
 
 /// The margin of a loop that stands at its nominal value. None if `stop` cut it short.
@@ -152,7 +155,7 @@ bool smaller(const Margin& a, const Margin& b) {
 std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
                             const MarginOptions& options, const std::atomic<bool>& stop) {
   // The nominal rollout is the same for every margin.
-  std::vector<std::optional<std::string>> nominal(scenarios.size());
+  std::vector<std::optional<LoopFailure>> nominal(scenarios.size());
   parallel_for(scenarios.size(), options.workers, stop, [&](std::size_t, std::size_t s) {
     nominal[s] = failure(Engine::kSimbody, scenarios[s], gains, options, stop);
   });
@@ -170,7 +173,7 @@ std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains&
   std::size_t done = 0;
   parallel_for(jobs, options.workers, stop, [&](std::size_t, std::size_t job) {
     const Scenario& scenario = scenarios[job % scenarios.size()];
-    const std::optional<std::string>& why = nominal[job % scenarios.size()];
+    const std::optional<LoopFailure>& why = nominal[job % scenarios.size()];
     if (!why) return;
     Margin nominally;
     nominally.kind = static_cast<MarginKind>(job / scenarios.size());
@@ -178,11 +181,11 @@ std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains&
     nominally.control_period = scenario.control_period;
     nominally.nominal = field(nominally.kind).nominal(scenario);
     std::optional<Margin> margin = nominally;
-    if (why->empty()) {
+    if (why->holds()) {
       margin = find_margin(nominally, scenario, gains, options, stop);
     } else {
       margin->fails = margin->nominal;
-      margin->reason = *why;
+      margin->reason = why->text;
     }
     const std::lock_guard lock(mutex);
     if (!margin) return;
@@ -194,7 +197,7 @@ std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains&
   return whole();
 }
 
-std::optional<std::string> failure_at(MarginKind kind, double value, const Scenario& scenario,
+std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scenario& scenario,
                                       const Gains& gains, const MarginOptions& options,
                                       const std::atomic<bool>& stop) {
   Scenario pushed = scenario;

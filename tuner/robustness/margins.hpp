@@ -18,13 +18,6 @@
 
 namespace armtune {
 
-/// Largest share of a scenario's control periods that may be saturated.
-inline constexpr double kSaturatedShare = 0.01;
-/// How many periods of a scenario that is.
-inline long saturated_periods_allowed(const Scenario& scenario) {
-  return static_cast<long>(kSaturatedShare * scenario.periods());
-}
-
 /// One margin in one scenario.
 struct Margin {
   MarginKind kind = MarginKind::kTorqueDelay;
@@ -54,9 +47,18 @@ struct MarginOptions {
 std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
                             const MarginOptions& options, const std::atomic<bool>& stop);
 
-/// Returns why the loop does not hold in the scenario with the margin's quantity at `value`, or nothing where
-/// it holds, as Simbody judges it. No value if `stop` cut the rollout short.
-std::optional<std::string> failure_at(MarginKind kind, double value, const Scenario& scenario,
+/// Why a loop does not hold.
+struct LoopFailure {
+  std::string text;   ///< one clause; empty where the loop holds
+  std::string joint;  ///< that shows it; empty where none is to blame alone
+  double time = NAN;  ///< [s], of the first sign; NaN where a whole rollout is judged
+
+  bool holds() const { return text.empty(); }
+};
+
+/// Returns why the loop does not hold in the scenario with the margin's quantity at `value`, or a failure
+/// that holds where it does, as Simbody judges it. No value if `stop` cut the rollout short.
+std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scenario& scenario,
                                       const Gains& gains, const MarginOptions& options,
                                       const std::atomic<bool>& stop);
 

@@ -10,8 +10,8 @@
 
 namespace armtune {
 
-/// What a metric's values over the samples are folded into. Of metrics of which more is better the small
-/// values are the bad ones.
+/// How the values of a metric over the samples become one number. Small values are the bad ones where more is
+/// better.
 enum class RiskMeasure {
   kMean,
   kQuantile,               ///< the value that a share `level` of the samples keeps

@@ -49,6 +49,9 @@ double missing_to_hold(const RolloutResult& result, const Scenario& corner) {
   if (applies(Metric::kJointPositionMinMargin, corner)) {
     missing = std::max(missing, -result.metrics[Metric::kJointPositionMinMargin]);
   }
+  if (applies(Metric::kObstacleMinClearance, corner)) {
+    missing = std::max(missing, -result.metrics[Metric::kObstacleMinClearance]);
+  }
   return std::max(missing, (saturated - allowed) / std::max(1.0, allowed));
 }
 

@@ -79,7 +79,7 @@ void read_margins(const yaml::Node& node, Study& study) {
                      [&margin](const ThresholdField& f) { return std::string(f.name) == margin.key; });
     if (!map.has(margin.key)) continue;
     if (margin.kind == MarginKind::kVelocityNoise && !has_noise(study.scenarios))
-      map.required(margin.key).fail("no scenario has sensor noise to multiply");
+      map.required(margin.key).fail("no scenario has velocity noise to multiply");
     study.margins.push_back({margin.kind, read_threshold(map, *field, 0.0)});
   }
   map.finish();

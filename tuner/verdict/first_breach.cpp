@@ -1,5 +1,7 @@
 #include "tuner/verdict/first_breach.hpp"
 
+#include <fmt/format.h>
+
 #include "sim/rollout/rollout.hpp"
 
 namespace armtune {
@@ -41,6 +43,12 @@ std::optional<Breach> breach_of(const Scenario& scenario, const Gains& gains, co
   return breach;
 }
 
+/// The name of a study's arm k, the scenario's own being the last.
+std::string arm_name(const SampleSet& set, std::size_t k) {
+  if (k == set.samples) return "the scenario's own arm";
+  return fmt::format("random arm {} of {}", k + 1, set.samples);
+}
+
 }  // namespace
 
 std::optional<Breach> first_breach(const Study& study, const Scenario& scenario, const Gains& gains,
@@ -51,7 +59,9 @@ std::optional<Breach> first_breach(const Study& study, const Scenario& scenario,
   for (std::size_t k = 0; k < count; ++k) {
     const Scenario arm = study.robust ? arm_of(*study.robust, scenario, k) : scenario;
     const auto breach = breach_of(arm, gains, limit, study.stepper);
-    if (breach && (!first || breach->time < first->time)) first = breach;
+    if (!breach || (first && first->time <= breach->time)) continue;
+    first = breach;
+    if (study.robust) first->arm = arm_name(*study.robust, k);
   }
   return first;
 }

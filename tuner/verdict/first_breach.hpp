@@ -11,6 +11,7 @@
 namespace armtune {
 
 struct Breach {
+  std::string arm;    ///< of several, such as "random arm 3 of 6"; empty where the study has one
   std::string joint;  ///< empty for metrics that are no joint's
   double time = 0.0;  ///< [s]
 };

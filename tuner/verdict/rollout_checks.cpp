@@ -31,6 +31,7 @@ void describe(const BrokenLimit& broken, Check& check) {
   check.time = broken.time;
   check.value = std::abs(broken.value);
   check.threshold = std::abs(broken.bound);
+  check.unit = broken.unit;
   if (broken.limit == JointLimit::kPosition) {  // signs tell the side
     check.value = broken.value;
     check.threshold = broken.bound;
@@ -50,6 +51,7 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
     if (r.result.status == RolloutStatus::kCompleted || !completed.passed) continue;
     completed.passed = false;
     completed.scenario = named(r.scenario, set);
+    completed.time = r.result.end_time;
     completed.detail = r.result.reason;
   }
   verdict.checks.push_back(std::move(completed));
@@ -65,6 +67,17 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
     }
     verdict.checks.push_back(std::move(check));
   }
+  Check contact{CheckKind::kContact};
+  contact.threshold = 0.0;
+  contact.unit = "m";
+  for (const ScenarioResult& r : results) {
+    const double clearance = r.result.metrics[Metric::kObstacleMinClearance];
+    if (std::isnan(clearance) || clearance >= contact.value) continue;
+    contact.value = clearance;
+    contact.passed = clearance >= 0.0;
+    contact.scenario = named(r.scenario, set);
+  }
+  if (!std::isnan(contact.value)) verdict.checks.push_back(std::move(contact));
 }
 
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
@@ -120,14 +133,21 @@ void add_unchecked(bool extended, SimulationVerdict& verdict) {
 void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {
   std::vector<std::string> no_friction;
   std::vector<std::string> no_noise;
+  std::vector<std::string> points;
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;
     if (robot.chain.rotor_inertia.isZero(0.0)) {
       add_once(fmt::format("{} has no rotor inertia, as its file gives none", robot.name), verdict.assumes);
+    } else {
+      add_once(fmt::format("the rotor inertia that the file of {} gives", robot.name), verdict.assumes);
     }
     const RobotModel plant = plant_model(scenario);
     if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {
       no_friction.push_back(scenario.name);
+    }
+    const auto is_point = [](const MovingObstacle& obstacle) { return obstacle.radius == 0.0; };
+    if (std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(), is_point)) {
+      points.push_back(scenario.name);
     }
     if (scenario.plant.velocity_noise == 0.0 && scenario.plant.position_noise == 0.0) {
       no_noise.push_back(scenario.name);
@@ -141,6 +161,7 @@ void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& 
   };
   add("no joint friction", no_friction);
   add("no sensor noise", no_noise);
+  add("obstacles without a 'radius' that are points", points);
   add_once("rigid links and joints, and drives that give every torque up to the effort limits",
            verdict.assumes);
 }

@@ -41,8 +41,10 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
   // at_least where more is.
   if (constraint.upper == larger_is_better(constraint.metric)) return check;
   if (const auto breach = first_breach(study, scenario, best.gains, {constraint.metric, check.threshold})) {
+    check.arm = breach->arm;
     check.joint = breach->joint;
     check.time = breach->time;
+    check.detail += fmt::format(" is first broken there; worst value{}", study.robust ? " on any arm" : "");
   }
   return check;
 }
@@ -59,12 +61,28 @@ Check broken_margin(const Study& study, const Evaluation& best, const Objective&
     const MarginDemand& asked = *constraint.margin;
     const auto reason =
         failure_at(asked.kind, demanded_value(asked, scenario), scenario, best.gains, how, never);
-    if (!reason || reason->empty()) continue;
+    if (!reason || reason->holds()) continue;
     check.scenario = scenario.name;
-    check.detail += fmt::format(" ({})", *reason);
+    check.joint = reason->joint;
+    check.time = reason->time;
+    check.detail += fmt::format(" ({})", reason->text);
     break;
   }
   return check;
+}
+
+/// Why a random arm is not counted in the yield.
+struct Cause {
+  std::string broken;
+  std::size_t scenario = 0;
+  std::string joint;  ///< known of velocity limits only
+  auto operator<=>(const Cause&) const = default;
+};
+
+Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
+  const Metrics& metrics = sample.results[scenario].metrics;
+  const bool velocity = sample.broken[scenario].starts_with(name(Metric::kJointVelocityMaxRatio));
+  return {sample.broken[scenario], scenario, velocity ? metrics.max_ratio_joint : std::string()};
 }
 
 CheckKind check_of(MarginKind kind) {
@@ -126,6 +144,11 @@ void add_search_checks(const Study& study, const TuneResult& result, const Objec
     improvement.detail = outcome_of(result) == SearchOutcome::kStart
                              ? "nothing better than the start gains was found"
                              : "nothing feasible was found";
+  } else if (!result.start.feasible && best.objective > 1.0) {
+    verdict.notes.push_back(fmt::format(
+        "the tuned gains keep the constraints, which the start gains break, and their objective is {:.3g} "
+        "times the start's",
+        best.objective));
   }
   verdict.checks.push_back(std::move(improvement));
 }
@@ -145,7 +168,7 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
                        const std::atomic<bool>& stop, SimulationVerdict& verdict) {
   const std::size_t scenarios = study.scenarios.size();
   const std::size_t jobs = kMarginCount * scenarios;
-  std::vector<std::optional<std::string>> why(jobs);
+  std::vector<std::optional<LoopFailure>> why(jobs);
   MarginOptions how;
   how.stepper = study.stepper;
   std::mutex mutex;
@@ -167,16 +190,19 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
     Check check{check_of(asked.kind)};
     check.threshold = asked.value;
     if (asked.kind == MarginKind::kVelocityNoise && !has_noise(study.scenarios)) {
-      verdict.not_checked.emplace_back("the noise margin (no scenario has sensor noise)");
+      verdict.not_checked.emplace_back("the noise margin (no scenario has velocity noise)");
       continue;
     }
     for (std::size_t s = 0; s < scenarios && check.passed; ++s) {
-      const std::string& reason = why[m * scenarios + s].value_or("");
-      if (reason.empty()) continue;
+      const LoopFailure& reason = *why[m * scenarios + s];
+      if (reason.holds()) continue;
       check.passed = false;
+      check.joint = reason.joint;
+      check.time = reason.time;
       check.scenario = study.scenarios[s].name;
-      check.detail = fmt::format("with {} at {:.4g} {} the loop does not hold ({})", name(asked.kind),
-                                 demanded_value(asked, study.scenarios[s]), field(asked.kind).unit, reason);
+      check.detail =
+          fmt::format("with {} at {:.4g} {} the loop does not hold ({})", name(asked.kind),
+                      demanded_value(asked, study.scenarios[s]), field(asked.kind).unit, reason.text);
     }
     verdict.checks.push_back(std::move(check));
   }
@@ -190,6 +216,7 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   how.samples = static_cast<std::uint64_t>(study.thresholds.arms);
   how.stepper = study.stepper;
   how.workers = options.workers;
+  if (study.robust && study.robust->seed == how.seed) ++how.seed;  // other arms than those tuned on
   if (study.stepper != Stepper::kReference) how.engine = Engine::kNative;
   how.progress = [&](std::size_t done, std::size_t all) {
     if (options.progress) options.progress("random arms", done, all);
@@ -204,19 +231,21 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   check.passed = check.value >= check.threshold;
   const auto [low, high] = wilson_interval(kept, samples.size());
   check.detail = fmt::format(
-      "{} of {} random arms keep their velocity and position limits (95 % confidence {:.1f} to {:.1f} %)",
-      kept, samples.size(), 100.0 * low, 100.0 * high);
+      "{} of {} random arms keep their limits without saturating (95 % confidence {:.1f} to {:.1f} %)", kept,
+      samples.size(), 100.0 * low, 100.0 * high);
   // What breaks most often says where to look.
-  std::map<std::string, std::size_t> causes;
+  std::map<Cause, std::size_t> causes;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
-      if (!sample.broken[s].empty()) ++causes[sample.broken[s] + " in " + study.scenarios[s].name];
+      if (!sample.broken[s].empty()) ++causes[cause_of(sample, s)];
     }
   }
   if (!causes.empty()) {
-    const auto most = std::max_element(causes.begin(), causes.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    check.detail += fmt::format("; most often {}", most->first);
+    const auto& [cause, count] = *std::max_element(
+        causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    check.joint = cause.joint;
+    check.scenario = study.scenarios[cause.scenario].name;
+    check.detail += fmt::format("; most often, on {} arms: {}", count, cause.broken);
   }
   verdict.checks.push_back(std::move(check));
   verdict.assumes.push_back(fmt::format(

@@ -41,6 +41,8 @@ const char* name(CheckKind kind) {
       return "position limit";
     case CheckKind::kEffortLimit:
       return "effort limit";
+    case CheckKind::kContact:
+      return "clear of obstacles";
     case CheckKind::kConstraints:
       return "constraints";
     case CheckKind::kTorqueDelay:
@@ -73,6 +75,7 @@ std::string to_text(const Check& check) {
   if (!check.joint.empty()) text += ", " + check.joint;
   if (!std::isnan(check.time)) text += fmt::format(", {:.3f} s", check.time);
   if (!check.scenario.empty()) text += ", in " + check.scenario;
+  if (!check.arm.empty()) text += ", " + check.arm;
   if (!check.detail.empty()) text += ": " + check.detail;
   if (!std::isnan(check.value)) {
     text += fmt::format("{}{:.4g}{}", check.detail.empty() ? ": " : ", ", check.value,

@@ -18,12 +18,13 @@ enum class CheckKind {
   kVelocityLimit,  ///< the arm's own limits
   kPositionLimit,
   kEffortLimit,
+  kContact,      ///< tool and joints, or links, stay outside every obstacle's radius
   kConstraints,  ///< those of the study
   kTorqueDelay,  ///< the margins
   kGainFactor,
   kControlRate,
   kVelocityNoise,
-  kYield,           ///< random arms that keep their velocity and position limits
+  kYield,           ///< random arms that keep their limits
   kEndurance,       ///< extended scenarios keep every limit
   kErrorGrowth,     ///< and their errors do not grow
   kBetterThanStart  ///< of a search
@@ -37,6 +38,7 @@ struct Check {
   CheckKind kind = CheckKind::kCompleted;
   bool passed = true;
   std::string scenario = {};
+  std::string arm = {};  ///< which of several, such as "random arm 3 of 6"
   std::string joint = {};
   double time = NAN;        ///< [s]
   double value = NAN;       ///< what was found

@@ -49,6 +49,7 @@ std::string verdict_yaml(const SimulationVerdict& verdict) {
       if (!value.empty()) line += fmt::format(", {}: {}", key, yaml::quoted(one_line(value)));
     };
     add("scenario", check.scenario);
+    add("arm", check.arm);
     add("joint", check.joint);
     add_number("time", check.time, line);
     add_number("value", check.value, line);
@@ -73,6 +74,7 @@ SimulationVerdict read_verdict(const std::string& path) {
     check.kind = read_kind(one.required("check"));
     check.passed = one.required("passed").as_boolean();
     check.scenario = one.string("scenario", "");
+    check.arm = one.string("arm", "");
     check.joint = one.string("joint", "");
     check.time = one.number("time", NAN);
     check.value = one.number("value", NAN);

@@ -61,12 +61,28 @@ TEST(LimitWatch, RemembersTheFirstPassOfEachLimitWithJointValueAndSide) {
   EXPECT_EQ(broken[0].time, 1.0);
   EXPECT_EQ(broken[0].value, -1.5 * seen.limits(5).effort);
   EXPECT_EQ(broken[0].bound, -seen.limits(5).effort);
+  EXPECT_EQ(broken[0].unit, "N m");
   EXPECT_EQ(broken[1].limit, JointLimit::kVelocity);
   EXPECT_EQ(broken[1].joint, seen.arm.joints[2].name);
   EXPECT_EQ(broken[1].bound, seen.limits(2).velocity);
+  EXPECT_EQ(broken[1].unit, "rad/s");
   EXPECT_EQ(broken[2].limit, JointLimit::kPosition);
   EXPECT_EQ(broken[2].time, 3.0);
   EXPECT_EQ(broken[2].bound, seen.limits(1).lower);
+  EXPECT_EQ(broken[2].unit, "rad");
+}
+
+TEST(LimitWatch, GivesTheLimitsOfASlidingJointInMetresAndNewtons) {
+  Seen seen;
+  seen.arm.chain.motion[3] = JointMotion::kPrismatic;
+  LimitWatch watch(seen.arm);
+  seen.qd[3] = 2.0 * seen.limits(3).velocity;
+  seen.control.commanded[3] = 2.0 * seen.limits(3).effort;
+  watch.look(seen.o);
+  const std::vector<BrokenLimit> broken = watch.broken();
+  ASSERT_EQ(broken.size(), 2U);
+  EXPECT_EQ(broken[0].unit, "m/s");
+  EXPECT_EQ(broken[1].unit, "N");
 }
 
 TEST(LimitWatch, AJointWithoutPositionLimitsNeverPassesThem) {

@@ -1,5 +1,5 @@
 #pragma once
-// A CSV text read back and held against what was in memory: every cell, to the bit.
+// A CSV text read back and compared with what was in memory: every cell, to the bit.
 
 #include <gtest/gtest.h>
 

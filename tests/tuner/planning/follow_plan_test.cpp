@@ -88,7 +88,7 @@ TEST_P(FollowPlan, AtItsWholeLimitsItIsStillOnItsPlanAndPassesThemByTheFeedbackA
 TEST_P(FollowPlan, GainsWithGovernorAndBarrierFollowItAsWell) {
   task_.limits.velocity = task_.limits.effort = 0.95;
   const Followed found = follow(task_, folder_, "extended_tuned");
-  EXPECT_LT(found.error, 1.1 * kClose);  // the return comes to 1.05 of it
+  EXPECT_LT(found.error, 1.1 * kClose);  // theta starts right, and adapts along a filtered motion
   EXPECT_LT(found.velocity, 1.0);
 }
 

@@ -184,6 +184,13 @@ TEST(Limits, AreReadAndToldApart) {
   result.metrics[Metric::kObstacleMinClearance] = 0.05;
   EXPECT_EQ(broken_limit(result, {limit, parse_limit("obstacle/min_clearance>=0.1")}, obstacles),
             "obstacle/min_clearance >= 0.1");
+  // A loop that chatters from torque bound to torque bound may keep every other limit.
+  const auto allowed = static_cast<double>(saturated_periods_allowed(plain));
+  EXPECT_GT(allowed, 100.0);
+  result.metrics[Metric::kJointEffortSaturatedPeriods] = allowed;
+  EXPECT_EQ(broken_limit(result, {limit}, plain), "");
+  result.metrics[Metric::kJointEffortSaturatedPeriods] = allowed + 1.0;
+  EXPECT_EQ(broken_limit(result, {limit}, plain), "torque saturated in over 1 % of the periods");
   result.status = RolloutStatus::kDiverged;
   EXPECT_EQ(broken_limit(result, {limit}, plain), "diverged");
 }

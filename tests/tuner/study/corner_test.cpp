@@ -39,9 +39,9 @@ TEST(Corner, HoldsExactlyWhereTheMarginsSayThatTheLoopHolds) {
       const auto why =
           failure_at(margin.kind, demanded_value(demand, scenario), scenario, gains, options, kNever);
       ASSERT_TRUE(why);
-      EXPECT_EQ(missing_to_hold(result, corner) <= 0.0, why->empty())
-          << margin.key << " at " << value << ": " << *why;
-      ++(why->empty() ? held : failed);
+      EXPECT_EQ(missing_to_hold(result, corner) <= 0.0, why->holds())
+          << margin.key << " at " << value << ": " << why->text;
+      ++(why->holds() ? held : failed);
     }
   }
   EXPECT_GT(held, 2) << "or the law says nothing of loops that hold";

@@ -1,5 +1,6 @@
 #include "tuner/verdict/first_breach.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "sim/rollout/limit_watch.hpp"
@@ -53,6 +54,7 @@ TEST_F(FirstBreach, IsThatOfTheLimitWatchWhereTheLimitIsTheArmsOwn) {
 /// A joint limit that is moved to where the arm goes is passed by that joint, on either side.
 TEST_F(FirstBreach, NamesTheJointThatPassesItsPositionLimit) {
   study_.robust.reset();
+  int passed = 0;
   for (const double side : {1.0, -1.0}) {
     Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
     const Gains gains = test::quick_gains(scenario);
@@ -65,9 +67,12 @@ TEST_F(FirstBreach, NamesTheJointThatPassesItsPositionLimit) {
     const auto breach = first_breach(study_, scenario, gains, {Metric::kJointPositionMinMargin, 0.0});
     ASSERT_EQ(breach.has_value(), broken.has_value());
     if (!broken) continue;
+    ++passed;
     EXPECT_EQ(breach->joint, robot.joints[2].name);
     EXPECT_DOUBLE_EQ(breach->time, broken->time);
+    EXPECT_TRUE(breach->arm.empty()) << "there is one";
   }
+  EXPECT_GE(passed, 1) << "the elbow goes to one side at least";
 }
 
 TEST_F(FirstBreach, IsTheEarliestOfTheArmsOfARobustStudy) {
@@ -78,15 +83,19 @@ TEST_F(FirstBreach, IsTheEarliestOfTheArmsOfARobustStudy) {
   study_.robust->perturbation.mass = 0.5;
   const EndLimit limit{Metric::kJointVelocityMaxRatio, 0.05};
   double earliest = scenario.duration;
+  std::string name;
   for (std::size_t k = 0; k < arms(*study_.robust); ++k) {
     const Scenario arm = arm_of(*study_.robust, scenario, k);
     const RolloutResult result = Rollout(arm, Stepper::kMidpoint, Engine::kNative).run(gains, {}, {limit});
     ASSERT_EQ(result.status, RolloutStatus::kHopeless);
-    earliest = std::min(earliest, result.end_time);
+    if (result.end_time >= earliest) continue;
+    earliest = result.end_time;
+    name = k < 3 ? fmt::format("random arm {} of 3", k + 1) : "the scenario's own arm";
   }
   const auto breach = first_breach(study_, scenario, gains, limit);
   ASSERT_TRUE(breach);
   EXPECT_NEAR(breach->time, earliest, 1.5 * scenario.control_period);
+  EXPECT_EQ(breach->arm, name);
 }
 
 TEST_F(FirstBreach, IsNoneWhereNothingBreaksOrNothingCanBeSaidWhileARolloutRuns) {

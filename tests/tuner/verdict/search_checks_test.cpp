@@ -59,7 +59,9 @@ TEST(MarginChecks, PassExactlyWhereTheLoopHoldsAtTheThreshold) {
       const MarginDemand demand{margin.kind, study.thresholds.*margin.value};
       const auto why = failure_at(margin.kind, demanded_value(demand, study.scenarios.front()),
                                   study.scenarios.front(), gains, options, kNever);
-      EXPECT_EQ(verdict.checks[m].passed, why->empty()) << margin.key << ": " << *why;
+      EXPECT_EQ(verdict.checks[m].passed, why->holds()) << margin.key << ": " << why->text;
+      EXPECT_EQ(verdict.checks[m].joint, why->joint);
+      EXPECT_TRUE(verdict.checks[m].time == why->time || std::isnan(why->time)) << why->text;
       failed += verdict.checks[m].passed ? 0 : 1;
       if (!verdict.checks[m].passed) {
         EXPECT_EQ(verdict.checks[m].scenario, "realistic_fixed_target");

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 Check failed(CheckKind kind, const std::string& scenario, const std::string& joint, double time) {
-  return {kind, false, scenario, joint, time, 94.25, 56.0, "N m", "a \"quoted\" clause: with, signs"};
+  return {kind, false, scenario, "", joint, time, 94.25, 56.0, "N m", "a \"quoted\" clause: with, signs"};
 }
 
 TEST(SimulationVerdict, WithoutChecksNothingHasPassed) {
@@ -41,6 +41,7 @@ TEST(SimulationVerdict, ReadsBackFromItsFileFieldByField) {
   for (int kind = 0; kind <= static_cast<int>(CheckKind::kBetterThanStart); ++kind) {
     verdict.checks.push_back({static_cast<CheckKind>(kind)});
     verdict.checks.push_back(failed(static_cast<CheckKind>(kind), "a: b", "joint #1", 0.1 * kind));
+    verdict.checks.back().arm = "random arm 2 of 6";
   }
   verdict.not_checked = {"self-collision", "a \\ b"};
   verdict.assumes = {};
@@ -56,6 +57,7 @@ TEST(SimulationVerdict, ReadsBackFromItsFileFieldByField) {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.passed, b.passed);
     EXPECT_EQ(a.scenario, b.scenario);
+    EXPECT_EQ(a.arm, b.arm);
     EXPECT_EQ(a.joint, b.joint);
     EXPECT_EQ(a.unit, b.unit);
     EXPECT_EQ(a.detail, b.detail);
@@ -83,6 +85,25 @@ TEST(SimulationVerdict, AFileWithACheckOfAnotherVersionIsRefusedWithItsLine) {
 ScenarioResult result_of(const std::string& scenario, std::vector<BrokenLimit> broken) {
   ScenarioResult result{scenario, {}, std::move(broken)};
   return result;
+}
+
+TEST(RolloutChecks, FailWhereAnObstacleIsTouchedAndSayNothingWithoutObstacles) {
+  ScenarioResult free = result_of("free", {});
+  ScenarioResult near = result_of("near", {});
+  ScenarioResult inside = result_of("inside", {});
+  free.result.metrics[Metric::kObstacleMinClearance] = NAN;
+  near.result.metrics[Metric::kObstacleMinClearance] = 0.02;
+  inside.result.metrics[Metric::kObstacleMinClearance] = -0.06;
+  SimulationVerdict none, kept, touched;
+  add_rollout_checks({free}, "", none);
+  EXPECT_NE(none.checks.back().kind, CheckKind::kContact);
+  add_rollout_checks({free, near}, "", kept);
+  EXPECT_EQ(kept.checks.back().kind, CheckKind::kContact);
+  EXPECT_TRUE(kept.passed());
+  add_rollout_checks({near, inside, free}, "", touched);
+  EXPECT_FALSE(touched.passed());
+  EXPECT_EQ(touched.checks.back().scenario, "inside");
+  EXPECT_EQ(touched.checks.back().value, -0.06);
 }
 
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {

@@ -31,7 +31,8 @@ DeclaredOption declared_option(const CLI::Option& option) {
     for (const std::string& name : option.get_snames()) made.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) made.names.push_back("--" + name);
   }
-  made.otherwise = option.get_default_str();
+  // The default of an option that can stand without a value is that of its bare name.
+  if (option.get_items_expected_min() > 0) made.otherwise = option.get_default_str();
   made.meaning = option.get_description();
   made.required = option.get_required();
   made.many = option.get_items_expected_max() > 1;

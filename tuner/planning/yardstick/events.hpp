@@ -1,5 +1,5 @@
 #pragma once
-// What happened in a rollout that a plan can be held against: target switches, returns, laps.
+// What happened in a rollout that a plan can be compared with: target switches, returns, laps.
 
 #include <string>
 #include <vector>

@@ -46,7 +46,7 @@ struct Measure {
   double ratio() const;
 };
 
-/// The plan that an event is held against. It stays as far from obstacles as the options say, or, where the
+/// The plan that an event is compared with. It stays as far from obstacles as the options say, or, where the
 /// arm is nearer when the event begins, as it is then.
 PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOptions& options);
 
