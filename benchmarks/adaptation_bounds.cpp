@@ -127,7 +127,7 @@ std::vector<Variant> variants(Gains gains) {
     Gains g = gains;
     g.adaptation_filter = corner;
     all.push_back({fmt::format("references filtered at {} Hz", corner), g});
-    for (const double leakage : {0.001}) {
+    for (const double leakage : {0.001, 0.005}) {
       g.adaptation_leakage = leakage;
       all.push_back({fmt::format("filtered at {} Hz, leakage {} /s", corner, leakage), g});
     }
