@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
@@ -76,7 +77,9 @@ struct Cause {
   std::string broken;
   std::size_t scenario = 0;
   std::string joint;  ///< known of velocity limits only
-  auto operator<=>(const Cause&) const = default;
+  bool operator<(const Cause& other) const {
+    return std::tie(broken, scenario, joint) < std::tie(other.broken, other.scenario, other.joint);
+  }
 };
 
 Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
