@@ -100,6 +100,7 @@ TEST(GazeControl, WithFeedForwardASlerpEndsWithTheZAxisOnTheLineAndTurningWithIt
 /// A gaze that tracks one target until t = 0, where another one takes its place.
 struct Switch {
   static constexpr double kPeriod = 0.002;
+  static constexpr double kClock = 3.0;  ///< what the controller's clock shows at the switch [s]
   Path tool, before, after;
   Mat3 R_0T;
   Eigen::Quaterniond Q_0T;
@@ -120,15 +121,15 @@ struct Switch {
     gains.gaze_feedforward = feedforward;
     duration = gains.slerpDurationErrorGain * s.angle;
     const auto tracking =
-        control.update(gains, R_0T, Q_0T, tool.at(-kPeriod), {before.at(-kPeriod)}, -kPeriod);
+        control.update(gains, R_0T, Q_0T, tool.at(-kPeriod), {before.at(-kPeriod)}, kClock - kPeriod);
     EXPECT_FALSE(tracking.slerping);
     last = tracking.desired;
     if (rested) control.tool_turns(Vec3::Zero());
-    EXPECT_TRUE(control.update(gains, R_0T, Q_0T, tool.at(0.0), {after.at(0.0)}, 0.0).slerping);
+    EXPECT_TRUE(control.update(gains, R_0T, Q_0T, tool.at(0.0), {after.at(0.0)}, kClock).slerping);
   }
   OrientationPoint desired(double t) const {
     GazeControl state = control;
-    return state.update(gains, R_0T, Q_0T, tool.at(t), {after.at(t)}, t).desired;
+    return state.update(gains, R_0T, Q_0T, tool.at(t), {after.at(t)}, kClock + t).desired;
   }
 };
 
