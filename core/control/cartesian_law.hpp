@@ -28,9 +28,9 @@ inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, co
           x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose)};
 }
 
-/// Leaves the turn about z (unit, base frame) to the desired motion alone. A roll that is free has no error
-/// that could end what the integral, which the other two turns have filled, makes of it: the tool would roll
-/// for ever.
+/// Takes the feedback out of the turn about z (unit, base frame): what is left of it is the desired motion's.
+/// For a gaze whose roll is free. Its roll has no error, so that nothing would end a roll rate that the
+/// integral asks for, and the integral gets a part about z whenever the tool's axis turns.
 inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskReference& reference) {
   reference.rate.tail<3>() -= z * z.dot(reference.rate.tail<3>() - x.desired_rate.tail<3>());
   reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());

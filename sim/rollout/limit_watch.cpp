@@ -6,18 +6,6 @@
 #include <cmath>
 
 namespace armtune {
-
-LimitWatch::LimitWatch(const RobotModel& model)
-    : joints_(joint_names(model)),
-      velocity_(model.velocity_limits()),
-      lower_(model.lower_limits()),
-      upper_(model.upper_limits()),
-      effort_(model.effort_limits()) {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    turning_.push_back(model.chain.motion[i] == JointMotion::kRevolute);
-  }
-}
-
 namespace {
 
 /// The unit of a joint's limit.
@@ -34,6 +22,17 @@ const char* unit(JointLimit limit, bool turning) {
 }
 
 }  // namespace
+
+LimitWatch::LimitWatch(const RobotModel& model)
+    : joints_(joint_names(model)),
+      velocity_(model.velocity_limits()),
+      lower_(model.lower_limits()),
+      upper_(model.upper_limits()),
+      effort_(model.effort_limits()) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    turning_.push_back(model.chain.motion[i] == JointMotion::kRevolute);
+  }
+}
 
 void LimitWatch::note(JointLimit limit, Eigen::Index joint, double time, double value, double bound) {
   Found& found = found_[static_cast<std::size_t>(limit)];

@@ -119,6 +119,7 @@ SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>&
   bool extended = args.endurance > 0.0;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     add_rollout_checks(sets[i].results, sets[i].name, verdict);
+    add_contact_check(scenarios, sets[i].results, sets[i].name, verdict);
     if (!extended || stop_requested()) {
       extended = false;
       continue;

@@ -76,6 +76,7 @@ SimulationVerdict verdict_of(const std::vector<Scenario>& scenarios,
                              const std::vector<EnduranceResult>& endured) {
   SimulationVerdict verdict;
   add_rollout_checks(results, "", verdict);
+  add_contact_check(scenarios, results, "", verdict);
   const bool extended = endured.size() == scenarios.size();
   if (extended) add_endurance_checks(endured, VerdictThresholds(), "", verdict);
   add_unchecked(extended, verdict);

@@ -47,6 +47,7 @@ SimulationVerdict check_search(const Study& study, const TuneResult& result, con
   SimulationVerdict verdict;
   add_search_checks(study, result, objective, verdict);
   add_rollout_checks(simulated.results, "", verdict);
+  add_contact_check(study.scenarios, simulated.results, "", verdict);
   if (deep) {
     add_deep_checks(study, result.best.gains, workers, verdict);
   } else {

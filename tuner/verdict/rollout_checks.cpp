@@ -38,6 +38,10 @@ void describe(const BrokenLimit& broken, Check& check) {
   }
 }
 
+bool is_point(const MovingObstacle& obstacle) {
+  return obstacle.radius == 0.0;
+}
+
 void add_once(std::string text, std::vector<std::string>& list) {
   if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
 }
@@ -67,15 +71,21 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
     }
     verdict.checks.push_back(std::move(check));
   }
+}
+
+void add_contact_check(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
+                       const std::string& set, SimulationVerdict& verdict) {
   Check contact{CheckKind::kContact};
   contact.threshold = 0.0;
   contact.unit = "m";
-  for (const ScenarioResult& r : results) {
-    const double clearance = r.result.metrics[Metric::kObstacleMinClearance];
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    // Nothing comes nearer to a point than its own place, whatever it does.
+    if (std::all_of(scenarios[s].obstacles.begin(), scenarios[s].obstacles.end(), is_point)) continue;
+    const double clearance = results[s].result.metrics[Metric::kObstacleMinClearance];
     if (std::isnan(clearance) || clearance >= contact.value) continue;
     contact.value = clearance;
     contact.passed = clearance >= 0.0;
-    contact.scenario = named(r.scenario, set);
+    contact.scenario = named(results[s].scenario, set);
   }
   if (!std::isnan(contact.value)) verdict.checks.push_back(std::move(contact));
 }
@@ -145,7 +155,6 @@ void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& 
     if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {
       no_friction.push_back(scenario.name);
     }
-    const auto is_point = [](const MovingObstacle& obstacle) { return obstacle.radius == 0.0; };
     if (std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(), is_point)) {
       points.push_back(scenario.name);
     }
@@ -159,9 +168,12 @@ void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& 
     add_once(all ? std::string(what) : fmt::format("{} in {}", what, fmt::join(names, ", ")),
              verdict.assumes);
   };
+  for (const std::string& name : points) {
+    add_once(fmt::format("obstacles in {} that have no 'radius' are points, which nothing touches", name),
+             verdict.assumes);
+  }
   add("no joint friction", no_friction);
   add("no sensor noise", no_noise);
-  add("obstacles without a 'radius' that are points", points);
   add_once("rigid links and joints, and drives that give every torque up to the effort limits",
            verdict.assumes);
 }

@@ -17,6 +17,11 @@ namespace armtune {
 void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
                         SimulationVerdict& verdict);
 
+/// Adds the check that no obstacle is touched, if one of the scenarios has an obstacle with a radius.
+/// results: one per scenario, in their order.
+void add_contact_check(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
+                       const std::string& set, SimulationVerdict& verdict);
+
 /// Adds a check for limits in the extended scenarios, and one for the growth of errors. Where no scenario ran
 /// to its end with errors to compare, the growth is listed as not checked instead.
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,

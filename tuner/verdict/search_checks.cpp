@@ -234,8 +234,10 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   check.passed = check.value >= check.threshold;
   const auto [low, high] = wilson_interval(kept, samples.size());
   check.detail = fmt::format(
-      "{} of {} random arms keep their limits without saturating (95 % confidence {:.1f} to {:.1f} %)", kept,
-      samples.size(), 100.0 * low, 100.0 * high);
+      "{} of {} random arms keep their limits, saturating in at most {} % of the periods (95 % confidence "
+      "{:.1f} to "
+      "{:.1f} %)",
+      kept, samples.size(), 100.0 * kSaturatedShare, 100.0 * low, 100.0 * high);
   // What breaks most often says where to look.
   std::map<Cause, std::size_t> causes;
   for (const MonteCarloSample& sample : samples) {

@@ -6,7 +6,7 @@
 namespace armtune {
 namespace {
 
-/// Nothing learns what the model has wrong, so that the feedback alone has to hold the arm against it.
+/// No part of this law learns the errors of the model: the feedback alone corrects what they do.
 constexpr double kStiffRate = 60.0;  // 1/s
 
 class ComputedTorqueLaw final : public TorqueLaw {

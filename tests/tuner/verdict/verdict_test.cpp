@@ -5,6 +5,7 @@
 
 #include "sim/csv/text_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
 #include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
@@ -94,13 +95,20 @@ TEST(RolloutChecks, FailWhereAnObstacleIsTouchedAndSayNothingWithoutObstacles) {
   free.result.metrics[Metric::kObstacleMinClearance] = NAN;
   near.result.metrics[Metric::kObstacleMinClearance] = 0.02;
   inside.result.metrics[Metric::kObstacleMinClearance] = -0.06;
-  SimulationVerdict none, kept, touched;
-  add_rollout_checks({free}, "", none);
-  EXPECT_NE(none.checks.back().kind, CheckKind::kContact);
-  add_rollout_checks({free, near}, "", kept);
+  const Scenario empty = test::scenario_of("moving_target");
+  const Scenario points = test::scenario_of("obstacle_pass");
+  Scenario balls = points;
+  for (MovingObstacle& obstacle : balls.obstacles) obstacle.radius = 0.1;
+  SimulationVerdict none, of_points, kept, touched;
+  add_contact_check({empty}, {free}, "", none);
+  EXPECT_TRUE(none.checks.empty());
+  add_contact_check({points}, {near}, "", of_points);
+  EXPECT_TRUE(of_points.checks.empty()) << "a check that cannot fail";
+  add_contact_check({empty, balls}, {free, near}, "", kept);
+  ASSERT_EQ(kept.checks.size(), 1U);
   EXPECT_EQ(kept.checks.back().kind, CheckKind::kContact);
   EXPECT_TRUE(kept.passed());
-  add_rollout_checks({near, inside, free}, "", touched);
+  add_contact_check({balls, balls, empty}, {near, inside, free}, "", touched);
   EXPECT_FALSE(touched.passed());
   EXPECT_EQ(touched.checks.back().scenario, "inside");
   EXPECT_EQ(touched.checks.back().value, -0.06);
