@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
   app.add_option("--out", folder, "folder for endurance.csv and run.yaml");
   app.add_option("--workers", workers, "threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
+  const auto began = std::chrono::steady_clock::now();
   try {
     std::vector<Case> cases;
     std::vector<Scenario> scenarios;
@@ -155,11 +157,12 @@ int main(int argc, char** argv) {
       make_folder(folder);
       write_text_file(folder + "/endurance.csv", csv);
       Provenance p;
-      p.command = fmt::format("benchmark_endurance --minutes {} --arms {} --arm-minutes {} --seed {}",
-                              minutes, arms, arm_minutes, seed);
+      p.command = fmt::format("benchmark_endurance{} --minutes {} --arms {} --arm-minutes {} --seed {}",
+                              only.empty() ? "" : " --only " + only, minutes, arms, arm_minutes, seed);
       add_inputs(scenarios, p.inputs);
       p.seed = seed;
       p.workers = workers;
+      p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
       write_text_file(folder + "/run.yaml", run_yaml(p));
     }
     fmt::print("{} of {} long runs failed\n", failed, jobs.size());

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/files.hpp"
 
@@ -38,7 +39,8 @@ TEST(Robustness, OneSeedGivesTheSameFilesAndASampleAloneItsRow) {
   const std::string scenario = short_scenario(folder);
   const Finished one = robustness(folder, scenario, "one", {"--samples", "3", "--workers", "1"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
-  EXPECT_THAT(one.out, AllOf(HasSubstr("of 3 arms keep every limit"), HasSubstr("95 % confidence")));
+  EXPECT_THAT(one.out, AllOf(HasSubstr("of 3 arms keep every limit"), HasSubstr("95 % confidence"),
+                             HasSubstr("Simulation checks: passed (yield)")));
   const Finished two = robustness(folder, scenario, "two", {"--samples", "3", "--workers", "2"});
   ASSERT_EQ(two.exit_code, 0) << two.err;
   for (const char* file : {"/samples.csv", "/summary.csv"}) {
@@ -54,10 +56,17 @@ TEST(Robustness, NamesTheLimitThatIsBroken) {
   const test::TemporaryFolder folder;
   const Finished strict = robustness(folder, short_scenario(folder), "strict",
                                      {"--samples", "2", "--limit", "joint_velocity/max_ratio<=0.01"});
-  ASSERT_EQ(strict.exit_code, 0) << strict.err;
-  EXPECT_THAT(strict.out,
-              AllOf(HasSubstr("0.0 % of 2 arms"),
-                    HasSubstr("2 of 2 break 'joint_velocity/max_ratio <= 0.01'"), HasSubstr("samples 0 1")));
+  EXPECT_EQ(strict.exit_code, 3) << strict.err;
+  EXPECT_THAT(strict.out, AllOf(HasSubstr("0.0 % of 2 arms"),
+                                HasSubstr("2 of 2 break 'joint_velocity/max_ratio <= 0.01'"),
+                                HasSubstr("samples 0 1"), HasSubstr("Simulation checks: failed: yield, "),
+                                HasSubstr("threshold 0.95\nNot checked: ")));
+  const auto verdict = yaml::parse_file(folder / "strict/verdict.yaml");
+  EXPECT_FALSE(verdict.find("passed")->as_boolean());
+  const Finished alone = robustness(folder, short_scenario(folder), "alone",
+                                    {"--sample", "1", "--limit", "joint_velocity/max_ratio<=0.01"});
+  EXPECT_EQ(alone.exit_code, 3) << alone.err;
+  EXPECT_THAT(alone.out, HasSubstr("Simulation checks: failed: yield, "));
 }
 
 TEST(Robustness, WhatIsFinishedIsOnDiskWheneverItIsKilled) {

@@ -16,7 +16,7 @@ CLI::Option* add_endurance_option(CLI::App& command, double& minutes) {
                   "extend every scenario to this simulated time and report the first limit that breaks "
                   "(without a value: 30 minutes, which take seconds)")
       ->expected(0, 1)
-      ->default_str(fmt::format("{}", kEnduranceMinutes))
+      ->default_str(fmt::format("{}", VerdictThresholds().minutes))
       ->option_text("[MINUTES]")
       ->check(CLI::Range(0.01, 1440.0));
 }

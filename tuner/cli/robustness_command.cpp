@@ -13,6 +13,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/conclusion.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/named_choice.hpp"
@@ -26,6 +27,8 @@
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
+#include "tuner/verdict/yield_check.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -82,6 +85,18 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
                  spread.worst, spread.worst_sample);
     }
   }
+}
+
+SimulationVerdict verdict_on(const std::vector<Scenario>& scenarios,
+                             const std::vector<MonteCarloSample>& samples, const MonteCarloOptions& options) {
+  SimulationVerdict verdict;
+  verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
+  verdict.not_checked = {"what happens after the scenarios end (armtune simulate --endurance)",
+                         "stability margins (armtune margins)"};
+  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  verdict.assumes.push_back(spread_text("this", options.perturbation));
+  add_assumptions(scenarios, verdict);
+  return verdict;
 }
 
 RunHeader header_of(const std::vector<Scenario>& scenarios, const Gains& gains,
@@ -188,7 +203,9 @@ int run(Arguments args, Team& team) {
     rows->publish();
     rows->sync();
   }
+  SimulationVerdict verdict;
   if (!samples.empty()) {
+    if (!stop_requested()) verdict = verdict_on(scenarios, samples, options);
     print_yield(scenarios, samples, options.limits);
     print_spreads(scenarios, samples);
   }
@@ -207,6 +224,7 @@ int run(Arguments args, Team& team) {
                {"stepper", args.stepper},
                {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
     write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    if (!verdict.checks.empty()) write_verdict(args.folder, verdict);
     const bool recorded = !stop_requested();
     const std::string report = add_report(args.folder, [&] {
       const std::string label = stem(set.path);
@@ -217,15 +235,18 @@ int run(Arguments args, Team& team) {
       }
       return report::scene_of(scenarios, {nominal}, set.gains.obstacleInfluenceRadius);
     });
-    fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml{}{}\n", args.folder, report,
+    fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml{}{}{}\n", args.folder,
+               verdict.checks.empty() ? "" : ", verdict.yaml", report,
                recorded ? "; the arm of the scenarios itself in nominal/" : "");
-    if (stop_requested()) {
-      fmt::print("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder);
-    } else {
-      journal->complete(kDone);
-    }
   }
-  return stop_requested() ? kInterrupted : kDone;
+  if (stop_requested()) {
+    if (!args.folder.empty())
+      fmt::print("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder);
+    return kInterrupted;
+  }
+  const int exit_code = conclude(verdict);
+  if (journal) journal->complete(exit_code);
+  return exit_code;
 }
 
 }  // namespace
@@ -265,9 +286,10 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
       ->group("Uncertainty (uniform)");
   add_stepper_option(*command, args->stepper);
-  command->add_option("--out", args->folder,
-                      "new folder for samples.csv, summary.csv, run.yaml and report.html (default: "
-                      "runs/robustness_<time>; with --sample none)");
+  command->add_option(
+      "--out", args->folder,
+      "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: "
+      "runs/robustness_<time>; with --sample none)");
   command->add_option("--resume", args->resume, kResumeHelp);
   command->add_option("--workers", args->options.workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))

@@ -209,7 +209,8 @@ int run(Arguments args, Team& team) {
   print_search(study, result, *objective);
   const SimulationVerdict verdict = check_search(study, result, *objective, sets[1], analysed, args.workers);
   print_recommendation(result, verdict.checks.front(), args.folder);
-  write_verdict(args.folder, verdict);
+  const bool interrupted = result.interrupted || stop_requested();  // then some checks are missing
+  if (!interrupted) write_verdict(args.folder, verdict);
   const std::string report = add_report(args.folder, [&study, &result] {
     return report::scene_of(
         study.scenarios,
@@ -219,13 +220,13 @@ int run(Arguments args, Team& team) {
   const bool seen = report.find("report.html") != std::string::npos;
   fmt::print(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
-      "study.yaml, run.yaml, verdict.yaml{}{}{}; the start's in start/\n"
+      "study.yaml, run.yaml{}{}{}{}; the start's in start/\n"
       "next: {}{} compare {}/start {}\n",
-      args.folder, seconds_since(began), analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "",
-      yardsticks.back().written, report,
+      args.folder, seconds_since(began), interrupted ? "" : ", verdict.yaml",
+      analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "", yardsticks.back().written, report,
       seen ? fmt::format("open {}/report.html in a browser; or ", args.folder) : "", program_name(),
       args.folder, args.folder);
-  if (result.interrupted || stop_requested()) {
+  if (interrupted) {
     fmt::print("interrupted: {}; to go on: {} tune --resume {}\n",
                result.interrupted ? "the search was not finished"
                                   : "the search was finished, the analysis after it was not",

@@ -13,15 +13,14 @@
 
 #include "sim/rollout/limit_watch.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "tuner/study/thresholds.hpp"
 
 namespace armtune {
 
-inline constexpr double kEnduranceMinutes = 30.0;
-
 struct EnduranceOptions {
-  double minutes = kEnduranceMinutes;    ///< of simulated time, of every scenario
-  Stepper stepper = Stepper::kMidpoint;  ///< kReference simulates in Simbody from the start
-  int workers = 1;                       ///< threads
+  double minutes = VerdictThresholds().minutes;  ///< of simulated time, of every scenario
+  Stepper stepper = Stepper::kMidpoint;          ///< kReference simulates in Simbody from the start
+  int workers = 1;                               ///< threads
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< scenarios; one call at a time
 };
 

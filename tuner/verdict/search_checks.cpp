@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <mutex>
 #include <optional>
-#include <tuple>
 
 #include "tuner/robustness/monte_carlo.hpp"
-#include "tuner/robustness/statistics.hpp"
 #include "tuner/verdict/first_breach.hpp"
+#include "tuner/verdict/yield_check.hpp"
 #include "tuner/workers/parallel.hpp"
 
 namespace armtune {
@@ -70,22 +68,6 @@ Check broken_margin(const Study& study, const Evaluation& best, const Objective&
     break;
   }
   return check;
-}
-
-/// Why a random arm is not counted in the yield.
-struct Cause {
-  std::string broken;
-  std::size_t scenario = 0;
-  std::string joint;  ///< known of velocity limits only
-  bool operator<(const Cause& other) const {
-    return std::tie(broken, scenario, joint) < std::tie(other.broken, other.scenario, other.joint);
-  }
-};
-
-Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
-  const Metrics& metrics = sample.results[scenario].metrics;
-  const bool velocity = sample.broken[scenario].starts_with(name(Metric::kJointVelocityMaxRatio));
-  return {sample.broken[scenario], scenario, velocity ? metrics.max_ratio_joint : std::string()};
 }
 
 CheckKind check_of(MarginKind kind) {
@@ -226,37 +208,8 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   };
   const auto samples = monte_carlo(study.scenarios, gains, how, stop);
   if (stop || samples.empty()) return false;
-  const auto kept = static_cast<std::size_t>(
-      std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
-  Check check{CheckKind::kYield};
-  check.value = static_cast<double>(kept) / static_cast<double>(samples.size());
-  check.threshold = study.thresholds.yield;
-  check.passed = check.value >= check.threshold;
-  const auto [low, high] = wilson_interval(kept, samples.size());
-  check.detail = fmt::format(
-      "{} of {} random arms keep their limits, saturating in at most {} % of the periods (95 % confidence "
-      "{:.1f} to "
-      "{:.1f} %)",
-      kept, samples.size(), 100.0 * kSaturatedShare, 100.0 * low, 100.0 * high);
-  // What breaks most often says where to look.
-  std::map<Cause, std::size_t> causes;
-  for (const MonteCarloSample& sample : samples) {
-    for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
-      if (!sample.broken[s].empty()) ++causes[cause_of(sample, s)];
-    }
-  }
-  if (!causes.empty()) {
-    const auto& [cause, count] = *std::max_element(
-        causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    check.joint = cause.joint;
-    check.scenario = study.scenarios[cause.scenario].name;
-    check.detail += fmt::format("; most often, on {} arms: {}", count, cause.broken);
-  }
-  verdict.checks.push_back(std::move(check));
-  verdict.assumes.push_back(fmt::format(
-      "{} spread of arms, {}", study.robust ? "the study's" : "the default",
-      how.perturbation.payload > 0.0 ? fmt::format("payloads up to {:.3g} kg", how.perturbation.payload)
-                                     : std::string("each with the scenario's payload")));
+  verdict.checks.push_back(yield_check(study.scenarios, samples, study.thresholds.yield));
+  verdict.assumes.push_back(spread_text(study.robust ? "the study's" : "the default", how.perturbation));
   return true;
 }
 

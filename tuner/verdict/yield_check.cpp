@@ -1,0 +1,69 @@
+#include "tuner/verdict/yield_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "tuner/robustness/statistics.hpp"
+
+namespace armtune {
+namespace {
+
+/// Why a random arm is not counted in the yield.
+struct Cause {
+  std::string broken;
+  std::size_t scenario = 0;
+  std::string joint;  ///< known of velocity limits only
+  bool operator<(const Cause& other) const {
+    return std::tie(broken, scenario, joint) < std::tie(other.broken, other.scenario, other.joint);
+  }
+};
+
+Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
+  const Metrics& metrics = sample.results[scenario].metrics;
+  const bool velocity = sample.broken[scenario].starts_with(name(Metric::kJointVelocityMaxRatio));
+  return {sample.broken[scenario], scenario, velocity ? metrics.max_ratio_joint : std::string()};
+}
+
+}  // namespace
+
+Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
+                  double asked) {
+  const auto kept = static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
+  Check check{CheckKind::kYield};
+  check.value = static_cast<double>(kept) / static_cast<double>(samples.size());
+  check.threshold = asked;
+  check.passed = check.value >= asked;
+  const auto [low, high] = wilson_interval(kept, samples.size());
+  check.detail = fmt::format(
+      "{} of {} random arms keep their limits, saturating in at most {} % of the periods (95 % confidence "
+      "{:.1f} to {:.1f} %)",
+      kept, samples.size(), 100.0 * kSaturatedShare, 100.0 * low, 100.0 * high);
+  // What breaks most often says where to look.
+  std::map<Cause, std::size_t> causes;
+  for (const MonteCarloSample& sample : samples) {
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+      if (!sample.broken[s].empty()) ++causes[cause_of(sample, s)];
+    }
+  }
+  if (!causes.empty()) {
+    const auto& [cause, count] = *std::max_element(
+        causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    check.joint = cause.joint;
+    check.scenario = scenarios[cause.scenario].name;
+    check.detail += fmt::format("; most often, on {} arms: {}", count, cause.broken);
+  }
+  return check;
+}
+
+std::string spread_text(const std::string& whose, const Perturbation& perturbation) {
+  return fmt::format("{} spread of arms, {}", whose,
+                     perturbation.payload > 0.0
+                         ? fmt::format("payloads up to {:.3g} kg", perturbation.payload)
+                         : std::string("each with the scenario's payload"));
+}
+
+}  // namespace armtune

@@ -1,0 +1,19 @@
+#pragma once
+// The check of the yield: the share of random arms that keep their limits.
+
+#include <vector>
+
+#include "tuner/robustness/monte_carlo.hpp"
+#include "tuner/verdict/verdict.hpp"
+
+namespace armtune {
+
+/// Returns how many of the samples keep their limits, against the share that is asked for, and what is broken
+/// most often: scenario, limit and, of velocity limits, the joint. samples: at least one.
+Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
+                  double asked);
+
+/// Returns, for example, "the default spread of arms, payloads up to 5 kg". whose: "the default".
+std::string spread_text(const std::string& whose, const Perturbation& perturbation);
+
+}  // namespace armtune
