@@ -37,7 +37,8 @@ const std::vector<Option>& options() {
       {"governor and barrier", {"velocity_margin", "velocity_barrier_start", "velocity_barrier_gain"}},
       {"variable damping", {"variable_damping"}},
       {"adaptation",
-       {"adaptation_gain", "adaptation_leakage", "adaptation_projection", "adapt_while_avoiding"}},
+       {"adaptation_gain", "adaptation_leakage", "adaptation_inertia_leakage", "adaptation_filter",
+        "adaptation_projection", "adapt_while_avoiding"}},
   };
   return all;
 }

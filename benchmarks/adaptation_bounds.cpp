@@ -71,7 +71,8 @@ class ComparedLaw final : public TorqueLaw {
   void conclude(bool learning) override {
     if (!learning) return;
     adaptation_.step(bound_ == Bound::kDesired ? along_ : motion_, error_, gains_.adaptation_gain, period_);
-    if (gains_.adaptation_leakage > 0.0) adaptation_.leak(gains_.adaptation_leakage, period_);
+    if (gains_.adaptation_leakage > 0.0)
+      adaptation_.leak(gains_.adaptation_leakage, gains_.adaptation_inertia_leakage, period_);
     if (gains_.adaptation_projection) adaptation_.project();
   }
 

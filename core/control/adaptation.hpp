@@ -7,13 +7,17 @@
 // estimates grow by gamma Kp E[n^2] per second, and no amount of time ends that. Three options bound theta;
 // the published law has none of them:
 //   - Y along the filtered motion (adaptation_filter.hpp), in which there is hardly any noise;
-//   - leakage towards the start of theta;
+//   - leakage towards the start of theta. The inertias may leak faster than the rest: it is they that learn
+//   from noise,
+//     and an overrated inertia of a wrist that turns little makes the loop ring, while masses and first
+//     moments, which gravity shows at all times, hold what was learnt of a payload;
 //   - projection to physically valid parameters, which bounds theta from one side only: the cone of physical
 //     parameters has no upper bound.
 
 #include "core/common/select.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "core/robot/slotine_li.hpp"
+#include "core/robot/theta.hpp"
 
 namespace armtune {
 
@@ -39,12 +43,20 @@ class AdaptationT {
     }
   }
 
-  /// Leakage (Ioannou and Kokotovic's sigma modification): theta <- theta - rate (theta - start) dt. rate
-  /// [1/s].
-  void leak(const T& leakage, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
-    const T rate = leakage * dt;
-    for (Eigen::Index i = 0; i < theta_.size(); ++i) {
+  /// Leakage (Ioannou and Kokotovic's sigma modification): theta <- theta - rate (theta - start) dt. The rate
+  /// is `leakage`, that of inertias, of links and of rotors, `leakage` + `of_inertias` [1/s].
+  void leak(const T& leakage, const T& of_inertias, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
+    const T slow = leakage * dt;
+    const T fast = (leakage + of_inertias) * dt;
+    const auto n = static_cast<int>(theta_.size() / (kLinkParameters + kJointParameters));
+    const auto decay = [&](Eigen::Index i, const T& rate) {
       theta_[i] = select(where, theta_[i] - rate * (theta_[i] - start_[i]), theta_[i]);
+    };
+    for (int link = 0; link < n; ++link) {
+      const int first = link * kLinkParameters;
+      for (int k = 0; k < kLinkParameters; ++k) decay(first + k, k < kFirstInertia ? slow : fast);
+      const int joint = joint_parameter_index(n, link);
+      for (int k = 0; k < kJointParameters; ++k) decay(joint + k, k == 0 ? fast : slow);
     }
   }
 

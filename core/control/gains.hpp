@@ -48,6 +48,7 @@ struct Gains {
   double velocity_barrier_start = 0.8;
   double velocity_barrier_gain = 0.0;
   double adaptation_leakage = 0.0;
+  double adaptation_inertia_leakage = 0.0;
   double adaptation_filter = 0.0;
   bool adaptation_projection = false;
 };

@@ -9,6 +9,9 @@
 
 namespace armtune {
 
+/// Where the inertia begins in a link's ten parameters.
+inline constexpr int kFirstInertia = 4;
+
 /// Index of a joint's first parameter (rotor inertia).
 constexpr int joint_parameter_index(int n, int joint) {
   return n * kLinkParameters + joint * kJointParameters;

@@ -19,6 +19,7 @@ struct LaneControl {
   InverseDamping damping;
   double adaptation_gain = 0.0;     ///< gamma
   double adaptation_leakage = 0.0;  ///< [1/s]
+  double inertia_leakage = 0.0;     ///< the same in addition, of inertias
   double filter_share = 0.0;        ///< of the adaptation's filter; 0: none
 };
 

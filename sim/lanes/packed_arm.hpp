@@ -51,7 +51,8 @@ class PackedArm final : public ArmLanes {
     damping_.growing.set(lane, control.damping.growing);
     gamma_.set(lane, control.adaptation_gain);
     leakage_.set(lane, control.adaptation_leakage);
-    leaks_ = any(leakage_ > T(0));
+    inertia_leakage_.set(lane, control.inertia_leakage);
+    leaks_ = any(leakage_ + inertia_leakage_ > T(0));
     filter_share_.set(lane, control.filter_share);
     filters_ = filter_share_ > T(0);
     filter_.rest(lane);
@@ -143,7 +144,7 @@ class PackedArm final : public ArmLanes {
     }
     const typename T::Mask unfiltered = where & ~filters_;
     if (any(unfiltered)) adaptation_.step(motion_, motion_, gamma_, T(period_), unfiltered);
-    if (leaks_) adaptation_.leak(leakage_, T(period_), where & (leakage_ > T(0)));
+    if (leaks_) adaptation_.leak(leakage_, inertia_leakage_, T(period_), where);
   }
   void get_theta(int lane, double* theta) const override { get(lane, adaptation_.theta(), theta); }
   void replace_theta(int lane, const double* theta) override { put(lane, theta, adaptation_.theta()); }
@@ -215,7 +216,7 @@ class PackedArm final : public ArmLanes {
   TaskMask mask_;
   InverseDampingT<T> damping_;
   JointCenteringT<T> centering_;
-  T gamma_{0.0}, leakage_{0.0};
+  T gamma_{0.0}, leakage_{0.0}, inertia_leakage_{0.0};
   bool leaks_ = false;
   T filter_share_{0.0};
   typename T::Mask filters_{};

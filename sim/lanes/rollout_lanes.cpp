@@ -121,7 +121,8 @@ void RolloutLanes::start(int lane, LaneJob job) {
     arms_->put_chains(l, control.data(), plant.data());
     const double share =
         gains.adaptation_filter > 0.0 ? filter_share(gains.adaptation_filter, kind_.control_period) : 0.0;
-    arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage, share});
+    arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage,
+                           gains.adaptation_inertia_leakage, share});
     const JointCentering& centering = place->logic.centering();
     arms_->put_centering(l, centering.middle.data(), centering.rate.data());
     arms_->put_theta(l, scenario.theta_start.data(), scenario.theta_true.data());

@@ -32,7 +32,9 @@ class AdaptiveLaw final : public TorqueLaw {
   void conclude(bool learning) override {
     if (!learning) return;
     adaptation_.step(filters_ ? smoothed_ : motion_, motion_, gains_.adaptation_gain, period_);
-    if (gains_.adaptation_leakage > 0.0) adaptation_.leak(gains_.adaptation_leakage, period_);
+    if (gains_.adaptation_leakage > 0.0 || gains_.adaptation_inertia_leakage > 0.0) {
+      adaptation_.leak(gains_.adaptation_leakage, gains_.adaptation_inertia_leakage, period_);
+    }
     if (gains_.adaptation_projection) adaptation_.project();
   }
 
@@ -56,8 +58,8 @@ ControllerKind adaptive_controller() {
   return {"adaptive",
           "adaptive Cartesian PID: Y theta - Kd S, with theta learnt on the way (Slotine and Li)",
           {"task_space_gains_p", "task_space_gains_i", "task_space_gains_d", "interpolation_gain_scale",
-           "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage", "adaptation_filter",
-           "adaptation_projection"},
+           "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage", "adaptation_inertia_leakage",
+           "adaptation_filter", "adaptation_projection"},
           {},
           [](const LawSetup& setup) { return std::make_unique<AdaptiveLaw>(setup); },
           {},

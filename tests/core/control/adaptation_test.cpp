@@ -86,12 +86,34 @@ TEST(Adaptation, StandsStillWhereSIsZeroOrGammaIs) {
   }
 }
 
+TEST(Adaptation, InertiasLeakFasterByTheirOwnRate) {
+  constexpr double kLeakage = 0.3;
+  constexpr double kOfInertias = 0.5;
+  const RobotModel arm = test::ur10();
+  const int n = arm.n();
+  const ParameterVector start = theta_of(arm.chain);
+  Adaptation adaptation(start);
+  adaptation.theta().array() += 1.0;
+  adaptation.leak(kLeakage, kOfInertias, kPeriod);
+  const ParameterVector away = adaptation.theta() - start;
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < 10; ++k) {  // m, m c, I
+      const double rate = k < 4 ? kLeakage : kLeakage + kOfInertias;
+      EXPECT_NEAR(away[10 * i + k], 1.0 - rate * kPeriod, 1e-12) << i << ' ' << k;
+    }
+    for (int k = 0; k < 3; ++k) {  // rotor inertia, friction
+      const double rate = k == 0 ? kLeakage + kOfInertias : kLeakage;
+      EXPECT_NEAR(away[10 * n + 3 * i + k], 1.0 - rate * kPeriod, 1e-12) << i << ' ' << k;
+    }
+  }
+}
+
 TEST(Adaptation, LeaksTowardsWhereItStartedAndNowhereElse) {
   std::mt19937 generator(544);
   const RobotModel arm = test::ur10();
   const ParameterVector start = theta_of(arm.chain);
   Adaptation adaptation(start);
-  adaptation.leak(0.3, kPeriod);
+  adaptation.leak(0.3, 0.0, kPeriod);
   EXPECT_EQ(adaptation.theta(), start) << "the start itself";
   for (int step = 0; step < 20; ++step) {
     const Motion m = random_motion(generator, arm);
@@ -102,7 +124,7 @@ TEST(Adaptation, LeaksTowardsWhereItStartedAndNowhereElse) {
   // e^(-rate t); an Euler step of rate dt = 6e-4 is off by half of that per unit of rate t.
   WorstError worst("decay", 1e-3);
   for (int step = 1; step <= 1000; ++step) {
-    adaptation.leak(0.3, kPeriod);
+    adaptation.leak(0.3, 0.0, kPeriod);
     worst.compare(ParameterVector(adaptation.theta() - start),
                   ParameterVector(std::exp(-0.3 * step * kPeriod) * away), std::to_string(step));
   }
@@ -154,7 +176,7 @@ struct Standing {
         filter.motion(arm.chain, poses, smoothed);
       }
       adaptation.step(corner > 0.0 ? smoothed : y, y, kGamma, kPeriod);
-      adaptation.leak(leakage, kPeriod);
+      adaptation.leak(leakage, 0.0, kPeriod);
       if (k == periods / 2 || k == periods) {
         const ParameterVector away = adaptation.theta() - start;
         JointVector& friction = k == periods ? whole : half;

@@ -107,6 +107,7 @@ TEST_F(Allocation, NeverHappensWithEveryOptionOn) {
     gains.velocity_barrier_start = 0.5;
     gains.velocity_barrier_gain = 1.0;
     gains.adaptation_leakage = 0.1;
+    gains.adaptation_inertia_leakage = 0.1;
     gains.adaptation_filter = reference == SlerpReference::kStart ? 5.0 : 0.0;
     gains.roll_centering_gain = 0.2;
     gains.adaptation_projection = true;

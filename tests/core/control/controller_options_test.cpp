@@ -97,6 +97,7 @@ TEST(ControllerOptions, EachOfThemChangesSomethingAndNoneIsOnByItself) {
   changes("adaptation_filter", [](Gains& g) { g.adaptation_filter = 5.0; });
   changes("roll_centering_gain", [](Gains& g) { g.roll_centering_gain = 0.2; });
   changes("adaptation_leakage", [](Gains& g) { g.adaptation_leakage = 0.1; });
+  changes("adaptation_inertia_leakage", [](Gains& g) { g.adaptation_inertia_leakage = 0.1; });
   // The model is physical and one period's step is small; a large gamma takes theta out of it.
   test::Rig rash = rig;
   rash.gains.adaptation_gain = 50.0;

@@ -63,6 +63,7 @@ TEST(ControllerOptions, ThetaStepsLeaksAndIsProjectedInThisOrder) {
   test::Rig rig;
   rig.gains.adaptation_gain = 5.0;
   rig.gains.adaptation_leakage = 0.5;
+  rig.gains.adaptation_inertia_leakage = 0.25;
   rig.gains.adaptation_projection = true;
   const ParameterVector start = 0.5 * theta_of(rig.model->chain);
   const std::unique_ptr<Controller> controller = rig.controller(start);
@@ -77,7 +78,7 @@ TEST(ControllerOptions, ThetaStepsLeaksAndIsProjectedInThisOrder) {
     slotine_li_forward(rig.model->chain, test::poses_at(rig.model->chain, measured.q), measured.qd,
                        out.reference.velocity, out.reference.acceleration, motion);
     expected.step(motion, motion, 5.0, rig.period);
-    expected.leak(0.5, rig.period);
+    expected.leak(0.5, 0.25, rig.period);
     expected.project();
     EXPECT_EQ(controller->theta(), expected.theta()) << step;
   }

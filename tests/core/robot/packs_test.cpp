@@ -74,7 +74,7 @@ struct Period {
     slotine_li_forward(chain, arm.poses, qd, reference.velocity, reference.acceleration, motion);
     slotine_li_torque(chain, arm.poses, motion, adaptation.theta(), tau);
     adaptation.step(motion, motion, gamma, T(0.002));
-    adaptation.leak(gamma, T(0.002));
+    adaptation.leak(gamma, T(0.3), T(0.002));
     forward_dynamics(chain, arm.poses, qd, torque, work, qdd);
     // From another velocity, and so long that some joints of some arms have stiff friction.
     forward_dynamics(chain, arm.poses, qd, torque, FrictionStep<T>(T(0.05), centering.middle), work,

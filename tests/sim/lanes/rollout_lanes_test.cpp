@@ -199,6 +199,7 @@ TEST(RolloutLanes, TheExtendedLawDecidesArmByArm) {
   for (int i = 0; i < 3; ++i) {
     extended.velocity_margin = 0.5 + 0.1 * i;
     extended.adaptation_leakage = 0.1 * i;
+    extended.adaptation_inertia_leakage = i == 2 ? 0.2 : 0.0;
     extended.adaptation_projection = i != 1;
     extended.adaptation_filter = 5.0 * i;
     extended.roll_centering_gain = 0.1 * i;

@@ -128,8 +128,9 @@ TEST_F(GainsFile, AnOwnGainThatTheFileLeavesOutIsWhatItsDeclarationSays) {
   // What the kind does not have stands in the way, by name and line.
   EXPECT_THAT(test::refusal([&] { load(text); }),
               AllOf(HasSubstr("gains.yaml:"), HasSubstr("task_space_gains_d")));
-  for (const char* key : {"task_space_gains_d", "adaptation_gain", "adapt_while_avoiding",
-                          "adaptation_leakage", "adaptation_filter", "adaptation_projection"}) {
+  for (const char* key :
+       {"task_space_gains_d", "adaptation_gain", "adapt_while_avoiding", "adaptation_leakage",
+        "adaptation_inertia_leakage", "adaptation_filter", "adaptation_projection"}) {
     const auto at = text.find(std::string("  ") + key);
     ASSERT_NE(at, std::string::npos) << key;
     text.erase(at, text.find('\n', at) + 1 - at);
