@@ -109,6 +109,7 @@ struct Variant {
 std::vector<Variant> variants(Gains gains) {
   gains.adaptation_filter = 0.0;
   gains.adaptation_leakage = 0.0;
+  gains.adaptation_inertia_leakage = 0.0;
   gains.roll_centering_gain = 0.1;  // of all: without it the last joint winds up before theta has drifted far
   std::vector<Variant> all = {{"no bound (projection alone)", gains}};
   Gains still = gains;

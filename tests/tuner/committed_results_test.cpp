@@ -187,6 +187,19 @@ TEST(CommittedExtendedGains, AreAtMostFivePercentWorseThanThoseWhoseAdaptationDr
       {"identified_realistic_fixed_target", 0.0, 9.142e-05, 0.0001754},
       {"identified_realistic_fixed_target", 1.0, 9.674e-05, 0.0001884},
       {"identified_realistic_fixed_target", 3.0, 0.0001171, 0.000284},
+      // theta starts 20 % wrong
+      {"realistic_moving_target", 0.0, 0.000238, 0.0008983},
+      {"realistic_moving_target", 1.0, 0.0002464, 0.0009268},
+      {"realistic_moving_target", 3.0, 0.0002604, 0.001018},
+      {"realistic_target_switch", 0.0, 0.0002395, 0.0009609},
+      {"realistic_target_switch", 1.0, 0.0002515, 0.0009867},
+      {"realistic_target_switch", 3.0, 0.0002843, 0.001114},
+      {"realistic_obstacle_pass", 0.0, 0.0002083, 0.001018},
+      {"realistic_obstacle_pass", 1.0, 0.0002158, 0.001023},
+      {"realistic_obstacle_pass", 3.0, 0.0002301, 0.00109},
+      {"realistic_fixed_target", 0.0, 0.0001715, 0.000523},
+      {"realistic_fixed_target", 1.0, 0.0001837, 0.0005378},
+      {"realistic_fixed_target", 3.0, 0.0002083, 0.0005777},
   };
   for (const Before& before : all) {
     Scenario scenario = load_scenario(before.scenario);
@@ -205,11 +218,9 @@ TEST(CommittedExtendedGains, AreAtMostFivePercentWorseThanThoseWhoseAdaptationDr
 /// of each on twenty random arms. What does not hold is counted here and in the README, and may only become
 /// less.
 TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursAndOnRandomArms) {
-  // An arm that stands still forgets a payload by its leakage: errors grow to 1.22 times, and 1.2 are
-  // allowed.
-  const std::set<std::string> known = {"identified_realistic_fixed_target"};
+  // Three of the 280 runs on random UR10s pass a limit on the way back from where obstacles pushed them.
   const std::map<std::string, std::size_t> failing_arms = {
-      {"extended_tuned", 15}, {"panda_tuned", 0}, {"youbot_tuned", 0}};
+      {"extended_tuned", 3}, {"panda_tuned", 0}, {"youbot_tuned", 0}};
   std::set<std::string> failed, seen;
   for (const auto& [gains, allowed] : failing_arms) {
     const auto table = test::read_csv(ARMTUNE_SOURCE_DIR "/results/endurance/" + gains + "/endurance.csv");
@@ -234,7 +245,7 @@ TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursAndOnRandomArms) {
     EXPECT_EQ(arms, 20 * scenarios) << gains;
     EXPECT_LE(lost, allowed) << gains;
   }
-  EXPECT_EQ(failed, known);
+  EXPECT_TRUE(failed.empty()) << *failed.begin();
   for (const std::string& name : bundled_names("scenarios")) {
     if (name.find("realistic") != std::string::npos) {
       EXPECT_EQ(seen.count(name), 1U) << name;

@@ -36,6 +36,7 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
   Check check{CheckKind::kYield};
   check.value = static_cast<double>(kept) / static_cast<double>(samples.size());
   check.threshold = asked;
+  check.unit = "of the arms";
   check.passed = check.value >= asked;
   const auto [low, high] = wilson_interval(kept, samples.size());
   check.detail = fmt::format(

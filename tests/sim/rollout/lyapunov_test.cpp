@@ -63,6 +63,7 @@ Balance balance(ControlState state, const std::string& gains_name, double period
   // lag.
   gains.adaptation_projection = false;
   gains.adaptation_leakage = 0.0;
+  gains.adaptation_inertia_leakage = 0.0;
   gains.adaptation_filter = 0.0;
   const Chain chain = plant_model(scenario).chain;
   const ParameterVector truth = theta_of(chain);

@@ -83,6 +83,7 @@ TEST(Endurance, SeesParameterDriftAndTheBoundsPreventIt) {
   EXPECT_DOUBLE_EQ(bounded[0].simulated, 300.0);
   gains.adaptation_filter = 0.0;
   gains.adaptation_leakage = 0.0;
+  gains.adaptation_inertia_leakage = 0.0;
   const auto drifting = endured(scenario, gains, 5.0);
   ASSERT_TRUE(drifting[0].broken);
   EXPECT_EQ(drifting[0].engine, Engine::kSimbody) << "what fails is confirmed there";

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/control/laws/first_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
@@ -12,6 +13,7 @@
 namespace armtune {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -112,6 +114,34 @@ TEST(RolloutChecks, FailWhereAnObstacleIsTouchedAndSayNothingWithoutObstacles) {
   EXPECT_FALSE(touched.passed());
   EXPECT_EQ(touched.checks.back().scenario, "inside");
   EXPECT_EQ(touched.checks.back().value, -0.06);
+}
+
+TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeriod) {
+  Scenario scenario = test::scenario_of("realistic_fixed_target");
+  const auto assumed = [&] {
+    SimulationVerdict verdict;
+    add_assumptions({scenario}, verdict);
+    return to_text(verdict);
+  };
+  EXPECT_THAT(assumed(),
+              AllOf(HasSubstr("the rotor inertia that the file of ur10 gives"), Not(HasSubstr("stops"))));
+  RobotModel robot = *scenario.robot;
+  robot.chain.rotor_inertia[5] = 0.0;
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  EXPECT_THAT(assumed(), HasSubstr("wrist_3_joint of ur10 have no rotor inertia"));
+  robot.chain.rotor_inertia.setZero();
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  EXPECT_THAT(assumed(), HasSubstr("ur10 has no rotor inertia"));
+  // An explicit step of h is stable up to h c = 2 d; c is Fv + Fc / 0.05 at rest.
+  const JointVector d = joint_inertia(plant_model(scenario), scenario.start_position);
+  scenario.plant.viscous_friction = JointVector::Constant(6, 0.1);
+  scenario.plant.coulomb_friction = JointVector::Zero(6);
+  const double bound = (2.0 * d[4] / scenario.control_period - 0.1) * 0.05;
+  ASSERT_GT(bound, 0.0);
+  scenario.plant.coulomb_friction[4] = 0.99 * bound;
+  EXPECT_THAT(assumed(), Not(HasSubstr("friction stops wrist_2_joint")));
+  scenario.plant.coulomb_friction[4] = 1.01 * bound;
+  EXPECT_THAT(assumed(), HasSubstr("friction stops wrist_2_joint within a control period"));
 }
 
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
