@@ -133,6 +133,9 @@ std::vector<Variant> variants(Gains gains) {
       g.adaptation_leakage = leakage;
       all.push_back({fmt::format("filtered at {} Hz, leakage {} /s", corner, leakage), g});
     }
+    g.adaptation_leakage = 0.001;
+    g.adaptation_inertia_leakage = 0.02;
+    all.push_back({fmt::format("the same, {} and {} /s of inertias", 0.001, 0.02), g});
   }
   for (const double leakage : {0.0, 0.001}) {
     Gains g = gains;

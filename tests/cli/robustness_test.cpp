@@ -40,7 +40,8 @@ TEST(Robustness, OneSeedGivesTheSameFilesAndASampleAloneItsRow) {
   const Finished one = robustness(folder, scenario, "one", {"--samples", "3", "--workers", "1"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_THAT(one.out, AllOf(HasSubstr("of 3 arms keep every limit"), HasSubstr("95 % confidence"),
-                             HasSubstr("Simulation checks: passed (yield)")));
+                             HasSubstr("Simulation checks: passed (yield)"),
+                             HasSubstr("Note: 3 of 3 random arms keep their limits (95 % confidence ")));
   const Finished two = robustness(folder, scenario, "two", {"--samples", "3", "--workers", "2"});
   ASSERT_EQ(two.exit_code, 0) << two.err;
   for (const char* file : {"/samples.csv", "/summary.csv"}) {
@@ -61,6 +62,9 @@ TEST(Robustness, NamesTheLimitThatIsBroken) {
                                 HasSubstr("2 of 2 break 'joint_velocity/max_ratio <= 0.01'"),
                                 HasSubstr("samples 0 1"), HasSubstr("Simulation checks: failed: yield, "),
                                 HasSubstr("threshold 0.95\nNot checked: ")));
+  // A limit in place of the arm's own leaves those unchecked that it does not imply.
+  EXPECT_THAT(strict.out, AllOf(HasSubstr("joint_position/min_margin >= 0, which --limit has replaced"),
+                                testing::Not(HasSubstr("joint_velocity/max_ratio <= 1, which"))));
   const auto verdict = yaml::parse_file(folder / "strict/verdict.yaml");
   EXPECT_FALSE(verdict.find("passed")->as_boolean());
   const Finished alone = robustness(folder, short_scenario(folder), "alone",

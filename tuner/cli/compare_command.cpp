@@ -135,7 +135,7 @@ SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>&
     add_endurance_checks(endured, VerdictThresholds(), sets[i].name, verdict);
   }
   add_unchecked(extended, verdict);
-  add_assumptions(scenarios, verdict);
+  add_assumptions(scenarios, stepper_from_name(args.stepper), verdict);
   return verdict;
 }
 

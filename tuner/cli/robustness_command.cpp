@@ -56,6 +56,7 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
              100.0 * static_cast<double>(kept) / static_cast<double>(samples.size()), samples.size(),
              100.0 * low, 100.0 * high);
   for (const MetricLimit& limit : limits) fmt::print("  {}\n", to_string(limit));
+  fmt::print("  torque saturated in at most {:.0f} % of the periods\n", 100.0 * kSaturatedShare);
   std::map<std::pair<std::string, std::string>, std::vector<std::uint64_t>> breaks;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {
@@ -91,11 +92,23 @@ SimulationVerdict verdict_on(const std::vector<Scenario>& scenarios,
                              const std::vector<MonteCarloSample>& samples, const MonteCarloOptions& options) {
   SimulationVerdict verdict;
   verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
-  verdict.not_checked = {"what happens after the scenarios end (armtune simulate --endurance)",
+  verdict.not_checked = {"the scenario's own arm (armtune simulate)",
+                         fmt::format("effort limits, but for torque that saturates in over {:.0f} % of the "
+                                     "periods",
+                                     100.0 * kSaturatedShare),
+                         "what happens after the scenarios end (armtune simulate --endurance)",
                          "stability margins (armtune margins)"};
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  for (const MetricLimit& own : arm_limits()) {
+    const bool kept = std::any_of(options.limits.begin(), options.limits.end(), [&own](const MetricLimit& l) {
+      return l.metric == own.metric && l.upper == own.upper &&
+             (l.upper ? l.value <= own.value : l.value >= own.value);
+    });
+    if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit has replaced", to_string(own)));
+  }
   verdict.assumes.push_back(spread_text("this", options.perturbation));
-  add_assumptions(scenarios, verdict);
+  add_assumptions(scenarios, options.stepper, verdict);
+  if (verdict.passed()) verdict.notes.push_back(kept_text(samples));
   return verdict;
 }
 
@@ -270,9 +283,11 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_option("--sample", args->only, "only this one, the same to the byte as among the others")
       ->check(CLI::Range(0L, 1000000000L));
-  command->add_option("--limit", args->limits,
-                      "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
-                      "velocities and positions inside the arm's own, and no obstacle touched");
+  command->add_option(
+      "--limit", args->limits,
+      "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
+      "velocities and positions inside the arm's own, and no obstacle touched, which the first "
+      "--limit replaces");
   CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);

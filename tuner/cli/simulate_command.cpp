@@ -73,14 +73,14 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
 /// Checks the scenarios that were simulated, and the extended ones if every one of them ended.
 SimulationVerdict verdict_of(const std::vector<Scenario>& scenarios,
                              const std::vector<ScenarioResult>& results,
-                             const std::vector<EnduranceResult>& endured) {
+                             const std::vector<EnduranceResult>& endured, Stepper stepper) {
   SimulationVerdict verdict;
   add_rollout_checks(results, "", verdict);
   add_contact_check(scenarios, results, "", verdict);
   const bool extended = endured.size() == scenarios.size();
   if (extended) add_endurance_checks(endured, VerdictThresholds(), "", verdict);
   add_unchecked(extended, verdict);
-  add_assumptions(scenarios, verdict);
+  add_assumptions(scenarios, stepper, verdict);
   return verdict;
 }
 
@@ -128,7 +128,7 @@ int run(const Arguments& args) {
     fmt::print("\nEvery scenario extended to at least {:.4g} minutes:\n{}", args.endurance,
                endurance_table(endured));
   }
-  const SimulationVerdict verdict = verdict_of(scenarios, results, endured);
+  const SimulationVerdict verdict = verdict_of(scenarios, results, endured, options.stepper);
   if (!args.folder.empty()) {
     YardstickFiles yardstick;
     if (args.yardstick && !stop_requested()) {

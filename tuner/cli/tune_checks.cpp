@@ -57,7 +57,7 @@ SimulationVerdict check_search(const Study& study, const TuneResult& result, con
     }
   }
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
-  add_assumptions(study.scenarios, verdict);
+  add_assumptions(study.scenarios, study.stepper, verdict);
   verdict.notes = loosened(study.thresholds);
   add_bounds_note(study, result.best.gains, verdict);
   return verdict;

@@ -157,7 +157,7 @@ std::string rotors_text(const RobotModel& robot) {
     return fmt::format("{} has no rotor inertia, as its file gives none", robot.name);
   }
   return fmt::format(
-      "{} of {} have no rotor inertia, as its file gives none; of its other joints what it gives",
+      "{} of {} without rotor inertia, as its file gives none; of its other joints what it gives",
       fmt::join(without, ", "), robot.name);
 }
 
@@ -176,7 +176,7 @@ std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel
 
 }  // namespace
 
-void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {
+void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict) {
   std::vector<std::string> no_friction;
   std::vector<std::string> no_noise;
   std::vector<std::string> points;
@@ -185,12 +185,12 @@ void add_assumptions(const std::vector<Scenario>& scenarios, SimulationVerdict& 
     add_once(rotors_text(robot), verdict.assumes);
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
-    if (!stiff.empty()) {
-      add_once(
-          fmt::format("in {} friction stops {} within a control period: the simulation is stable, but "
-                      "peaks of its velocity may be higher on the arm (--stepper reference resolves them)",
-                      scenario.name, fmt::join(stiff, ", ")),
-          verdict.assumes);
+    if (!stiff.empty() && stepper != Stepper::kReference) {
+      add_once(fmt::format("in {} friction stops {} within a control period: the simulation is stable, but "
+                           "peaks of its velocity may be higher on the arm (--stepper reference resolves "
+                           "them, with time: see --rollout-deadline)",
+                           scenario.name, fmt::join(stiff, ", ")),
+               verdict.assumes);
     }
     if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {
       no_friction.push_back(scenario.name);

@@ -86,7 +86,7 @@ CheckKind check_of(MarginKind kind) {
 }  // namespace
 
 SearchOutcome outcome_of(const TuneResult& result) {
-  if (!better(result.best, result.start)) return SearchOutcome::kStart;
+  if (result.best.x == result.start.x || !better(result.best, result.start)) return SearchOutcome::kStart;
   return result.best.feasible ? SearchOutcome::kTuned : SearchOutcome::kLeastViolation;
 }
 

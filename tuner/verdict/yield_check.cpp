@@ -27,22 +27,28 @@ Cause cause_of(const MonteCarloSample& sample, std::size_t scenario) {
   return {sample.broken[scenario], scenario, velocity ? metrics.max_ratio_joint : std::string()};
 }
 
+std::size_t kept_of(const std::vector<MonteCarloSample>& samples) {
+  return static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
+}
+
 }  // namespace
+
+std::string kept_text(const std::vector<MonteCarloSample>& samples) {
+  const std::size_t kept = kept_of(samples);
+  const auto [low, high] = wilson_interval(kept, samples.size());
+  return fmt::format("{} of {} random {} their limits (95 % confidence {:.1f} to {:.1f} %)", kept,
+                     samples.size(), samples.size() == 1 ? "arm keeps" : "arms keep", 100.0 * low,
+                     100.0 * high);
+}
 
 Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
                   double asked) {
-  const auto kept = static_cast<std::size_t>(
-      std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
   Check check{CheckKind::kYield};
-  check.value = static_cast<double>(kept) / static_cast<double>(samples.size());
+  check.value = static_cast<double>(kept_of(samples)) / static_cast<double>(samples.size());
   check.threshold = asked;
   check.unit = "of the arms";
   check.passed = check.value >= asked;
-  const auto [low, high] = wilson_interval(kept, samples.size());
-  check.detail = fmt::format(
-      "{} of {} random arms keep their limits, saturating in at most {} % of the periods (95 % confidence "
-      "{:.1f} to {:.1f} %)",
-      kept, samples.size(), 100.0 * kSaturatedShare, 100.0 * low, 100.0 * high);
   // What breaks most often says where to look.
   std::map<Cause, std::size_t> causes;
   for (const MonteCarloSample& sample : samples) {
@@ -55,8 +61,10 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
         causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     check.joint = cause.joint;
     check.scenario = scenarios[cause.scenario].name;
-    check.detail += fmt::format("; most often, on {} arms: {}", count, cause.broken);
+    check.detail = fmt::format("most often broken, on {} {}{}: {}; ", count, count == 1 ? "arm" : "arms",
+                               cause.joint.empty() ? "" : " by this joint", cause.broken);
   }
+  check.detail += kept_text(samples);
   return check;
 }
 

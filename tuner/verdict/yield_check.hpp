@@ -13,6 +13,9 @@ namespace armtune {
 Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
                   double asked);
 
+/// Returns, for example, "9 of 10 random arms keep their limits (95 % confidence 59.6 to 98.2 %)".
+std::string kept_text(const std::vector<MonteCarloSample>& samples);
+
 /// Returns, for example, "the default spread of arms, payloads up to 5 kg". whose: "the default".
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 

@@ -25,6 +25,8 @@ TuneResult result_of(bool start_feasible, double start_violation, bool feasible,
   result.best.feasible = feasible;
   result.best.violation = violation;
   result.best.objective = objective;
+  result.start.x = {0.0};
+  result.best.x = {1.0};
   return result;
 }
 
@@ -37,6 +39,10 @@ TEST(SearchOutcome, IsTunedOnlyWhereTheResultIsFeasibleAndBetterThanTheStart) {
   EXPECT_EQ(outcome_of(result_of(false, 0.5, true, 0.0, 1.5)), SearchOutcome::kTuned);
   EXPECT_EQ(outcome_of(result_of(false, 0.5, false, 0.2, 2.0)), SearchOutcome::kLeastViolation);
   EXPECT_EQ(outcome_of(result_of(false, 0.5, false, 0.5, 1.0)), SearchOutcome::kStart);
+  // The start itself, judged again in another engine, is no other point.
+  TuneResult again = result_of(false, 0.5, false, 0.4, 1.0);
+  again.best.x = again.start.x;
+  EXPECT_EQ(outcome_of(again), SearchOutcome::kStart);
 }
 
 /// Margins of quick gains over a short scenario: what each check says is what `failure_at` says.
