@@ -7,10 +7,9 @@
 // estimates grow by gamma Kp E[n^2] per second, and no amount of time ends that. Three options bound theta;
 // the published law has none of them:
 //   - Y along the filtered motion (adaptation_filter.hpp), in which there is hardly any noise;
-//   - leakage towards the start of theta. The inertias may leak faster than the rest: it is they that learn
-//   from noise,
-//     and an overrated inertia of a wrist that turns little makes the loop ring, while masses and first
-//     moments, which gravity shows at all times, hold what was learnt of a payload;
+//   - leakage towards the start of theta, of inertias faster than of the rest. It is the inertias that learn
+//     from noise, and an overrated inertia of a light wrist makes the loop ring. Gravity shows masses and
+//     first moments at all times: they may leak slowly, and keep what was learnt of a payload;
 //   - projection to physically valid parameters, which bounds theta from one side only: the cone of physical
 //     parameters has no upper bound.
 

@@ -218,7 +218,7 @@ TEST(CommittedExtendedGains, AreAtMostFivePercentWorseThanThoseWhoseAdaptationDr
 /// of each on twenty random arms. What does not hold is counted here and in the README, and may only become
 /// less.
 TEST(CommittedEndurance, TheBundledTunedGainsHoldForTwoHoursAndOnRandomArms) {
-  // Three of the 280 runs on random UR10s pass a limit on the way back from where obstacles pushed them.
+  // Three of the 280 runs on random UR10s pass an effort or velocity limit, all of them with obstacles.
   const std::map<std::string, std::size_t> failing_arms = {
       {"extended_tuned", 3}, {"panda_tuned", 0}, {"youbot_tuned", 0}};
   std::set<std::string> failed, seen;
