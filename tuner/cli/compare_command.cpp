@@ -26,6 +26,7 @@
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/study/study.hpp"
+#include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::cli {

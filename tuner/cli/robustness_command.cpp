@@ -27,7 +27,6 @@
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/verdict/rollout_checks.hpp"
 #include "tuner/verdict/yield_check.hpp"
 
 namespace armtune::cli {
@@ -86,30 +85,6 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
                  spread.worst, spread.worst_sample);
     }
   }
-}
-
-SimulationVerdict verdict_on(const std::vector<Scenario>& scenarios,
-                             const std::vector<MonteCarloSample>& samples, const MonteCarloOptions& options) {
-  SimulationVerdict verdict;
-  verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
-  verdict.not_checked = {"the scenario's own arm (armtune simulate)",
-                         fmt::format("effort limits, but for torque that saturates in over {:.0f} % of the "
-                                     "periods",
-                                     100.0 * kSaturatedShare),
-                         "what happens after the scenarios end (armtune simulate --endurance)",
-                         "stability margins (armtune margins)"};
-  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
-  for (const MetricLimit& own : arm_limits()) {
-    const bool kept = std::any_of(options.limits.begin(), options.limits.end(), [&own](const MetricLimit& l) {
-      return l.metric == own.metric && l.upper == own.upper &&
-             (l.upper ? l.value <= own.value : l.value >= own.value);
-    });
-    if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit has replaced", to_string(own)));
-  }
-  verdict.assumes.push_back(spread_text("this", options.perturbation));
-  add_assumptions(scenarios, options.stepper, verdict);
-  if (verdict.passed()) verdict.notes.push_back(kept_text(samples));
-  return verdict;
 }
 
 RunHeader header_of(const std::vector<Scenario>& scenarios, const Gains& gains,
@@ -218,7 +193,7 @@ int run(Arguments args, Team& team) {
   }
   SimulationVerdict verdict;
   if (!samples.empty()) {
-    if (!stop_requested()) verdict = verdict_on(scenarios, samples, options);
+    if (!stop_requested()) verdict = yield_verdict(scenarios, samples, options);
     print_yield(scenarios, samples, options.limits);
     print_spreads(scenarios, samples);
   }

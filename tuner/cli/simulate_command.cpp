@@ -25,6 +25,7 @@
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
+#include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::cli {

@@ -5,6 +5,7 @@
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::cli {

@@ -7,9 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/control/laws/first_gains.hpp"
-#include "core/robot/friction.hpp"
-
 namespace armtune {
 namespace {
 
@@ -43,10 +40,6 @@ void describe(const BrokenLimit& broken, Check& check) {
 
 bool is_point(const MovingObstacle& obstacle) {
   return obstacle.radius == 0.0;
-}
-
-void add_once(std::string text, std::vector<std::string>& list) {
-  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
 }
 
 }  // namespace
@@ -141,81 +134,6 @@ void add_unchecked(bool extended, SimulationVerdict& verdict) {
   verdict.not_checked.emplace_back("stability margins (armtune margins)");
   verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
-}
-
-namespace {
-
-/// What the verdict assumes of the robot's rotors, joint by joint.
-std::string rotors_text(const RobotModel& robot) {
-  std::vector<std::string> without;
-  for (int i = 0; i < robot.n(); ++i) {
-    if (robot.chain.rotor_inertia[i] == 0.0)
-      without.push_back(robot.joints[static_cast<std::size_t>(i)].name);
-  }
-  if (without.empty()) return fmt::format("the rotor inertia that the file of {} gives", robot.name);
-  if (without.size() == static_cast<std::size_t>(robot.n())) {
-    return fmt::format("{} has no rotor inertia, as its file gives none", robot.name);
-  }
-  return fmt::format(
-      "{} of {} without rotor inertia, as its file gives none; of its other joints what it gives",
-      fmt::join(without, ", "), robot.name);
-}
-
-/// The joints whose friction at rest would make an explicit step of a control period unstable: h c > 2 d,
-/// with c the slope of the friction law and d the inertia that the joint moves where the scenario begins.
-std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel& plant) {
-  const JointVector inertia = joint_inertia(plant, scenario.start_position);
-  std::vector<std::string> names;
-  for (int i = 0; i < plant.n(); ++i) {
-    const double slope = plant.chain.viscous_friction[i] + plant.chain.coulomb_friction[i] / kCoulombVelocity;
-    if (scenario.control_period * slope > 2.0 * inertia[i])
-      names.push_back(plant.joints[static_cast<std::size_t>(i)].name);
-  }
-  return names;
-}
-
-}  // namespace
-
-void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict) {
-  std::vector<std::string> no_friction;
-  std::vector<std::string> no_noise;
-  std::vector<std::string> points;
-  for (const Scenario& scenario : scenarios) {
-    const RobotModel& robot = *scenario.robot;
-    add_once(rotors_text(robot), verdict.assumes);
-    const RobotModel plant = plant_model(scenario);
-    const std::vector<std::string> stiff = stiff_joints(scenario, plant);
-    if (!stiff.empty() && stepper != Stepper::kReference) {
-      add_once(fmt::format("in {} friction stops {} within a control period: the simulation is stable, but "
-                           "peaks of its velocity may be higher on the arm (--stepper reference resolves "
-                           "them, with time: see --rollout-deadline)",
-                           scenario.name, fmt::join(stiff, ", ")),
-               verdict.assumes);
-    }
-    if (plant.chain.viscous_friction.isZero(0.0) && plant.chain.coulomb_friction.isZero(0.0)) {
-      no_friction.push_back(scenario.name);
-    }
-    if (std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(), is_point)) {
-      points.push_back(scenario.name);
-    }
-    if (scenario.plant.velocity_noise == 0.0 && scenario.plant.position_noise == 0.0) {
-      no_noise.push_back(scenario.name);
-    }
-  }
-  const auto add = [&](const char* what, const std::vector<std::string>& names) {
-    if (names.empty()) return;
-    const bool all = names.size() == scenarios.size();
-    add_once(all ? std::string(what) : fmt::format("{} in {}", what, fmt::join(names, ", ")),
-             verdict.assumes);
-  };
-  for (const std::string& name : points) {
-    add_once(fmt::format("obstacles in {} that have no 'radius' are points, which nothing touches", name),
-             verdict.assumes);
-  }
-  add("no joint friction", no_friction);
-  add("no sensor noise", no_noise);
-  add_once("rigid links and joints, and drives that give every torque up to the effort limits",
-           verdict.assumes);
 }
 
 }  // namespace armtune

@@ -31,8 +31,4 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
 /// what no simulation can check. extended: whether every scenario was extended.
 void add_unchecked(bool extended, SimulationVerdict& verdict);
 
-/// Adds what the checks assume of the scenarios' arms, such as rotor inertia that a robot file leaves out,
-/// and of the stepper that simulated them.
-void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict);
-
 }  // namespace armtune

@@ -110,6 +110,10 @@ std::string to_text(const SimulationVerdict& verdict) {
   return text;
 }
 
+void add_once(std::string text, std::vector<std::string>& list) {
+  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
+}
+
 const std::vector<std::string>& never_checked() {
   static const std::vector<std::string> all = {"self-collision", "collisions with floor and table",
                                                "cables and hoses", "flexible joints and links"};

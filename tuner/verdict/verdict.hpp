@@ -67,6 +67,9 @@ std::string to_text(const SimulationVerdict& verdict);
 /// The verdict in one line, as the report begins with it.
 std::string headline(const SimulationVerdict& verdict);
 
+/// Adds a line to one of the verdict's lists, unless it is there already.
+void add_once(std::string text, std::vector<std::string>& list);
+
 /// What no command of armtune looks at.
 const std::vector<std::string>& never_checked();
 

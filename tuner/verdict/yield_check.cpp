@@ -7,6 +7,8 @@
 #include <tuple>
 
 #include "tuner/robustness/statistics.hpp"
+#include "tuner/study/thresholds.hpp"
+#include "tuner/verdict/assumptions.hpp"
 
 namespace armtune {
 namespace {
@@ -37,9 +39,10 @@ std::size_t kept_of(const std::vector<MonteCarloSample>& samples) {
 std::string kept_text(const std::vector<MonteCarloSample>& samples) {
   const std::size_t kept = kept_of(samples);
   const auto [low, high] = wilson_interval(kept, samples.size());
-  return fmt::format("{} of {} random {} their limits (95 % confidence {:.1f} to {:.1f} %)", kept,
-                     samples.size(), samples.size() == 1 ? "arm keeps" : "arms keep", 100.0 * low,
-                     100.0 * high);
+  return fmt::format(
+      "{} of {} random arms keep the limits and saturate in at most {:.0f} % of the periods (95 % confidence "
+      "{:.1f} to {:.1f} %)",
+      kept, samples.size(), 100.0 * kSaturatedShare, 100.0 * low, 100.0 * high);
 }
 
 Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
@@ -73,6 +76,31 @@ std::string spread_text(const std::string& whose, const Perturbation& perturbati
                      perturbation.payload > 0.0
                          ? fmt::format("payloads up to {:.3g} kg", perturbation.payload)
                          : std::string("each with the scenario's payload"));
+}
+
+SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
+                                const std::vector<MonteCarloSample>& samples,
+                                const MonteCarloOptions& options) {
+  SimulationVerdict verdict;
+  verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
+  verdict.not_checked = {"the scenario's own arm (armtune simulate)",
+                         fmt::format("effort limits, but for torque that saturates in over {:.0f} % of the "
+                                     "periods",
+                                     100.0 * kSaturatedShare),
+                         "what happens after the scenarios end (armtune simulate --endurance)",
+                         "stability margins (armtune margins)"};
+  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  for (const MetricLimit& own : arm_limits()) {
+    const bool kept = std::any_of(options.limits.begin(), options.limits.end(), [&own](const MetricLimit& l) {
+      return l.metric == own.metric && l.upper == own.upper &&
+             (l.upper ? l.value <= own.value : l.value >= own.value);
+    });
+    if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit has replaced", to_string(own)));
+  }
+  verdict.assumes.push_back(spread_text("the given", options.perturbation));
+  add_assumptions(scenarios, options.stepper, verdict);
+  if (verdict.passed()) verdict.notes.push_back(kept_text(samples));
+  return verdict;
 }
 
 }  // namespace armtune

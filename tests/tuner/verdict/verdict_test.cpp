@@ -8,6 +8,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/study/thresholds.hpp"
+#include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune {
