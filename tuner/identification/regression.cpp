@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t kBlock = 2000;
 /// The rows' filter makes neighbours alike: its autocorrelation has died away after this many rows.
 constexpr std::size_t kLags = 24;
+/// Each pass adds to the residuals' variance what the fit has taken out of them; the third changes nothing.
+constexpr int kCovariancePasses = 3;
 constexpr int kWeightIterations = 20;
 /// A column of unit length counts as not excited when less than this is left of it beside the others.
 constexpr double kNotExcited = 1e-7;
@@ -48,6 +50,12 @@ void make_positive(Eigen::MatrixXd& W) {
   if (eigen.eigenvalues().minCoeff() >= 0.0) return;
   const Eigen::VectorXd kept = eigen.eigenvalues().cwiseMax(0.0);
   W = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+/// Flat-top taper (Politis and Romano, 1995): 1 over the first half of the lags, then down to 0. It does not
+/// shorten the correlation that the rows' filter makes.
+double taper(std::size_t lag) {
+  return std::min(1.0, 2.0 - 2.0 * static_cast<double>(lag) / static_cast<double>(kLags + 1));
 }
 
 /// (-theta, 1): (Y, tau) times it is the residual.
@@ -130,6 +138,43 @@ double Regression::autocovariance(std::size_t joint, std::size_t lag, const Eige
   return pairs_[lag] > 0 ? a.dot(moments_[joint][lag] * a) / static_cast<double>(pairs_[lag]) : 0.0;
 }
 
+Eigen::MatrixXd Regression::covariance(const Eigen::VectorXd& a, const Eigen::VectorXd& deviation,
+                                       const Estimate& estimate) const {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(rank_, rank_);
+  Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(rank_, rank_);
+  for (std::size_t j = 0; j < factor_.size(); ++j) {
+    const double weight = std::pow(deviation[static_cast<Eigen::Index>(j)], -2.0);
+    const auto Y = [&](std::size_t lag) { return moments_[j][lag].topLeftCorner(rank_, rank_); };
+    // The fit takes a part of the noise out of the residuals: as much as theta is uncertain.
+    const auto noise = [&](std::size_t lag) {
+      if (pairs_[lag] == 0) return 0.0;
+      return autocovariance(j, lag, a) +
+             estimate.covariance.cwiseProduct(Y(lag)).sum() / static_cast<double>(pairs_[lag]);
+    };
+    information += weight * Y(0);
+    meat += weight * weight * noise(0) * Y(0);
+    for (std::size_t lag = 1; lag <= kLags; ++lag) {
+      meat += weight * weight * taper(lag) * noise(lag) * (Y(lag) + Y(lag).transpose());
+    }
+  }
+  Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
+  for (const int dead : estimate.not_excited) {
+    information.row(dead).setZero();
+    information.col(dead).setZero();
+    meat.row(dead).setZero();
+    meat.col(dead).setZero();
+    scale[dead] = 1.0;
+    information(dead, dead) = 1.0;
+  }
+  const Eigen::VectorXd unscale = scale.cwiseInverse();
+  const Eigen::MatrixXd H = unscale.asDiagonal() * information * unscale.asDiagonal();
+  Eigen::MatrixXd W = unscale.asDiagonal() * meat * unscale.asDiagonal();
+  make_positive(W);
+  const Eigen::LDLT<Eigen::MatrixXd> factor(H);
+  const Eigen::MatrixXd half = factor.solve(W);
+  return unscale.asDiagonal() * factor.solve(half.transpose()) * unscale.asDiagonal();
+}
+
 Estimate Regression::solve(const Eigen::VectorXd& prior) {
   for (std::size_t j = 0; j < waiting_.size(); ++j) compress(j);
   Estimate out;
@@ -151,37 +196,9 @@ Estimate Regression::solve(const Eigen::VectorXd& prior) {
   }
   out.torque_residual = deviation;
 
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(rank_, rank_);
-  Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(rank_, rank_);
   const Eigen::VectorXd a = residual_of(out.theta);
-  const double unbiased = static_cast<double>(rows_) / freedom;
-  for (std::size_t j = 0; j < factor_.size(); ++j) {
-    const double weight = std::pow(deviation[static_cast<Eigen::Index>(j)], -2.0);
-    const auto Y = [&](std::size_t lag) { return moments_[j][lag].topLeftCorner(rank_, rank_); };
-    information += weight * Y(0);
-    meat += weight * weight * unbiased * autocovariance(j, 0, a) * Y(0);
-    for (std::size_t lag = 1; lag <= kLags; ++lag) {
-      // Bartlett's taper: lags count less the fewer of them lie in the window.
-      const double taper = 1.0 - static_cast<double>(lag) / static_cast<double>(kLags + 1);
-      meat += weight * weight * unbiased * taper * autocovariance(j, lag, a) * (Y(lag) + Y(lag).transpose());
-    }
-  }
-  Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
-  for (const int dead : out.not_excited) {
-    information.row(dead).setZero();
-    information.col(dead).setZero();
-    meat.row(dead).setZero();
-    meat.col(dead).setZero();
-    scale[dead] = 1.0;
-    information(dead, dead) = 1.0;
-  }
-  const Eigen::VectorXd unscale = scale.cwiseInverse();
-  const Eigen::MatrixXd H = unscale.asDiagonal() * information * unscale.asDiagonal();
-  Eigen::MatrixXd W = unscale.asDiagonal() * meat * unscale.asDiagonal();
-  make_positive(W);
-  const Eigen::LDLT<Eigen::MatrixXd> factor(H);
-  const Eigen::MatrixXd half = factor.solve(W);
-  out.covariance = unscale.asDiagonal() * factor.solve(half.transpose()) * unscale.asDiagonal();
+  out.covariance = Eigen::MatrixXd::Zero(rank_, rank_);
+  for (int k = 0; k < kCovariancePasses; ++k) out.covariance = covariance(a, deviation, out);
   for (const int dead : out.not_excited) out.covariance(dead, dead) = std::numeric_limits<double>::infinity();
   return out;
 }

@@ -39,6 +39,8 @@ class Regression {
   void compress(std::size_t joint);
   Eigen::VectorXd solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
                                  Estimate& out) const;
+  Eigen::MatrixXd covariance(const Eigen::VectorXd& a, const Eigen::VectorXd& deviation,
+                             const Estimate& estimate) const;
   double autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& a) const;
 
   int joints_;
