@@ -33,6 +33,28 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
   const auto table = test::read_csv(found + "/base_parameters.csv");
   EXPECT_EQ(table.rows.size(), 52U);
 
+  // A log with every torque turned leaves nothing behind unless it is asked for.
+  const std::string map = folder.write(
+      "map.yaml",
+      "position: {columns: [joint/shoulder_pan_joint/position, joint/shoulder_lift_joint/position, "
+      "joint/elbow_joint/position, joint/wrist_1_joint/position, joint/wrist_2_joint/position, "
+      "joint/wrist_3_joint/position]}\n"
+      "torque: {columns: [joint/shoulder_pan_joint/torque, joint/shoulder_lift_joint/torque, "
+      "joint/elbow_joint/torque, joint/wrist_1_joint/torque, joint/wrist_2_joint/torque, "
+      "joint/wrist_3_joint/torque], scale: -1}\n");
+  const std::string turned = folder / "turned";
+  const Finished doubted =
+      run_program({"identify", excite + "/log_moving_target.csv", "--columns", map, "--out", turned});
+  EXPECT_EQ(doubted.exit_code, 3);
+  EXPECT_THAT(doubted.out, testing::AllOf(HasSubstr("wrong sign"), HasSubstr("--accept")));
+  EXPECT_FALSE(std::filesystem::exists(turned));
+  const Finished accepted = run_program(
+      {"identify", excite + "/log_moving_target.csv", "--columns", map, "--accept", "--out", turned});
+  EXPECT_EQ(accepted.exit_code, 3);
+  EXPECT_TRUE(std::filesystem::exists(turned + "/theta.yaml"));
+  EXPECT_THAT(test::read_text(turned + "/run.yaml"), HasSubstr("accepted_although"));
+  EXPECT_THAT(test::read_text(turned + "/theta.yaml"), HasSubstr("wrong sign"));
+
   // The result is a robot and a start for the controller.
   const Finished robot = run_program({"robot", found + "/robot.yaml"});
   EXPECT_EQ(robot.exit_code, 0) << robot.err;
@@ -59,7 +81,7 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   EXPECT_EQ(missing.exit_code, 2);
   const Finished columns = run_program({"identify", folder.write("log.csv", "t,q\n0,1\n1,2\n")});
   EXPECT_EQ(columns.exit_code, 2);
-  EXPECT_THAT(columns.err, HasSubstr("no column 'time'"));
+  EXPECT_THAT(columns.err, HasSubstr("'time'"));
   const Finished center = run_program({"excite", "ur10", "--center", "0,0", "--out", folder / "out"});
   EXPECT_EQ(center.exit_code, 2);
   EXPECT_THAT(center.err, HasSubstr("6 joints"));

@@ -14,6 +14,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/identify_report.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/identification/identification_files.hpp"
@@ -27,57 +28,20 @@ struct Arguments {
   std::string robot = "ur10";
   std::string columns;
   std::string folder;
+  bool accept = false;
   IdentifyOptions options;
 };
-
-constexpr double kUncertain = 0.3;  ///< relative standard deviation from which a group is called uncertain
-
-void show(const RobotModel& model, const Identification& found) {
-  const Eigen::VectorXd file = found.base.map * theta_of(model.chain);
-  const Eigen::VectorXd deviation = found.estimate.deviation();
-  fmt::print("{:<58}{:>12}{:>12}{:>12}\n", "base parameter (group of inertial parameters)", "estimate", "+-",
-             "robot file");
-  for (Eigen::Index b = 0; b < file.size(); ++b) {
-    std::string name = found.base.names[static_cast<std::size_t>(b)];
-    if (name.size() > 56) name = name.substr(0, 53) + "...";
-    fmt::print("{:<58}{:>12.5g}{:>12.2g}{:>12.5g}\n", name, found.estimate.theta[b], deviation[b], file[b]);
-  }
-  fmt::print("\n{:<28}{:>16}{:>18}{:>10}\n", "joint", "torque RMS", "not explained", "share");
-  for (int j = 0; j < model.n(); ++j) {
-    fmt::print("{:<28}{:>16.4g}{:>18.4g}{:>9.2f}%\n", model.joints[static_cast<std::size_t>(j)].name,
-               found.torque_rms[j], found.estimate.torque_residual[j],
-               100.0 * found.estimate.torque_residual[j] / found.torque_rms[j]);
-  }
-  fmt::print("\n{} samples, {} rows, {} base parameters of {}, condition number {:.4g}\n", found.samples,
-             found.estimate.rows * model.n(), found.base.rank(), found.theta.size(),
-             found.estimate.condition);
-  if (found.made_physical) {
-    fmt::print("theta was moved to the nearest one that a physical arm can have.\n");
-  }
-  for (const int b : found.estimate.not_excited) {
-    fmt::print("not excited by these logs, kept at the robot file's value: {}\n",
-               found.base.names[static_cast<std::size_t>(b)]);
-  }
-  const auto uncertain = std::count_if(file.begin(), file.end(), [&, b = Eigen::Index{0}](double) mutable {
-    const Eigen::Index k = b++;
-    return deviation[k] > kUncertain * std::abs(found.estimate.theta[k]);
-  });
-  if (uncertain > 0) {
-    fmt::print("{} groups are known to worse than {:.0f} %: small ones, or the motion says little of them.\n",
-               uncertain, 100.0 * kUncertain);
-  }
-}
 
 void write_files(const Arguments& args, const RobotModel& model, const Identification& found,
                  double seconds) {
   const std::string& folder = args.folder;
   const RobotModel identified = with_theta(model, found.theta);
-  write_text_file(
-      folder + "/theta.yaml",
-      theta_yaml(
-          model, found.theta,
-          {fmt::format("theta of {}, identified by armtune from {} samples", model.name, found.samples),
-           "a scenario's controller starts from it with `theta_start: {file: theta.yaml}`"}));
+  std::vector<std::string> header = {
+      fmt::format("theta of {}, identified by armtune from {} samples", model.name, found.samples),
+      "a scenario's controller starts from it with `theta_start: {file: theta.yaml}`"};
+  if (found.comparison.mistake)
+    header.push_back("ACCEPTED ALTHOUGH " + to_text(*found.comparison.mistake, model));
+  write_text_file(folder + "/theta.yaml", theta_yaml(model, found.theta, header));
   write_text_file(folder + "/base_parameters.csv", base_parameters_csv(model, found));
   write_text_file(folder + "/robot.urdf", urdf_text(identified));
   write_text_file(folder + "/robot.yaml", robot_yaml(identified, "robot.urdf"));
@@ -91,11 +55,25 @@ void write_files(const Arguments& args, const RobotModel& model, const Identific
              {"base_parameters", fmt::format("{}", found.base.rank())},
              {"condition_number", fmt::format("{:.6g}", found.estimate.condition)},
              {"made_physical", found.made_physical ? "yes" : "no"}};
-  for (int j = 0; j < model.n(); ++j) {
-    p.extra.emplace_back("torque_not_explained/" + model.joints[static_cast<std::size_t>(j)].name,
-                         fmt::format("{:.6g}", found.estimate.torque_residual[j]));
-  }
+  const auto add = [&](const char* key, const Eigen::VectorXd& values) {
+    for (int j = 0; j < model.n(); ++j) {
+      p.extra.emplace_back(fmt::format("{}/{}", key, model.joints[static_cast<std::size_t>(j)].name),
+                           fmt::format("{:.6g}", values[j]));
+    }
+  };
+  add("torque_rms", found.fitted.torque);
+  add("torque_not_explained/fitted", found.fitted.by_theta);
+  if (found.held_out.rows > 0) add("torque_not_explained/held_out", found.held_out.by_theta);
+  add("torque_not_explained/robot_file", found.fitted.by_file);
+  if (found.comparison.mistake)
+    p.extra.emplace_back("accepted_although", to_text(*found.comparison.mistake, model));
   write_text_file(folder + "/run.yaml", run_yaml(p));
+}
+
+/// The folder is made before the logs, which can take minutes, are read.
+void remove_if_empty(const std::string& folder) {
+  std::error_code ignored;
+  if (!folder.empty()) std::filesystem::remove(folder, ignored);
 }
 
 int run(const Arguments& args) {
@@ -116,21 +94,28 @@ int run(const Arguments& args) {
     try {
       return identify(*model, args.logs, columns, options, stop_requested());
     } catch (const InputError&) {
-      // Made before the logs, which can take minutes, are read; removed while it is empty.
-      std::error_code ignored;
-      if (!args.folder.empty()) std::filesystem::remove(args.folder, ignored);
+      remove_if_empty(args.folder);
       throw;
     }
   }();
   line.clear();
   if (found.interrupted) return kInterrupted;
-  show(*model, found);
+  print_identification(*model, found);
+  const bool doubtful = found.comparison.mistake.has_value();
+  if (doubtful) {
+    fmt::print("\nThe logs do not fit the robot file: {}.\n", to_text(*found.comparison.mistake, *model));
+  }
+  if (doubtful && !args.accept) {
+    remove_if_empty(args.folder);
+    fmt::print("Nothing was written. If the logs are right all the same, add --accept.\n");
+    return kChecksFailed;
+  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
   if (!args.folder.empty()) {
     write_files(args, *model, found, elapsed.count());
     fmt::print("wrote {}: theta.yaml, base_parameters.csv, robot.urdf, robot.yaml, run.yaml\n", args.folder);
   }
-  return kDone;
+  return doubtful ? kChecksFailed : kDone;
 }
 
 }  // namespace
@@ -168,14 +153,21 @@ void add_identify_command(CLI::App& app, int& exit_code) {
           "the logged torque acts so much later [s]; a torque held from its row on: half a control period")
       ->capture_default_str();
   command->add_flag("--robust", args->options.robust,
-                    "weigh outliers down (Huber), in several passes over the logs");
+                    "give outliers less weight (Huber), in several passes over the logs");
+  command->add_flag(
+      "!--fit-all", args->options.hold_out,
+      "fit to all of the logs; without it every fifth second is left out, to check the result on it");
+  command->add_flag(
+      "--accept", args->accept,
+      "write the result although the logs do not fit the robot file (exit code 3 all the same)");
   command->footer(
       "Record a motion that moves every joint through its range at several speeds (armtune excite designs "
       "one), then:\n"
       "  armtune identify log.csv --robot my_arm.yaml --out runs/identified\n"
       "A scenario starts from the result with  theta_start: {file: runs/identified/theta.yaml}\n"
       "Column map:  time: t\n             position: {columns: [q1, q2], scale: 0.0174533}\n"
-      "             torque: {columns: [tau1, tau2]}\n");
+      "             torque: {columns: [tau1, tau2], scale: [10.0, 8.5]}\n"
+      "Cells may be separated by commas, semicolons, tabs or blanks.\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "tuner/identification/log_extremes.hpp"
+#include "tuner/identification/torque_moments.hpp"
 
 namespace armtune {
 namespace {
@@ -20,8 +22,7 @@ constexpr double kClippedVariance = 0.7102;
 /// from clipped residuals, so that neither outliers nor their weights move it (Huber's proposal 2).
 class Reweighting {
  public:
-  explicit Reweighting(int joints)
-      : squares_(JointVector::Zero(joints)), clipped_(JointVector::Zero(joints)) {}
+  explicit Reweighting(int joints) : clipped_(JointVector::Zero(joints)) {}
 
   /// Takes what a pass has found.
   void update(const Estimate& estimate) {
@@ -29,9 +30,7 @@ class Reweighting {
                  ? JointVector(estimate.torque_residual)
                  : JointVector((clipped_ / (kClippedVariance * static_cast<double>(rows_))).cwiseSqrt());
     theta_ = estimate.theta;
-    if (rows_ > 0) residual_ = (squares_ / static_cast<double>(rows_)).cwiseSqrt();
     clipped_.setZero();
-    squares_.setZero();
     rows_ = 0;
   }
 
@@ -41,83 +40,158 @@ class Reweighting {
     for (Eigen::Index j = 0; j < rows.rows(); ++j) {
       const double residual = std::abs(rows(j, rank) - rows.row(j).head(rank).dot(theta_));
       const double bound = kHuber * scale_[j];
-      squares_[j] += residual * residual;
       clipped_[j] += std::pow(std::min(residual, bound), 2);
       if (residual > bound) rows.row(j) *= std::sqrt(bound / residual);
     }
     ++rows_;
   }
 
-  /// RMS of the residuals as they are, without weights, of the pass before the last update; empty after one.
-  const JointVector& residual() const { return residual_; }
-
  private:
   Eigen::VectorXd theta_;
   JointVector scale_;
-  JointVector residual_;
-  JointVector squares_;  ///< sums of squared residuals of this pass
   JointVector clipped_;  ///< sums of clipped squared residuals of this pass
   long rows_ = 0;
 };
+
+/// Which rows are left out of the fit: every fifth second.
+class HoldOut {
+ public:
+  HoldOut(bool on, double row_period) : on_(on), rows_(std::max(1L, std::lround(1.0 / row_period))) {}
+
+  bool contains(long row) const { return on_ && row / rows_ % 5 == 4; }
+
+ private:
+  bool on_;
+  long rows_;
+};
+
+std::string logs_name(const std::vector<std::string>& logs) {
+  return logs.size() == 1 ? logs.front() : fmt::format("{} and {} more", logs.front(), logs.size() - 1);
+}
+
+/// Reads all logs, once or more often, and fits theta_base to them.
+class Passes {
+ public:
+  Passes(const RobotModel& model, const std::vector<std::string>& logs, const LogColumns& columns,
+         const IdentifyOptions& options, const std::atomic<bool>& stop)
+      : model_(model),
+        logs_(logs),
+        columns_(columns),
+        options_(options),
+        stop_(stop),
+        base_(base_parameters(model)),
+        prior_(base_.map * theta_of(model.chain)),
+        reweighting_(model.n()),
+        fitted_(model.n(), base_.rank()),
+        held_out_(model.n(), base_.rank()) {}
+
+  Estimate run() {
+    const int passes = options_.robust ? std::max(2, options_.passes) : 1;
+    Estimate estimate;
+    for (int pass = 0; pass < passes && !stop_; ++pass) {
+      Regression regression(model_.n(), base_.rank());
+      samples_ = 0;
+      for (std::size_t i = 0; i < logs_.size() && !stop_; ++i) read_log(pass, i, regression);
+      if (stop_) break;
+      if (pass == 0) check_first_pass();
+      estimate = regression.solve(prior_);
+      if (!estimate.theta.allFinite() || !estimate.covariance.allFinite()) {
+        throw InputError(
+            fmt::format("{}: {} samples give no finite estimate; check the columns and their units",
+                        logs_.front(), samples_));
+      }
+      reweighting_.update(estimate);
+    }
+    return estimate;
+  }
+
+  const BaseParameters& base() const { return base_; }
+  const TorqueMoments& fitted() const { return fitted_; }
+  const TorqueMoments& held_out() const { return held_out_; }
+  const LogInstants& instants() const { return instants_; }
+  long samples() const { return samples_; }
+
+ private:
+  void read_log(int pass, std::size_t i, Regression& regression) {
+    LogFile log(logs_[i], columns_);
+    LogInstants unused;
+    RowStream stream(model_, base_, log, options_.rows, pass == 0 ? instants_ : unused);
+    const HoldOut hold_out(options_.hold_out, stream.row_period());
+    regression.begin_log();
+    Eigen::MatrixXd rows;
+    long count = 0;
+    bool gap = false;
+    while (!stop_ && stream.next(rows)) {
+      const bool out = hold_out.contains(count++);
+      // The first pass sees every row without weights.
+      if (pass == 0) (out ? held_out_ : fitted_).add(rows);
+      if (!out) {
+        if (gap) regression.begin_log();
+        if (pass > 0) reweighting_.weigh(rows);
+        regression.add(rows);
+      }
+      gap = out;
+      if (options_.progress) options_.progress(pass, i, samples_ + stream.samples());
+    }
+    samples_ += stream.samples();
+    if (stop_) return;
+    stream.check_velocities();
+    if (count == 0) {
+      throw InputError(
+          fmt::format("{}: {} samples of {:.4g} s are shorter than the filters' window at a cutoff of {} Hz; "
+                      "log longer or raise --cutoff",
+                      logs_[i], stream.samples(), log.period(), options_.rows.cutoff));
+    }
+  }
+
+  void check_first_pass() const {
+    if (fitted_.count() * model_.n() <= base_.rank()) {
+      throw InputError(fmt::format("{}: {} rows for {} base parameters are too few; log longer",
+                                   logs_.front(), fitted_.count() * model_.n(), base_.rank()));
+    }
+    check_units(model_, instants_.kept(), logs_name(logs_));
+  }
+
+  const RobotModel& model_;
+  const std::vector<std::string>& logs_;
+  const LogColumns& columns_;
+  const IdentifyOptions& options_;
+  const std::atomic<bool>& stop_;
+  BaseParameters base_;
+  Eigen::VectorXd prior_;
+  Reweighting reweighting_;
+  TorqueMoments fitted_;
+  TorqueMoments held_out_;
+  LogInstants instants_;
+  long samples_ = 0;
+};
+
+Unexplained unexplained(const TorqueMoments& moments, const BaseParameters& base,
+                        const ParameterVector& theta, const ParameterVector& file_theta) {
+  return {moments.count(), moments.torque_rms(), moments.residual_rms(base.map * theta),
+          moments.residual_rms(base.map * file_theta)};
+}
 
 }  // namespace
 
 Identification identify(const RobotModel& model, const std::vector<std::string>& logs,
                         const LogColumns& columns, const IdentifyOptions& options,
                         const std::atomic<bool>& stop) {
+  Passes passes(model, logs, columns, options, stop);
   Identification found;
-  found.base = base_parameters(model);
-  const ParameterVector file_theta = theta_of(model.chain);
-  const Eigen::VectorXd prior = found.base.map * file_theta;
-  Reweighting reweighting(model.n());
-  const int passes = options.robust ? std::max(2, options.passes) : 1;
-  for (int pass = 0; pass < passes && !stop; ++pass) {
-    Regression regression(model.n(), found.base.rank());
-    Eigen::VectorXd squares = Eigen::VectorXd::Zero(model.n());
-    long rows_seen = 0;
-    found.samples = 0;
-    for (std::size_t i = 0; i < logs.size() && !stop; ++i) {
-      LogFile log(logs[i], columns);
-      RowStream stream(model, found.base, log, options.rows);
-      regression.begin_log();
-      Eigen::MatrixXd rows;
-      long of_this_log = 0;
-      while (!stop && stream.next(rows)) {
-        squares += rows.rightCols<1>().cwiseAbs2();
-        ++of_this_log;
-        if (pass > 0) reweighting.weigh(rows);
-        regression.add(rows);
-        if (options.progress) options.progress(pass, i, found.samples + stream.samples());
-      }
-      found.samples += stream.samples();
-      rows_seen += of_this_log;
-      if (!stop) stream.check_velocities();
-      if (of_this_log == 0 && !stop) {
-        throw InputError(fmt::format(
-            "{}: {} samples of {:.4g} s are shorter than the filters' window at a cutoff of {} Hz; "
-            "log longer or raise --cutoff",
-            logs[i], stream.samples(), log.period(), options.rows.cutoff));
-      }
-    }
-    if (stop) break;
-    if (rows_seen * model.n() <= found.base.rank()) {
-      throw InputError(fmt::format("{} rows for {} base parameters: log longer", rows_seen * model.n(),
-                                   found.base.rank()));
-    }
-    found.estimate = regression.solve(prior);
-    if (!found.estimate.theta.allFinite() || !found.estimate.deviation().allFinite()) {
-      throw InputError(fmt::format(
-          "{} samples give no finite estimate: do their columns and units fit the arm?", found.samples));
-    }
-    reweighting.update(found.estimate);
-    found.torque_rms = (squares / static_cast<double>(rows_seen)).cwiseSqrt();
-  }
-  if (reweighting.residual().size() > 0) found.estimate.torque_residual = reweighting.residual();
+  found.estimate = passes.run();
+  found.base = passes.base();
+  found.samples = passes.samples();
   found.interrupted = stop;
   if (found.interrupted) return found;
-  const PhysicalFit fit = physical_fit(found.base, found.estimate, file_theta);
+  const ParameterVector file_theta = theta_of(model.chain);
+  const PhysicalMinimum fit = physical_fit(found.base, found.estimate, file_theta);
   found.theta = fit.theta;
   found.made_physical = fit.changed;
+  found.fitted = unexplained(passes.fitted(), found.base, found.theta, file_theta);
+  found.held_out = unexplained(passes.held_out(), found.base, found.theta, file_theta);
+  found.comparison = compare_with_robot_file(model, passes.instants().kept());
+  if (!found.comparison.mistake) check_positions(model, passes.instants().kept(), logs_name(logs));
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tuner/identification/log_mistakes.hpp"
 #include "tuner/identification/physical_fit.hpp"
 #include "tuner/identification/row_stream.hpp"
 
@@ -13,10 +14,19 @@ namespace armtune {
 
 struct IdentifyOptions {
   RowOptions rows;
-  bool robust = false;  ///< iteratively reweighted with Huber's weights: outliers count less; on
-                        ///< normal errors stated deviations come out some 10 % small
-  int passes = 5;       ///< of robust regression, over all logs
+  bool robust = false;   ///< iteratively reweighted with Huber's weights: outliers count less; on
+                         ///< normal errors stated deviations come out some 10 % small
+  int passes = 5;        ///< of robust regression, over all logs
+  bool hold_out = true;  ///< leave every fifth second of a log out of the fit, and check the result on it
   std::function<void(int pass, std::size_t log, long samples)> progress;
+};
+
+/// RMS of the torque of every joint (n) [N m, N], and of what is left of it, on some rows of the logs.
+struct Unexplained {
+  long rows = 0;             ///< per joint
+  Eigen::VectorXd torque;    ///< RMS of the filtered torque itself
+  Eigen::VectorXd by_theta;  ///< left unexplained by the identified theta
+  Eigen::VectorXd by_file;   ///< left unexplained by the robot file as it stands
 };
 
 struct Identification {
@@ -24,7 +34,9 @@ struct Identification {
   Estimate estimate;
   ParameterVector theta;       ///< 13 n, physically valid
   bool made_physical = false;  ///< the estimate itself was not
-  Eigen::VectorXd torque_rms;  ///< of the filtered torques per joint (n)
+  Unexplained fitted;          ///< on the rows that theta was fitted to
+  Unexplained held_out;        ///< on the rows that were left out; no rows without IdentifyOptions::hold_out
+  LogComparison comparison;    ///< of the logs with the robot file
   long samples = 0;            ///< of all logs
   bool interrupted = false;
 };

@@ -1,6 +1,7 @@
 #include "tuner/identification/log_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +9,6 @@
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
-#include "sim/yaml/map_reader.hpp"
 
 namespace armtune {
 namespace {
@@ -20,113 +20,86 @@ constexpr long kStretch = 500;
 constexpr double kJitter = 0.5;
 /// Largest deviation of a stretch's mean step, relative, beside what the jitter of its two ends makes.
 constexpr double kDrift = 0.01;
-constexpr std::size_t kMaxLineBytes = 1U << 20;
 /// In SI units: beyond every arm, within what the sums of squares hold.
 constexpr double kLargest = 1e9;
+/// Column names that a message lists.
+constexpr std::size_t kShownNames = 20;
 
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = line.find(',', begin);
-    cells.push_back(line.substr(begin, comma == std::string_view::npos ? comma : comma - begin));
-    if (comma == std::string_view::npos) return cells;
-    begin = comma + 1;
-  }
+/// The cell as a finite number, or nothing.
+std::optional<double> number_in(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r\"");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r\"") - begin + 1);
-}
-
-std::vector<LogColumn> read_columns(const yaml::Node& node, const std::vector<std::string>& joints) {
-  yaml::MapReader map(node);
-  const double scale = map.number("scale", 1.0);
-  const yaml::Node& names = map.required("columns");
-  std::vector<LogColumn> columns;
-  columns.reserve(joints.size());
-  if (names.kind() == yaml::Node::Kind::kSequence) {
-    for (const std::string& name : names.as_strings()) columns.push_back({name, scale});
-    if (columns.size() != joints.size()) {
-      names.fail(fmt::format("{} columns; the arm has {} joints: {}", columns.size(), joints.size(),
-                             fmt::join(joints, " ")));
-    }
-  } else {
-    yaml::MapReader by_joint(names);
-    for (const std::string& joint : joints) columns.push_back({by_joint.required(joint).as_string(), scale});
-    by_joint.finish();
-  }
-  map.finish();
-  return columns;
+std::string listed(const std::vector<std::string>& names) {
+  const std::size_t count = std::min(names.size(), kShownNames);
+  return fmt::format("{}{}",
+                     fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), ", "),
+                     count < names.size() ? fmt::format(" and {} more", names.size() - count) : "");
 }
 
 }  // namespace
 
-LogColumns default_log_columns(const RobotModel& model) {
-  LogColumns columns;
-  columns.time.name = "time";
-  columns.velocity_optional = true;
-  for (const std::string& joint : joint_names(model)) {
-    columns.position.push_back({"joint/" + joint + "/position"});
-    columns.velocity.push_back({"joint/" + joint + "/velocity"});
-    columns.torque.push_back({"joint/" + joint + "/torque"});
-  }
-  return columns;
-}
-
-LogColumns load_log_columns(const std::string& path, const RobotModel& model) {
-  const yaml::Node root = yaml::parse_file(path);
-  yaml::MapReader map(root);
-  const auto joints = joint_names(model);
-  LogColumns columns;
-  columns.time.name = map.string("time", "time");
-  columns.time.scale = map.number("time_scale", 1.0);
-  columns.position = read_columns(map.required("position"), joints);
-  if (const yaml::Node* node = map.optional("velocity")) columns.velocity = read_columns(*node, joints);
-  columns.torque = read_columns(map.required("torque"), joints);
-  map.finish();
-  return columns;
-}
-
 LogFile::LogFile(const std::string& path, const LogColumns& columns)
-    : path_(path), columns_(columns), file_(path, std::ios::binary), buffer_(kMaxLineBytes) {
-  if (!file_) throw InputError(fmt::format("{}: cannot be opened", path));
-  if (!read_line()) throw InputError(fmt::format("{}: empty; a log begins with column names", path));
-  std::vector<std::string> header;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (line_.starts_with(kByteOrderMark)) line_.remove_prefix(kByteOrderMark.size());
-  for (const std::string_view cell : split(line_)) header.emplace_back(trimmed(cell));
-  width_ = header.size();
-  const auto place = [&](const LogColumn& column) {
-    const auto found = std::find(header.begin(), header.end(), column.name);
-    if (found != header.end()) {
-      if (std::find(found + 1, header.end(), column.name) == header.end())
-        return static_cast<std::size_t>(found - header.begin());
-      throw InputError(
-          fmt::format("{}:1: two columns are called '{}'; remove or rename one", path, column.name));
-    }
-    throw InputError(fmt::format("{}:1: no column '{}'{}; --columns FILE says which columns hold what", path,
-                                 column.name, suggestion(column.name, header)));
-  };
-  const auto places = [&](const std::vector<LogColumn>& list) {
-    std::vector<std::size_t> found;
-    found.reserve(list.size());
-    for (const LogColumn& column : list) found.push_back(place(column));
-    return found;
-  };
-  time_place_ = place(columns_.time);
-  position_places_ = places(columns_.position);
+    : path_(path), columns_(columns), lines_(path) {
+  read_header();
+  time_place_ = place_of(columns_.time);
+  position_places_ = places_of(columns_.position);
   const auto has = [&](const LogColumn& column) {
-    return std::find(header.begin(), header.end(), column.name) != header.end();
+    return std::find(header_.begin(), header_.end(), column.name) != header_.end();
   };
   if (columns_.velocity_optional && std::none_of(columns_.velocity.begin(), columns_.velocity.end(), has)) {
     columns_.velocity.clear();
   }
-  velocity_places_ = places(columns_.velocity);
-  torque_places_ = places(columns_.torque);
-
+  velocity_places_ = places_of(columns_.velocity);
+  torque_places_ = places_of(columns_.torque);
   read_ahead();
+}
+
+void LogFile::read_header() {
+  if (!lines_.next()) throw InputError(fmt::format("{}: is empty; a log begins with column names", path_));
+  std::string_view line = lines_.text();
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+  separator_ = find_separator(line);
+  split_cells(line, separator_, cells_);
+  has_names_ =
+      !std::all_of(cells_.begin(), cells_.end(), [](auto cell) { return number_in(cell).has_value(); });
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    header_.push_back(has_names_ ? std::string(cells_[i]) : std::to_string(i + 1));
+  if (!has_names_) lines_.repeat();
+}
+
+std::size_t LogFile::place_of(const LogColumn& column) const {
+  const auto found = std::find(header_.begin(), header_.end(), column.name);
+  if (found == header_.end()) {
+    if (!has_names_) {
+      throw InputError(
+          fmt::format("{}:1: there is no column '{}', because the first line holds numbers and no names; add "
+                      "a line of names, or "
+                      "call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
+                      path_, column.name, header_.size()));
+    }
+    throw InputError(fmt::format(
+        "{}:1: there is no column '{}' among these, separated by {}: {}{}; a column map (--columns FILE) "
+        "says "
+        "which column holds what",
+        path_, column.name, separator_name(separator_), listed(header_), suggestion(column.name, header_)));
+  }
+  if (std::find(found + 1, header_.end(), column.name) == header_.end())
+    return static_cast<std::size_t>(found - header_.begin());
+  throw InputError(
+      fmt::format("{}:1: two columns are called '{}'; remove or rename one", path_, column.name));
+}
+
+std::vector<std::size_t> LogFile::places_of(const std::vector<LogColumn>& columns) const {
+  std::vector<std::size_t> places;
+  places.reserve(columns.size());
+  for (const LogColumn& column : columns) places.push_back(place_of(column));
+  return places;
 }
 
 void LogFile::read_ahead() {
@@ -136,7 +109,7 @@ void LogFile::read_ahead() {
     ahead_.push_back(std::move(*sample));
   }
   if (samples_ < 2) {
-    throw InputError(fmt::format("{}: {} rows of data; a log needs at least two", path_, samples_));
+    throw InputError(fmt::format("{}: has {} rows of data; a log needs at least two", path_, samples_));
   }
   period_ = (ahead_.back().time - ahead_.front().time) / static_cast<double>(samples_ - 1);
   const std::size_t half = ahead_.size() / 2;
@@ -144,7 +117,7 @@ void LogFile::read_ahead() {
   check_rate(ahead_.back().time - ahead_[half].time, samples_ - 1 - static_cast<long>(half));
   stretch_begin_ = ahead_.back().time;
   for (std::size_t k = 1; k < ahead_.size(); ++k) {
-    check_step(ahead_[k].time - ahead_[k - 1].time, static_cast<long>(k) + 2);  // line 1 holds the names
+    check_step(ahead_[k].time - ahead_[k - 1].time, static_cast<long>(k) + (has_names_ ? 2 : 1));
   }
 }
 
@@ -152,81 +125,83 @@ void LogFile::check_rate(double duration, long steps) const {
   if (steps < 1) return;
   const double mean = duration / static_cast<double>(steps);
   if (std::abs(mean - period_) <= (kDrift + 2.0 * kJitter / static_cast<double>(steps)) * period_) return;
-  throw InputError(fmt::format(
-      "{}:{}: {} steps take {:.6g} s each, the first ones {:.6g} s; filters need one rate (within {} %): "
-      "resample the log",
-      path_, line_number_, steps, mean, period_, 100.0 * kDrift));
+  throw InputError(
+      fmt::format("{}:{}: {} steps take {:.6g} s each, the first ones {:.6g} s; the filters need one rate "
+                  "(within {} %), so "
+                  "resample the log",
+                  path_, lines_.number(), steps, mean, period_, 100.0 * kDrift));
 }
 
 void LogFile::check_step(double step, long line) const {
   if (std::abs(step - period_) < kJitter * period_) return;
   throw InputError(
-      fmt::format("{}:{}: a step of {:.6g} s among steps of {:.6g} s; filters need even ones (within {} %): "
-                  "resample the log, or cut it where samples are missing and give both parts",
+      fmt::format("{}:{}: a step of {:.6g} s among steps of {:.6g} s; the filters need even steps (within {} "
+                  "%), so resample the "
+                  "log, or cut it where samples are missing and give both parts",
                   path_, line, step, period_, 100.0 * kJitter));
 }
 
-bool LogFile::read_line() {
-  file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-  if (file_.eof() && file_.gcount() == 0) return false;
-  ++line_number_;
-  if (file_.fail()) {
-    throw InputError(fmt::format(
-        "{}:{}: {}", path_, line_number_,
-        file_.bad() ? "cannot be read" : "a line of more than 1 MB; a log has a row of numbers a line"));
-  }
-  // What was read includes the line end, but for a last line without one.
-  line_ = std::string_view(buffer_.data(), static_cast<std::size_t>(file_.gcount()) - (file_.eof() ? 0 : 1));
-  return true;
-}
-
 bool LogFile::read_row() {
-  if (!read_line()) return false;
-  if (trimmed(line_).empty()) {
-    // Only a line break at the very end may follow.
-    if (file_.peek() == std::ifstream::traits_type::eof()) return false;
-    throw InputError(fmt::format("{}:{}: empty line inside the log", path_, line_number_));
+  if (!lines_.next()) return false;
+  if (lines_.text().find_first_not_of(" \t") == std::string_view::npos) {
+    const long empty = lines_.number();
+    while (lines_.next()) {
+      if (lines_.text().find_first_not_of(" \t") != std::string_view::npos)
+        throw InputError(fmt::format("{}:{}: an empty line inside the log; remove it", path_, empty));
+    }
+    return false;
   }
-  cells_ = split(line_);
-  if (cells_.size() != width_) {
-    throw InputError(fmt::format("{}:{}: {} cells, the header has {}; the log may have been cut off", path_,
-                                 line_number_, cells_.size(), width_));
+  split_cells(lines_.text(), separator_, cells_);
+  if (cells_.size() != header_.size()) {
+    throw InputError(
+        fmt::format("{}:{}: has {} cells, but the first line has {}; the log may have been cut off", path_,
+                    lines_.number(), cells_.size(), header_.size()));
   }
   return true;
 }
 
-double LogFile::number(std::size_t column, const LogColumn& what) const {
-  const std::string_view text = trimmed(cells_[column]);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw InputError(fmt::format("{}:{}: column '{}': '{}' is no finite number", path_, line_number_,
-                                 what.name, text.substr(0, 40)));
-  }
-  if (!(std::abs(value * what.scale) <= kLargest)) {
-    throw InputError(fmt::format(
-        "{}:{}: column '{}': {} times its scale {} is beyond {:.0e}; take the row out, or mend the unit",
-        path_, line_number_, what.name, value, what.scale, kLargest));
-  }
-  return value * what.scale;
+double LogFile::read_number(std::size_t column, const LogColumn& what) const {
+  const std::string_view text = cells_[column];
+  if (const auto value = number_in(text)) return *value;
+  const bool decimal_comma = separator_ != ',' && text.find(',') != std::string_view::npos;
+  throw InputError(fmt::format("{}:{}: column '{}': {} is not a finite number{}", path_, lines_.number(),
+                               what.name, shown(text),
+                               decimal_comma ? "; write decimal points, not commas" : ""));
 }
 
-JointVector LogFile::numbers(const std::vector<std::size_t>& places,
-                             const std::vector<LogColumn>& columns) const {
+double LogFile::read_value(std::size_t column, const LogColumn& what) const {
+  const double value = read_number(column, what);
+  if (std::abs(value * what.scale) <= kLargest) return value * what.scale;
+  throw InputError(fmt::format(
+      "{}:{}: column '{}': {} times its scale {} is beyond {:.0e}; remove the row, or correct the scale",
+      path_, lines_.number(), what.name, value, what.scale, kLargest));
+}
+
+JointVector LogFile::read_values(const std::vector<std::size_t>& places,
+                                 const std::vector<LogColumn>& columns) const {
   JointVector values(static_cast<Eigen::Index>(places.size()));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    values[static_cast<Eigen::Index>(i)] = number(places[i], columns[i]);
+    values[static_cast<Eigen::Index>(i)] = read_value(places[i], columns[i]);
   }
   return values;
 }
 
+double LogFile::read_time() {
+  const double stamp = read_number(time_place_, columns_.time);
+  // Unix time stamps keep their digits when the first is subtracted before they are scaled.
+  if (samples_ == 0) first_time_ = stamp;
+  const double time = (stamp - first_time_) * columns_.time.scale;
+  check_time(time);
+  return time;
+}
+
 void LogFile::check_time(double time) {
   if (samples_ > 0 && !(time > last_time_)) {
-    throw InputError(
-        fmt::format("{}:{}: time {} does not grow after {}", path_, line_number_, time, last_time_));
+    throw InputError(fmt::format("{}:{}: column '{}': {} does not rise above the row before it", path_,
+                                 lines_.number(), columns_.time.name, shown(cells_[time_place_])));
   }
   if (samples_ > kStretch) {
-    check_step(time - last_time_, line_number_);
+    check_step(time - last_time_, lines_.number());
     if (++stretch_steps_ == kStretch) {
       check_rate(time - stretch_begin_, stretch_steps_);
       stretch_begin_ = time;
@@ -243,11 +218,10 @@ std::optional<LogSample> LogFile::read_sample() {
     return std::nullopt;
   }
   LogSample sample;
-  sample.time = number(time_place_, columns_.time);
-  check_time(sample.time);
-  sample.q = numbers(position_places_, columns_.position);
-  sample.qd = numbers(velocity_places_, columns_.velocity);
-  sample.torque = numbers(torque_places_, columns_.torque);
+  sample.time = read_time();
+  sample.q = read_values(position_places_, columns_.position);
+  sample.qd = read_values(velocity_places_, columns_.velocity);
+  sample.torque = read_values(torque_places_, columns_.torque);
   return sample;
 }
 

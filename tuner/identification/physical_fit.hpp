@@ -2,22 +2,16 @@
 // From base parameters to a whole theta that some arm could have: of all physically valid theta
 // (physical_theta.hpp) the one whose base parameters are nearest to the estimate in the metric of its
 // covariance; what the data leave open stays near a prior. A convex problem (a quadratic over cones; Sousa
-// and Cortesao, Physical feasibility of robot base inertial parameter identification, 2014), solved by the
-// alternating direction method of multipliers (Boyd et al., Distributed optimization and statistical learning
-// via ADMM, 2011).
+// and Cortesao, Physical feasibility of robot base inertial parameter identification, 2014).
 
-#include "core/robot/theta.hpp"
 #include "tuner/identification/base_parameters.hpp"
+#include "tuner/identification/physical_cone.hpp"
 #include "tuner/identification/regression.hpp"
 
 namespace armtune {
 
-struct PhysicalFit {
-  ParameterVector theta;  ///< 13 n, physically valid
-  bool changed = false;   ///< the estimate alone, completed by the prior, was not valid
-};
-
 /// prior (13 n), valid: the robot file's theta. Its weight is that of knowing each link within 100 %.
-PhysicalFit physical_fit(const BaseParameters& base, const Estimate& estimate, const ParameterVector& prior);
+PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimate,
+                             const ParameterVector& prior);
 
 }  // namespace armtune

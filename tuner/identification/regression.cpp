@@ -22,6 +22,8 @@ constexpr int kCovariancePasses = 3;
 constexpr int kWeightIterations = 20;
 /// A column of unit length counts as not excited when less than this is left of it beside the others.
 constexpr double kNotExcited = 1e-7;
+/// A group takes part in an open direction when its torque is more than this share of the largest part.
+constexpr double kInvolved = 1e-3;
 
 /// The factor under the rows that came after it, sparse.
 SparseMatrix stacked(const Eigen::MatrixXd& factor, const std::vector<Eigen::VectorXd>& rows) {
@@ -58,6 +60,29 @@ double taper(std::size_t lag) {
   return std::min(1.0, 2.0 - 2.0 * static_cast<double>(lag) / static_cast<double>(kLags + 1));
 }
 
+/// Each dead column is a combination of live ones: moving its parameter up and theirs down changes no torque.
+void find_open_directions(const RankRevealed& revealed, const Eigen::VectorXd& length, Estimate& out) {
+  const auto live = static_cast<Eigen::Index>(revealed.live.size());
+  const auto dead = static_cast<Eigen::Index>(revealed.dead.size());
+  const Eigen::MatrixXd combination =
+      revealed.R.leftCols(live).triangularView<Eigen::Upper>().solve(revealed.R.rightCols(dead));
+  out.open_directions = Eigen::MatrixXd::Zero(length.size(), dead);
+  std::vector<bool> open(static_cast<std::size_t>(length.size()), false);
+  const auto set = [&](int group, Eigen::Index k, double scaled) {
+    if (std::abs(scaled) < kNotExcited) return;
+    out.open_directions(group, k) = scaled / length[group];
+    if (std::abs(scaled) > kInvolved) open[static_cast<std::size_t>(group)] = true;
+  };
+  for (Eigen::Index k = 0; k < dead; ++k) {
+    set(revealed.dead[static_cast<std::size_t>(k)], k, 1.0);
+    for (Eigen::Index i = 0; i < live; ++i)
+      set(revealed.live[static_cast<std::size_t>(i)], k, -combination(i, k));
+  }
+  out.not_excited.clear();
+  for (std::size_t group = 0; group < open.size(); ++group)
+    if (open[group]) out.not_excited.push_back(static_cast<int>(group));
+}
+
 /// (-theta, 1): (Y, tau) times it is the residual.
 Eigen::VectorXd residual_of(const Eigen::VectorXd& theta) {
   Eigen::VectorXd a(theta.size() + 1);
@@ -66,6 +91,12 @@ Eigen::VectorXd residual_of(const Eigen::VectorXd& theta) {
 }
 
 }  // namespace
+
+Eigen::VectorXd Estimate::deviation() const {
+  Eigen::VectorXd deviation = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  for (const int group : not_excited) deviation[group] = std::numeric_limits<double>::infinity();
+  return deviation;
+}
 
 Regression::Regression(int joints, int rank)
     : joints_(joints),
@@ -100,7 +131,7 @@ void Regression::compress(std::size_t joint) {
 }
 
 Eigen::VectorXd Regression::solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
-                                           Estimate& out) const {
+                                           Estimate& out) {
   Eigen::MatrixXd all(static_cast<Eigen::Index>(joints_) * (rank_ + 1), rank_ + 1);
   for (int j = 0; j < joints_; ++j) {
     all.middleRows(static_cast<Eigen::Index>(j) * (rank_ + 1), rank_ + 1) =
@@ -110,9 +141,10 @@ Eigen::VectorXd Regression::solve_weighted(const Eigen::VectorXd& deviation, con
   length = (length.array() > 0.0).select(length, 1.0);
   Eigen::MatrixXd scaled = all.leftCols(rank_) * length.cwiseInverse().asDiagonal();
   const RankRevealed revealed = rank_revealing_factor(SparseMatrix(scaled.sparseView()), kNotExcited);
-  out.not_excited = revealed.dead;
+  find_open_directions(revealed, length, out);
+  dead_ = revealed.dead;
 
-  // What is not excited keeps its prior; the rest is solved for beside it.
+  // A dead column keeps its prior; the rest is solved for beside it.
   Eigen::VectorXd theta = prior;
   Eigen::VectorXd torque = all.col(rank_);
   for (const int dead : revealed.dead) torque -= all.col(dead) * prior[dead];
@@ -158,7 +190,7 @@ Eigen::MatrixXd Regression::covariance(const Eigen::VectorXd& a, const Eigen::Ve
     }
   }
   Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
-  for (const int dead : estimate.not_excited) {
+  for (const int dead : dead_) {
     information.row(dead).setZero();
     information.col(dead).setZero();
     meat.row(dead).setZero();
@@ -199,7 +231,6 @@ Estimate Regression::solve(const Eigen::VectorXd& prior) {
   const Eigen::VectorXd a = residual_of(out.theta);
   out.covariance = Eigen::MatrixXd::Zero(rank_, rank_);
   for (int k = 0; k < kCovariancePasses; ++k) out.covariance = covariance(a, deviation, out);
-  for (const int dead : out.not_excited) out.covariance(dead, dead) = std::numeric_limits<double>::infinity();
   return out;
 }
 

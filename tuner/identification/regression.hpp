@@ -10,14 +10,17 @@ namespace armtune {
 
 struct Estimate {
   Eigen::VectorXd theta;            ///< theta_base (rank)
-  Eigen::MatrixXd covariance;       ///< of theta_base
+  Eigen::MatrixXd covariance;       ///< of theta_base, within what the rows excite
   Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
-  std::vector<int>
-      not_excited;         ///< groups the rows say nothing of: kept at their prior value, variance infinite
+  /// Directions in theta_base (rank x any number) along which the rows say nothing.
+  Eigen::MatrixXd open_directions;
+  /// Groups that an open direction changes, in order: their own value is not known, and the prior decides.
+  std::vector<int> not_excited;
   double condition = 0.0;  ///< of the weighted regressor with columns of unit length
   long rows = 0;           ///< per joint
 
-  Eigen::VectorXd deviation() const { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
+  /// Standard deviations (rank); infinite for groups that were not excited.
+  Eigen::VectorXd deviation() const;
 };
 
 class Regression {
@@ -38,7 +41,7 @@ class Regression {
  private:
   void compress(std::size_t joint);
   Eigen::VectorXd solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
-                                 Estimate& out) const;
+                                 Estimate& out);
   Eigen::MatrixXd covariance(const Eigen::VectorXd& a, const Eigen::VectorXd& deviation,
                              const Estimate& estimate) const;
   double autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& a) const;
@@ -46,6 +49,7 @@ class Regression {
   int joints_;
   int rank_;
   long rows_ = 0;
+  std::vector<int> dead_;                              ///< columns that the last solution left at the prior
   std::vector<std::vector<Eigen::VectorXd>> waiting_;  ///< [joint]: rows not yet in the factor
   std::vector<Eigen::MatrixXd> factor_;                ///< [joint]: R of (Y_base, tau)
   std::vector<std::vector<Eigen::MatrixXd>> moments_;  ///< [joint][lag]: sum of y_t y_(t+lag)^T, tau included

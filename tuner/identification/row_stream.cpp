@@ -23,14 +23,32 @@ constexpr double kSlow = 0.1;
 /// Samples per second of a filtered signal, in units of its cutoff: its content ends at 1.5 of it.
 constexpr double kRate = 4.0;
 
+/// Longest time between samples [s] that a controller's log is likely to have.
+constexpr double kSlowest = 0.05;
+
+/// Names the unit in which the time stamps of a log with so long a period would be likely ones.
+std::string time_unit_hint(double period) {
+  struct Unit {
+    double scale;
+    const char* name;
+  };
+  for (const Unit& unit : {Unit{1e-3, "milliseconds"}, {1e-6, "microseconds"}, {1e-9, "nanoseconds"}}) {
+    if (period < kSlowest || period * unit.scale > kSlowest) continue;
+    return fmt::format(
+        "; if the time stamps are in {}, set `time_scale: {}` in the column map (--columns FILE)", unit.name,
+        unit.scale);
+  }
+  return "";
+}
+
 double checked(const RowOptions& options, const LogFile& log) {
   if (!(options.cutoff > 0.0))
     throw InputError(fmt::format("--cutoff is {} Hz; it must be above zero", options.cutoff));
   const double rate = 1.0 / log.period();
   if (2.0 * options.cutoff > kWidest * rate) {
-    throw InputError(
-        fmt::format("{}: {:.4g} samples per second are too few for a cutoff of {} Hz; at most {:.3g} Hz",
-                    log.path(), rate, options.cutoff, 0.5 * kWidest * rate));
+    throw InputError(fmt::format(
+        "{}: {:.4g} samples per second are too few for a cutoff of {} Hz, which may be {:.3g} Hz at most{}",
+        log.path(), rate, options.cutoff, 0.5 * kWidest * rate, time_unit_hint(log.period())));
   }
   return std::min(kWide * options.cutoff, kWidest * rate);
 }
@@ -51,10 +69,11 @@ Eigen::Index rows_size(const RobotModel& model, const BaseParameters& base) {
 }  // namespace
 
 RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log,
-                     const RowOptions& options)
+                     const RowOptions& options, LogInstants& instants)
     : model_(model),
       base_(base),
       log_(log),
+      instants_(instants),
       period_(log.period()),
       motion_filter_(low_pass(checked(options, log), period_)),
       torque_filter_(low_pass(checked(options, log), period_, options.torque_delay)),
@@ -78,6 +97,7 @@ Eigen::VectorXd RowStream::regressor_rows() {
   const JointVector qd = motion_.sum(motion_filter_.first, 0, n);
   const JointVector qdd = motion_.sum(motion_filter_.second, 0, n);
   const Eigen::VectorXd tau = motion_.sum(torque_filter_.value, n, n);
+  instants_.add({q, qd, qdd, tau});
   if (log_.has_velocities()) compare_velocities(qd);
   forward_kinematics(model_.chain, q, poses_);
   slotine_li_forward(model_.chain, poses_, qd, qd, qdd, slotine_li_);

@@ -11,6 +11,7 @@
 #include "core/robot/slotine_li.hpp"
 #include "tuner/identification/base_parameters.hpp"
 #include "tuner/identification/log_file.hpp"
+#include "tuner/identification/log_instants.hpp"
 #include "tuner/identification/low_pass.hpp"
 #include "tuner/identification/moving_window.hpp"
 
@@ -23,8 +24,10 @@ struct RowOptions {
 
 class RowStream {
  public:
-  /// All arguments must outlive this. Throws InputError if the log is too short or too coarse for the cutoff.
-  RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options);
+  /// All arguments must outlive this; `instants` takes a sample of the filtered motion. Throws InputError if
+  /// the log is too short or too coarse for the cutoff.
+  RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options,
+            LogInstants& instants);
 
   /// The next instant's rows: n x (rank + 1), columns (Y_base, tau). False at the end of the log.
   bool next(Eigen::MatrixXd& rows);
@@ -36,6 +39,8 @@ class RowStream {
 
   /// Samples of the log read so far.
   long samples() const { return samples_; }
+  /// Time between rows [s].
+  double row_period() const { return period_ * motion_step_ * row_step_; }
 
  private:
   Eigen::VectorXd regressor_rows();
@@ -44,6 +49,7 @@ class RowStream {
   const RobotModel& model_;
   const BaseParameters& base_;
   LogFile& log_;
+  LogInstants& instants_;
   double period_;
   LowPass motion_filter_;
   LowPass torque_filter_;

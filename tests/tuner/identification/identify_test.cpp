@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "sim/rollout/rollout.hpp"
@@ -219,6 +220,107 @@ TEST_F(Identify, AVelocityThatIsNotThePositionsDerivativeIsRefused) {
   EXPECT_THAT(
       test::refusal([&] { identified({path}); }),
       testing::AllOf(testing::HasSubstr("velocity of elbow_joint is -"), testing::HasSubstr("signs")));
+}
+
+TEST_F(Identify, WhatThetaLeavesUnexplainedIsMeasuredOnRowsThatItWasNotFittedTo) {
+  const Scenario scenario = differing_arm(38, 1.0);
+  const std::string path = log(scenario, 0.5);
+  const Identification found = identified({path});
+  IdentifyOptions everything;
+  everything.hold_out = false;
+  const Identification all = identified({path}, everything);
+  EXPECT_NEAR(static_cast<double>(found.held_out.rows), 0.2 * static_cast<double>(all.fitted.rows),
+              0.05 * static_cast<double>(all.fitted.rows));
+  EXPECT_EQ(found.fitted.rows + found.held_out.rows, all.fitted.rows);
+  EXPECT_EQ(all.held_out.rows, 0);
+  for (int j = 0; j < arm_.n(); ++j) {
+    // The noise of the torque sensor, 0.5 N m, passes the filters to some 5 %; the robot file lacks all
+    // friction.
+    EXPECT_LT(found.held_out.by_theta[j], 0.15) << j;
+    EXPECT_GT(found.held_out.by_theta[j], 0.8 * found.fitted.by_theta[j]) << j;
+    EXPECT_GT(found.held_out.by_file[j], 3.0 * found.held_out.by_theta[j]) << j;
+  }
+}
+
+TEST_F(Identify, TheResidualsAreThoseOfTheThetaThatIsWritten) {
+  // The robot file's own theta, given as the result of a noise-free log of an arm without friction.
+  Scenario scenario = nominal_;
+  const Identification found = identified({log(scenario, 0.0)});
+  EXPECT_LT(found.fitted.by_file.cwiseQuotient(found.fitted.torque).maxCoeff(), 1e-3);
+  EXPECT_LT(found.fitted.by_theta.cwiseQuotient(found.fitted.torque).maxCoeff(), 1e-3);
+}
+
+TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
+  // The other joints stand perfectly still, as encoders show it; torque by inverse dynamics.
+  const ParameterVector truth = true_theta(differing_arm(39, 1.0));
+  std::mt19937 generator(39);
+  ExcitationLog alone;
+  SlotineLi motion;
+  for (double t = 0.0; t < 12.0; t += 0.002) {
+    const MotionPoint<JointVector> moving = exciting_.at(t);
+    LogSample sample;
+    sample.time = t;
+    sample.q = exciting_.center;
+    sample.qd = JointVector::Zero(arm_.n());
+    JointVector qdd = JointVector::Zero(arm_.n());
+    sample.q[1] = moving.position[1];
+    sample.qd[1] = moving.velocity[1];
+    qdd[1] = moving.acceleration[1];
+    const Poses poses = test::poses_at(arm_.chain, sample.q);
+    slotine_li_forward(arm_.chain, poses, sample.qd, sample.qd, qdd, motion);
+    slotine_li_torque(arm_.chain, poses, motion, truth, sample.torque);
+    sample.torque += test::random_vector(generator, arm_.n(), 0.3);
+    alone.samples.push_back(sample);
+  }
+  const std::string path = folder_.write("alone.csv", log_csv(arm_, alone));
+  const Identification found = identified({path});
+  const ParameterVector file = theta_of(arm_.chain);
+  EXPECT_GT(found.estimate.not_excited.size(), 20U);
+  EXPECT_FALSE(found.comparison.mistake.has_value()) << to_text(*found.comparison.mistake, arm_);
+  // Friction of joints that stood still cannot be known; that of the joint that moved is.
+  for (int j = 0; j < arm_.n(); ++j) {
+    const Eigen::Index friction = joint_parameter_index(arm_.n(), j) + 1;
+    if (j == 1) {
+      EXPECT_NEAR(found.theta[friction], truth[friction], 0.2);
+    } else {
+      EXPECT_NEAR(found.theta[friction], file[friction], 1e-3);
+    }
+  }
+  // Along an open direction no torque changes.
+  const Eigen::MatrixXd& open = found.estimate.open_directions;
+  EXPECT_GT(open.cols(), 10);
+  for (const int group : found.estimate.not_excited)
+    EXPECT_TRUE(std::isinf(found.estimate.deviation()[group]));
+}
+
+TEST_F(Identify, ATorqueThatIsAlwaysZeroIsRefusedWithItsJoint) {
+  ExcitationLog silent = simulate_excitation(nominal_, exciting_, {}, kNever);
+  for (LogSample& sample : silent.samples) sample.torque[4] = 0.0;
+  const std::string path = folder_.write("log.csv", log_csv(arm_, silent));
+  EXPECT_THAT(test::refusal([&] { identified({path}); }),
+              testing::AllOf(testing::HasSubstr("log.csv"), testing::HasSubstr(arm_.joints[4].name)));
+}
+
+TEST_F(Identify, OtherUnitsAreRefusedWithTheScaleThatBringsThemBack) {
+  const ExcitationLog right = simulate_excitation(nominal_, exciting_, {}, kNever);
+  const auto refused = [&](const std::function<void(LogSample&)>& change) {
+    ExcitationLog wrong = right;
+    for (LogSample& sample : wrong.samples) change(sample);
+    const std::string path = folder_.write("log.csv", log_csv(arm_, wrong));
+    return test::refusal([&] { identified({path}); });
+  };
+  EXPECT_THAT(refused([](LogSample& at) {
+                at.q *= 180.0 / M_PI;
+                at.qd *= 180.0 / M_PI;
+              }),
+              testing::AllOf(testing::HasSubstr("degrees"), testing::HasSubstr("0.0174")));
+  EXPECT_THAT(refused([](LogSample& at) { at.torque *= 1000.0; }),
+              testing::AllOf(testing::HasSubstr("N mm"), testing::HasSubstr("scale: 0.001")));
+  EXPECT_THAT(refused([](LogSample& at) {
+                at.time *= 1000.0;
+                at.qd *= 1e-3;
+              }),
+              testing::AllOf(testing::HasSubstr("milliseconds"), testing::HasSubstr("time_scale: 0.001")));
 }
 
 TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {

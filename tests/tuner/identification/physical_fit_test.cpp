@@ -54,7 +54,7 @@ TEST(PhysicalFit, KeepsAnEstimateThatSomeArmCouldHave) {
     heavier.chain.coulomb_friction.setConstant(2.0);
     const ParameterVector truth = theta_of(heavier.chain);
     const Estimate e = estimate_of(base, truth, 0.001);
-    const PhysicalFit fit = physical_fit(base, e, prior);
+    const PhysicalMinimum fit = physical_fit(base, e, prior);
     // The prior, known within 100 %, pulls by a millionth of what the estimate holds against it.
     EXPECT_LT(distance(base, e, fit.theta), 0.1) << arm.name;
     expect_physical(fit.theta);
@@ -69,7 +69,7 @@ TEST(PhysicalFit, OfAnImpossibleEstimateIsThePhysicalThetaNearestToIt) {
   impossible[joint_parameter_index(arm.n(), 2) + 1] = -0.5;  // viscous friction of the elbow
   impossible[3 * kLinkParameters + 9] -= 0.3;                // izz of the first wrist, its rotor not counted
   const Estimate e = estimate_of(base, impossible, 0.02);
-  const PhysicalFit fit = physical_fit(base, e, prior);
+  const PhysicalMinimum fit = physical_fit(base, e, prior);
   EXPECT_TRUE(fit.changed);
   expect_physical(fit.theta);
   const double found = distance(base, e, fit.theta);
@@ -98,7 +98,7 @@ TEST(PhysicalFit, AnEstimateThatIsValidAtTheEdgeIsNotCalledChanged) {
   arm.chain.link[2].first_moment = Vec3(0.1, 0.2, 0.3);
   arm.chain.link[2].mass = 1.0;  // a point mass: its pseudo-inertia has rank one
   const ParameterVector truth = theta_of(arm.chain);
-  const PhysicalFit fit = physical_fit(base, estimate_of(base, truth, 1e-3), truth);
+  const PhysicalMinimum fit = physical_fit(base, estimate_of(base, truth, 1e-3), truth);
   EXPECT_FALSE(fit.changed);
   // Yet what comes out can be divided by.
   const PseudoInertia P = pseudo_inertia(fit.theta.segment<kLinkParameters>(2 * kLinkParameters));

@@ -60,7 +60,7 @@ TEST(Regression, FindsWhatNoiseFreeRowsHoldWhateverTheBlocks) {
   for (const int rows : {50, 1999, 2000, 6500}) {
     Stream stream(821);
     stream.noise.setZero();
-    const Estimate found = estimate(stream, 3000);
+    const Estimate found = estimate(stream, rows);
     EXPECT_LT((found.theta - stream.theta).norm(), 1e-9) << rows;
     EXPECT_EQ(found.rows, rows);
   }

@@ -1,0 +1,208 @@
+#include "tuner/identification/log_mistakes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "core/robot/slotine_li.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/states.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double kDegree = M_PI / 180.0;
+
+/// An arm that differs from the model as real ones do: links by up to 30 %, rotor inertia and friction
+/// unknown.
+Chain differing(const RobotModel& model, unsigned seed) {
+  std::mt19937 generator(seed);
+  Chain chain = model.chain;
+  for (int i = 0; i < model.n(); ++i) {
+    LinkInertia& link = chain.link[static_cast<std::size_t>(i)];
+    const double factor = 1.0 + test::random_number(generator, -0.3, 0.3);
+    link.mass *= factor;
+    link.first_moment *= factor;
+    link.inertia *= factor;
+    const double effort = model.joints[static_cast<std::size_t>(i)].limits.effort;
+    chain.rotor_inertia[i] = test::random_number(generator, 0.0, 1e-3) * effort;
+    chain.viscous_friction[i] = test::random_number(generator, 0.005, 0.02) * effort;
+    chain.coulomb_friction[i] = test::random_number(generator, 0.005, 0.02) * effort;
+  }
+  return chain;
+}
+
+/// Instants of a smooth motion of every joint inside its limits, with the torques that it takes, 2 % wrong.
+std::vector<LogInstant> log_of(const RobotModel& model, const Chain& arm, unsigned seed) {
+  std::mt19937 generator(seed);
+  const int n = model.n();
+  const ParameterVector theta = theta_of(arm);
+  Poses poses;
+  SlotineLi motion;
+  std::vector<LogInstant> log;
+  for (int k = 0; k < 200; ++k) {
+    LogInstant at;
+    at.q = test::random_vector(generator, n, 1.0);
+    at.qd = test::random_vector(generator, n, 1.0);
+    at.qdd = test::random_vector(generator, n, 3.0);
+    forward_kinematics(arm, at.q, poses);
+    slotine_li_forward(arm, poses, at.qd, at.qd, at.qdd, motion);
+    slotine_li_torque(arm, poses, motion, theta, at.torque);
+    for (double& torque : at.torque) torque *= 1.0 + test::random_number(generator, -0.02, 0.02);
+    log.push_back(at);
+  }
+  return log;
+}
+
+class LogMistakes : public ::testing::Test {
+ protected:
+  RobotModel model_ = test::ur10();
+  std::vector<LogInstant> log_ = log_of(model_, differing(model_, 11), 12);
+
+  /// What is found of the log after every instant was changed.
+  LogMistake found(const std::function<void(LogInstant&)>& change) const {
+    std::vector<LogInstant> changed = log_;
+    for (LogInstant& at : changed) change(at);
+    const LogComparison comparison = compare_with_robot_file(model_, changed);
+    EXPECT_TRUE(comparison.mistake.has_value()) << "not noticed";
+    return comparison.mistake.value_or(LogMistake{});
+  }
+};
+
+void negate(LogInstant& at, int joint) {
+  for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[joint] *= -1.0;
+}
+
+TEST_F(LogMistakes, ARightLogHasNoneWhateverItsLinksFrictionAndTool) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Chain arm = differing(model_, seed);
+    if (seed % 2 == 0) {
+      RobotModel carrying = model_;
+      carrying.chain = arm;
+      arm = with_payload(carrying, {3.0, Vec3(0.0, 0.0, 0.1)}).chain;
+    }
+    const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, seed + 100));
+    EXPECT_FALSE(comparison.mistake.has_value()) << seed << ": " << to_text(*comparison.mistake, model_);
+  }
+}
+
+TEST_F(LogMistakes, TorquesThatHaveAnotherUnitSignOrColumnAreNamed) {
+  const LogMistake scale = found([](LogInstant& at) { at.torque *= 1e-3; });
+  EXPECT_EQ(scale.kind, MistakeKind::kTorqueScale);
+  EXPECT_EQ(scale.value, 1e3);
+  EXPECT_EQ(found([](LogInstant& at) { at.torque *= -1.0; }).kind, MistakeKind::kAllTorqueSigns);
+  for (const int j : {0, 2, 5}) {
+    const LogMistake sign = found([j](LogInstant& at) { at.torque[j] *= -1.0; });
+    EXPECT_EQ(sign.kind, MistakeKind::kTorqueSign) << j;
+    EXPECT_EQ(sign.joint, j);
+    const int other = (j + 2) % model_.n();
+    const LogMistake swapped =
+        found([j, other](LogInstant& at) { std::swap(at.torque[j], at.torque[other]); });
+    EXPECT_EQ(swapped.kind, MistakeKind::kTorquesSwapped) << j;
+    EXPECT_EQ(std::min(swapped.joint, swapped.other), std::min(j, other));
+    EXPECT_EQ(std::max(swapped.joint, swapped.other), std::max(j, other));
+  }
+}
+
+TEST_F(LogMistakes, PositionsThatHaveAnotherUnitSignOrColumnAreNamed) {
+  EXPECT_EQ(found([](LogInstant& at) {
+              for (JointVector* x : {&at.q, &at.qd, &at.qdd}) *x *= 1.0 / kDegree;
+            }).kind,
+            MistakeKind::kDegrees);
+  const LogMistake sign = found([](LogInstant& at) { negate(at, 2); });
+  EXPECT_EQ(sign.kind, MistakeKind::kPositionSign);
+  EXPECT_EQ(sign.joint, 2);
+  const LogMistake joint = found([](LogInstant& at) {
+    negate(at, 1);
+    at.torque[1] *= -1.0;
+  });
+  EXPECT_EQ(joint.kind, MistakeKind::kJointSign);
+  EXPECT_EQ(joint.joint, 1);
+  const LogMistake swapped = found([](LogInstant& at) {
+    for (JointVector* x : {&at.q, &at.qd, &at.qdd}) std::swap((*x)[1], (*x)[3]);
+  });
+  EXPECT_EQ(swapped.kind, MistakeKind::kPositionsSwapped);
+  EXPECT_EQ(swapped.joint, 1);
+  EXPECT_EQ(swapped.other, 3);
+}
+
+TEST_F(LogMistakes, AnotherZeroPositionIsNamedWithWhatHasToBeAdded) {
+  for (const double offset : {-0.5 * M_PI, M_PI}) {
+    const LogMistake zero = found([offset](LogInstant& at) { at.q[1] += offset; });
+    EXPECT_EQ(zero.kind, MistakeKind::kPositionOffset);
+    EXPECT_EQ(zero.joint, 1);
+    EXPECT_NEAR(std::remainder(zero.value + offset, 2.0 * M_PI), 0.0, 1e-12);
+  }
+}
+
+TEST_F(LogMistakes, AnotherMountingIsNamedWithTheDirectionOfGravity) {
+  for (const Vec3& direction : {Vec3(0.0, 0.0, 1.0), Vec3(0.0, -1.0, 0.0)}) {
+    Chain arm = differing(model_, 13);
+    arm.gravity = 9.81 * direction;
+    const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, 14));
+    ASSERT_TRUE(comparison.mistake.has_value());
+    EXPECT_EQ(comparison.mistake->kind, MistakeKind::kMounting);
+    EXPECT_LT((comparison.mistake->direction - direction).norm(), 1e-12);
+  }
+}
+
+TEST_F(LogMistakes, ALogOfAnArmOfOtherLengthsAndMassesIsNoticed) {
+  RobotModel other = model_;
+  for (Vec3& p : other.chain.p_PB0) p *= 0.7;
+  for (LinkInertia& link : other.chain.link) {
+    link.mass *= 0.4;
+    link.first_moment *= 0.3;
+    link.inertia *= 0.2;
+  }
+  const LogComparison comparison = compare_with_robot_file(model_, log_of(other, differing(other, 15), 16));
+  ASSERT_TRUE(comparison.mistake.has_value());
+  EXPECT_EQ(comparison.mistake->kind, MistakeKind::kAnotherArm);
+}
+
+TEST_F(LogMistakes, SentencesNameTheJoints) {
+  LogMistake swapped;
+  swapped.kind = MistakeKind::kTorquesSwapped;
+  swapped.joint = 1;
+  swapped.other = 4;
+  EXPECT_THAT(to_text(swapped, model_),
+              AllOf(HasSubstr(model_.joints[1].name), HasSubstr(model_.joints[4].name)));
+  LogMistake zero;
+  zero.kind = MistakeKind::kPositionOffset;
+  zero.joint = 2;
+  zero.value = -0.5 * M_PI;
+  EXPECT_THAT(to_text(zero, model_), AllOf(HasSubstr(model_.joints[2].name), HasSubstr("-90")));
+}
+
+TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {
+  const RobotModel model = test::seven_joint_arm();
+  const std::vector<LogInstant> log = [&] {
+    std::vector<LogInstant> own = log_of(model, model.chain, 17);
+    // Without the 2 % that log_of puts on the torques.
+    const ParameterVector theta = theta_of(model.chain);
+    Poses poses;
+    SlotineLi motion;
+    for (LogInstant& at : own) {
+      forward_kinematics(model.chain, at.q, poses);
+      slotine_li_forward(model.chain, poses, at.qd, at.qd, at.qdd, motion);
+      slotine_li_torque(model.chain, poses, motion, theta, at.torque);
+    }
+    return own;
+  }();
+  const ArmMoments moments = arm_moments(model.chain, log);
+  const ArmFit fit = ArmFitter(model).fit(moments, TorqueReading::as_logged(model.n()));
+  EXPECT_LT(fit.unexplained.maxCoeff(), 1e-6);
+  EXPECT_LT(fit.cost, 1e-10);
+  // Turned in sign nothing of it fits.
+  TorqueReading turned = TorqueReading::as_logged(model.n());
+  turned.sign *= -1.0;
+  EXPECT_GT(ArmFitter(model).fit_joints_only(moments, turned).residual.norm(),
+            1.9 * std::sqrt(moments.torque_squares.sum()));
+}
+
+}  // namespace
+}  // namespace armtune

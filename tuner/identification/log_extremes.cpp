@@ -1,0 +1,141 @@
+#include "tuner/identification/log_extremes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kShare = 0.05;      ///< of the instants may lie outside: someone pushed the arm, a spike
+constexpr double kOtherUnit = 3.0;   ///< times the largest position limit
+constexpr double kOverRange = 0.1;   ///< of a position's range
+constexpr double kOverRate = 2.0;    ///< times the velocity limit
+constexpr double kOverEffort = 2.0;  ///< times the effort limit
+constexpr double kDegree = M_PI / 180.0;
+
+struct Unit {
+  double scale;
+  const char* name;
+};
+
+/// The value that a share of kShare exceeds in size.
+double high_value(const std::vector<LogInstant>& instants,
+                  const std::function<double(const LogInstant&)>& value) {
+  std::vector<double> sizes;
+  sizes.reserve(instants.size());
+  for (const LogInstant& at : instants) sizes.push_back(std::abs(value(at)));
+  const auto place =
+      sizes.begin() + static_cast<std::ptrdiff_t>((1.0 - kShare) * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), place, sizes.end());
+  return *place;
+}
+
+/// "; in degrees they would fit: set `scale: ...`", with the first unit that brings the value below the
+/// limit.
+std::string hint(double value, double limit, std::initializer_list<Unit> units, const char* key) {
+  for (const Unit& unit : units) {
+    if (value * unit.scale > limit) continue;
+    return fmt::format("; in {} it would fit, with `scale: {}` for the {} in the column map (--columns FILE)",
+                       unit.name, unit.scale, key);
+  }
+  return fmt::format("; check the columns of the {}, their units, and --robot", key);
+}
+
+class LimitCheck {
+ public:
+  LimitCheck(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs,
+             int joint)
+      : info_(model.joints[static_cast<std::size_t>(joint)]),
+        revolute_(model.chain.motion[static_cast<std::size_t>(joint)] == JointMotion::kRevolute),
+        instants_(instants),
+        logs_(logs),
+        joint_(joint) {}
+
+  void position_unit() const {
+    if (!info_.limits.has_position) return;
+    const double size = high_value(instants_, [&](const LogInstant& at) { return at.q[joint_]; });
+    const double largest = std::max(std::abs(info_.limits.lower), std::abs(info_.limits.upper));
+    if (size <= kOtherUnit * largest) return;
+    fail(outside(size) + (revolute_ ? hint(size, largest, {{kDegree, "degrees"}}, "position")
+                                    : hint(size, largest, {{1e-3, "millimetres"}}, "position")));
+  }
+
+  void position() const {
+    if (!info_.limits.has_position) return;
+    const double center = 0.5 * (info_.limits.lower + info_.limits.upper);
+    const double half = 0.5 * (info_.limits.upper - info_.limits.lower);
+    const double off = high_value(instants_, [&](const LogInstant& at) { return at.q[joint_] - center; });
+    if (off <= half * (1.0 + 2.0 * kOverRange)) return;
+    const double size = high_value(instants_, [&](const LogInstant& at) { return at.q[joint_]; });
+    fail(outside(size) +
+         "; check the joint's zero position, the sign and the column of its position, and --robot");
+  }
+
+  void velocity() const {
+    const double size = high_value(instants_, [&](const LogInstant& at) { return at.qd[joint_]; });
+    const double limit = kOverRate * info_.limits.velocity;
+    if (size <= limit) return;
+    fail(fmt::format(
+             "its position changes by {:.4g} {}/s, but its velocity limit in the robot file is {:.4g} {}/s",
+             size, unit(), info_.limits.velocity, unit()) +
+         (revolute_ ? hint(size, limit, {{kDegree, "degrees"}}, "position")
+                    : hint(size, limit, {{1e-3, "millimetres"}}, "position")));
+  }
+
+  void torque() const {
+    const char* of_effort = revolute_ ? "N m" : "N";
+    const double size = high_value(instants_, [&](const LogInstant& at) { return at.torque[joint_]; });
+    const double limit = kOverEffort * info_.limits.effort;
+    if (size <= limit) return;
+    fail(fmt::format("its torque is {:.4g} {}, but its effort limit in the robot file is {:.4g} {}", size,
+                     of_effort, info_.limits.effort, of_effort) +
+         hint(size, limit, {{1e-3, "N mm"}}, "torque"));
+  }
+
+  void torque_is_there() const {
+    if (std::any_of(instants_.begin(), instants_.end(),
+                    [&](const LogInstant& at) { return at.torque[joint_] != 0.0; }))
+      return;
+    fail("its torque is always 0; log it, or check the columns of the torque");
+  }
+
+ private:
+  std::string outside(double size) const {
+    return fmt::format(
+        "its position is as large as {:.4g} {}, but its limits in the robot file are {:.4g} and {:.4g} {}",
+        size, unit(), info_.limits.lower, info_.limits.upper, unit());
+  }
+  const char* unit() const { return revolute_ ? "rad" : "m"; }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(fmt::format("{}: joint {}: {}", logs_, info_.name, what));
+  }
+
+  const JointInfo& info_;
+  bool revolute_;
+  const std::vector<LogInstant>& instants_;
+  const std::string& logs_;
+  int joint_;
+};
+
+}  // namespace
+
+void check_units(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs) {
+  using Check = void (LimitCheck::*)() const;
+  // One kind after the other over all joints: a wrong unit shows in most of them.
+  for (const Check check : {&LimitCheck::torque_is_there, &LimitCheck::position_unit, &LimitCheck::velocity,
+                            &LimitCheck::torque}) {
+    for (int j = 0; j < model.n(); ++j) (LimitCheck(model, instants, logs, j).*check)();
+  }
+}
+
+void check_positions(const RobotModel& model, const std::vector<LogInstant>& instants,
+                     const std::string& logs) {
+  for (int j = 0; j < model.n(); ++j) LimitCheck(model, instants, logs, j).position();
+}
+
+}  // namespace armtune

@@ -1,0 +1,50 @@
+#pragma once
+// The lines of a text table, read one at a time from a file of any length, and the cells of a line. Lines may
+// end with LF, CR LF or CR. Cells are separated by commas, semicolons, tabs or blanks.
+
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace armtune {
+
+/// Reads a file line by line. Throws InputError with file and line for a file that cannot be opened or read,
+/// for one that is not a regular file, and for a line of more than 1 MB.
+class LogLines {
+ public:
+  explicit LogLines(const std::string& path);
+
+  /// Moves to the next line; false at the end of the file.
+  bool next();
+  /// Makes next() give the present line once more.
+  void repeat() { repeat_ = true; }
+  /// The present line without its end; valid until next() is called.
+  std::string_view text() const { return line_; }
+  /// Number of the present line, counted from 1.
+  long number() const { return number_; }
+
+ private:
+  bool fill();
+
+  std::string path_;
+  std::ifstream file_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;  ///< of the text in the buffer that has not been given out
+  std::size_t end_ = 0;
+  std::string_view line_;
+  long number_ = 0;
+  bool after_cr_ = false;  ///< a line feed that follows belongs to the line end before it
+  bool repeat_ = false;
+};
+
+/// What separates the cells of a table: ',', ';', '\t', or ' ' for any number of blanks.
+char find_separator(std::string_view first_line);
+/// "commas", "semicolons", "tabs" or "blanks".
+std::string_view separator_name(char separator);
+
+/// Splits a line into cells (views of it) without the blanks and quotes around them. A separator between
+/// double quotes belongs to its cell.
+void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+}  // namespace armtune

@@ -1,0 +1,207 @@
+#include "tuner/identification/log_mistakes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace armtune {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+/// A joint that leaves more than this of its torque unexplained by any arm near the robot file's: friction
+/// models and noise leave less.
+constexpr double kUnexplained = 0.5;
+/// The robot file's own links leave more than this of all torque unexplained.
+constexpr double kOtherArm = 0.6;
+/// Right logs cost less: about 1 with noise and friction, 2 with a tool that the robot file does not have.
+constexpr double kOrdinaryCost = 3.0;
+/// A mistake is named when it lowers the cost at least so much.
+constexpr double kMuchBetter = 0.4;
+
+/// The readings of one motion that differ in the torques alone.
+class Search {
+ public:
+  Search(const RobotModel& model, const std::vector<LogInstant>& instants)
+      : model_(model), instants_(instants), fitter_(model) {}
+
+  const ArmFitter& fitter() const { return fitter_; }
+  const std::optional<LogMistake>& best() const { return best_; }
+
+  void try_torque_scales(const ArmMoments& moments) {
+    const int n = model_.n();
+    for (const double scale : {1e-3, 1e3}) {
+      TorqueReading reading = TorqueReading::as_logged(n);
+      reading.scale = scale;
+      take({.kind = MistakeKind::kTorqueScale, .value = scale, .fit = fitter_.fit(moments, reading)});
+    }
+  }
+
+  void try_torques(const ArmMoments& moments) {
+    const int n = model_.n();
+    TorqueReading turned = TorqueReading::as_logged(n);
+    turned.sign *= -1.0;
+    take({.kind = MistakeKind::kAllTorqueSigns, .fit = fitter_.fit(moments, turned)});
+    for (int j = 0; j < n; ++j) {
+      TorqueReading reading = TorqueReading::as_logged(n);
+      reading.sign[j] = -1.0;
+      take({.kind = MistakeKind::kTorqueSign, .joint = j, .fit = fitter_.fit(moments, reading)});
+      for (int k = j + 1; k < n; ++k) {
+        TorqueReading swapped = TorqueReading::as_logged(n);
+        std::swap(swapped.column[static_cast<std::size_t>(j)], swapped.column[static_cast<std::size_t>(k)]);
+        take({.kind = MistakeKind::kTorquesSwapped,
+              .joint = j,
+              .other = k,
+              .fit = fitter_.fit(moments, swapped)});
+      }
+    }
+  }
+
+  void try_motions() {
+    try_motion({.kind = MistakeKind::kDegrees}, [this](LogInstant& at) {
+      for (int j = 0; j < model_.n(); ++j) {
+        if (model_.chain.motion[static_cast<std::size_t>(j)] != JointMotion::kRevolute) continue;
+        for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] *= kDegree;
+      }
+    });
+    for (int j = 0; j < model_.n(); ++j) {
+      const auto turn = [j](LogInstant& at) {
+        for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] *= -1.0;
+      };
+      try_motion({.kind = MistakeKind::kPositionSign, .joint = j}, turn);
+      try_motion({.kind = MistakeKind::kJointSign, .joint = j}, [turn, j](LogInstant& at) {
+        turn(at);
+        at.torque[j] *= -1.0;
+      });
+      for (int k = j + 1; k < model_.n(); ++k) {
+        try_motion({.kind = MistakeKind::kPositionsSwapped, .joint = j, .other = k}, [j, k](LogInstant& at) {
+          for (JointVector* x : {&at.q, &at.qd, &at.qdd}) std::swap((*x)[j], (*x)[k]);
+        });
+      }
+      if (model_.chain.motion[static_cast<std::size_t>(j)] != JointMotion::kRevolute) continue;
+      for (const double offset : {0.5 * M_PI, -0.5 * M_PI, M_PI}) {
+        try_motion({.kind = MistakeKind::kPositionOffset, .joint = j, .value = offset},
+                   [j, offset](LogInstant& at) { at.q[j] += offset; });
+      }
+    }
+  }
+
+  void try_mountings() {
+    const double g = model_.chain.gravity.norm();
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {1.0, -1.0}) {
+        const Vec3 direction = sign * Vec3::Unit(axis);
+        if (direction.dot(model_.chain.gravity) > 0.99 * g) continue;
+        Chain chain = model_.chain;
+        chain.gravity = g * direction;
+        const ArmMoments moments = arm_moments(chain, instants_);
+        take({.kind = MistakeKind::kMounting,
+              .direction = direction,
+              .fit = fitter_.fit(moments, TorqueReading::as_logged(model_.n()))});
+      }
+    }
+  }
+
+ private:
+  void try_motion(LogMistake mistake, const std::function<void(LogInstant&)>& correct) {
+    std::vector<LogInstant> corrected = instants_;
+    for (LogInstant& at : corrected) correct(at);
+    mistake.fit = fitter_.fit(arm_moments(model_.chain, corrected), TorqueReading::as_logged(model_.n()));
+    take(mistake);
+  }
+
+  void take(const LogMistake& mistake) {
+    if (!best_ || mistake.fit.cost < best_->fit.cost) best_ = mistake;
+  }
+
+  const RobotModel& model_;
+  const std::vector<LogInstant>& instants_;
+  ArmFitter fitter_;
+  std::optional<LogMistake> best_;
+};
+
+/// RMS of what is left of all joints' torques, relative.
+double all_unexplained(const ArmFit& fit, const ArmMoments& moments) {
+  return fit.residual.norm() / std::sqrt(moments.torque_squares.sum());
+}
+
+}  // namespace
+
+LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants) {
+  Search search(model, instants);
+  const ArmMoments moments = arm_moments(model.chain, instants);
+  const TorqueReading as_logged = TorqueReading::as_logged(model.n());
+  LogComparison found;
+  found.as_logged = search.fitter().fit(moments, as_logged);
+  found.robot_file = search.fitter().fit_joints_only(moments, as_logged);
+  const bool explained = found.as_logged.unexplained.maxCoeff() < kUnexplained &&
+                         all_unexplained(found.robot_file, moments) < kOtherArm;
+  if (explained && found.as_logged.cost < kOrdinaryCost) return found;
+  // A factor of a thousand shows in the robot file's own torques.
+  if (!explained) search.try_torque_scales(moments);
+  search.try_torques(moments);
+  search.try_motions();
+  search.try_mountings();
+  if (search.best()->fit.cost < kMuchBetter * found.as_logged.cost) {
+    found.mistake = search.best();
+  } else if (!explained) {
+    found.mistake = LogMistake{.fit = found.as_logged};
+  }
+  return found;
+}
+
+std::string to_text(const LogMistake& mistake, const RobotModel& model) {
+  const auto name = [&](int joint) { return model.joints[static_cast<std::size_t>(joint)].name; };
+  switch (mistake.kind) {
+    case MistakeKind::kTorqueScale:
+      return fmt::format("the torques look {} times too {}; set `scale: {}` for the torque in the column map",
+                         1000, mistake.value < 1.0 ? "large, as in N mm" : "small, as in kN m",
+                         mistake.value);
+    case MistakeKind::kAllTorqueSigns:
+      return "every torque seems to have the wrong sign; set `scale: -1` for the torque in the column map";
+    case MistakeKind::kTorqueSign:
+      return fmt::format(
+          "the torque of {} seems to have the wrong sign; set its scale to -1 in the column map",
+          name(mistake.joint));
+    case MistakeKind::kTorquesSwapped:
+      return fmt::format(
+          "the torques of {} and {} seem to be exchanged; exchange their columns in the column map",
+          name(mistake.joint), name(mistake.other));
+    case MistakeKind::kDegrees:
+      return "the positions seem to be in degrees; set `scale: 0.017453292519943295` for them in the column "
+             "map";
+    case MistakeKind::kPositionSign:
+      return fmt::format(
+          "the position of {} seems to have the wrong sign; set its scale to -1 in the column map",
+          name(mistake.joint));
+    case MistakeKind::kJointSign:
+      return fmt::format(
+          "position and torque of {} seem to have the wrong sign; set both scales to -1 in the column map, "
+          "or turn "
+          "the joint's axis in the URDF",
+          name(mistake.joint));
+    case MistakeKind::kPositionOffset:
+      return fmt::format(
+          "the zero position of {} seems to differ: its logged position plus {:.0f} degrees would fit the "
+          "robot file",
+          name(mistake.joint), mistake.value / kDegree);
+    case MistakeKind::kPositionsSwapped:
+      return fmt::format(
+          "the positions of {} and {} seem to be exchanged; exchange their columns in the column map",
+          name(mistake.joint), name(mistake.other));
+    case MistakeKind::kMounting:
+      return fmt::format(
+          "the arm seems to be mounted another way: gravity would have to point along ({:.0f}, {:.0f}, "
+          "{:.0f}) of the "
+          "base frame; turn the arm's base in the URDF",
+          mistake.direction.x(), mistake.direction.y(), mistake.direction.z());
+    case MistakeKind::kAnotherArm:
+      break;
+  }
+  return "the log seems to be of another arm, or the masses in the robot file are far from the arm's; no "
+         "single unit, "
+         "sign, column, zero position or mounting explains it";
+}
+
+}  // namespace armtune

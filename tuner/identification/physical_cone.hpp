@@ -1,0 +1,46 @@
+#pragma once
+// Minimises a quadratic in theta over all physically valid theta (physical_theta.hpp), by the alternating
+// direction method of multipliers (Boyd et al., Distributed optimization and statistical learning via ADMM,
+// 2011). Lengths, masses and joint parameters are scaled by a prior theta, so that numbers of one size meet.
+
+#include <array>
+#include <vector>
+
+#include "core/robot/theta.hpp"
+
+namespace armtune {
+
+struct PhysicalMinimum {
+  ParameterVector theta;  ///< 13 n, physically valid
+  bool changed = false;   ///< the unconstrained minimum was not valid
+};
+
+class PhysicalCone {
+ public:
+  /// prior (13 n), valid: gives the scales.
+  explicit PhysicalCone(const ParameterVector& prior);
+
+  /// A^T A (13 n x 13 n) of the norm |A theta|: in it every link's pseudo-inertia counts relative to its
+  /// trace in the prior, every joint parameter relative to the largest of its kind, or to 1 where the prior
+  /// has none.
+  const Eigen::MatrixXd& metric() const { return metric_; }
+
+  struct Accuracy {
+    int iterations = 20000;    ///< at most
+    double tolerance = 1e-10;  ///< of both residuals, relative
+  };
+  /// Minimises theta^T Q theta - 2 c^T theta. Q (13 n x 13 n): symmetric and positive definite.
+  PhysicalMinimum minimum(const Eigen::MatrixXd& Q, const Eigen::VectorXd& c, const Accuracy& accuracy) const;
+
+ private:
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& theta) const;
+  ParameterVector theta_from(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd project(const Eigen::VectorXd& y, double least_eigenvalue) const;
+
+  std::vector<double> link_unit_;
+  std::array<double, kJointParameters> joint_unit_{};
+  Eigen::MatrixXd map_;  ///< theta -> coordinates, 16 of each link and 3 of each joint
+  Eigen::MatrixXd metric_;
+};
+
+}  // namespace armtune
