@@ -49,6 +49,22 @@ class Ranks : public ::testing::Test {
   Finished run(int ranks, const Strings& arguments) const {
     return Program(arguments, folder_.path(), launcher(ranks)).wait();
   }
+  /// The launcher of two ranks, the first with arguments of its own and the second with those to come. Each
+  /// leaves its exit code in a file (code_of).
+  Strings launcher_of_two(const Strings& first) const {
+    Strings all = {kMpiexec, "--oversubscribe", "--bind-to", "none"};
+    const auto add_rank = [&](int rank) {
+      const std::string script = "\"$@\"; echo $? > '" + folder_ / ("code." + std::to_string(rank)) + "'";
+      for (const std::string& word : Strings{"-n", "1", "sh", "-c", script, "sh"}) all.push_back(word);
+    };
+    add_rank(0);
+    all.emplace_back(ARMTUNE_PROGRAM);
+    all.insert(all.end(), first.begin(), first.end());
+    all.emplace_back(":");
+    add_rank(1);
+    return all;
+  }
+  std::string code_of(int rank) const { return test::read_text(folder_ / ("code." + std::to_string(rank))); }
   Finished alone(const Strings& arguments) const { return Program(arguments, folder_.path()).wait(); }
   static Strings tune(const std::string& study, const std::string& out, const Strings& more,
                       const char* evaluations = "6") {
@@ -93,6 +109,24 @@ int process_of(const Program& mpirun, int rank) {
     }
   }
   return 0;
+}
+
+/// True if the program says `text` on its standard error within that time.
+bool wait_for_error(Program& program, const std::string& text, std::chrono::seconds longest) {
+  const auto deadline = Clock::now() + longest;
+  const auto said = [&] { return program.err_so_far().find(text) != std::string::npos; };
+  while (!said() && program.running() && Clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return said();
+}
+
+bool wait_for_end(Program& program, std::chrono::seconds longest) {
+  const auto deadline = Clock::now() + longest;
+  while (program.running() && Clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return !program.running();
 }
 
 std::size_t times_said(const std::string& text, const std::string& what) {
@@ -235,7 +269,8 @@ TEST_F(Ranks, AHungRankIsToldApartFromASlowOne) {
   ASSERT_EQ(::kill(victim, SIGSTOP), 0);
   const Finished hung = running.wait();
   EXPECT_EQ(hung.exit_code, 1);
-  EXPECT_EQ(times_said(hung.err, "armtune: "), 1U) << hung.err;
+  EXPECT_EQ(times_said(hung.err, "armtune: waiting for rank 1 on "), 1U) << hung.err;
+  EXPECT_EQ(times_said(hung.err, "armtune: failed: "), 1U) << hung.err;
   EXPECT_THAT(hung.err,
               AllOf(HasSubstr("rank 1 on "), HasSubstr("gave no answer for 15 s"), HasSubstr("it hangs")));
   EXPECT_GE(rows(files / "run/evaluations.csv"), 2);
@@ -246,25 +281,88 @@ TEST_F(Ranks, AHungRankIsToldApartFromASlowOne) {
                               Not(HasSubstr("hangs"))));
 }
 
+// The wait is that for the job which the rank was given; what it computes afterwards is what it would have.
+TEST_F(Ranks, AStarvedRankIsNamedOnceAndWaitedFor) {
+  const ShortStudy files;
+  ASSERT_EQ(alone(tune(files.path(), files / "whole", {}, "12")).exit_code, 0);
+  Program running(tune(files.path(), files / "run", {}, "12"), folder_.path(), launcher(2));
+  ASSERT_TRUE(wait_for_rows(running, files / "run/evaluations.csv", 4)) << running.wait().err;
+  const int victim = process_of(running, 1);
+  ASSERT_GT(victim, 0);
+  ASSERT_EQ(::kill(victim, SIGSTOP), 0);
+  const auto stopped = Clock::now();
+  EXPECT_TRUE(wait_for_error(running, "waiting for rank 1 on ", std::chrono::seconds(30)));
+  EXPECT_GE(Clock::now() - stopped, std::chrono::seconds(9));
+  ASSERT_EQ(::kill(victim, SIGCONT), 0);
+  const Finished done = running.wait();
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_EQ(times_said(done.err, "waiting for rank"), 1U) << done.err;
+  EXPECT_EQ(without_time(files / "run/evaluations.csv"), without_time(files / "whole/evaluations.csv"));
+}
+
+TEST_F(Ranks, ARankThatDoesNotStartIsSaid) {
+  const Strings another_program = {
+      kMpiexec, "--oversubscribe", "-n", "1", ARMTUNE_PROGRAM, "tune", ":", "-n", "1", "sh",
+      "-c",     "exec sleep 60"};
+  Program running({}, folder_.path(), another_program);
+  EXPECT_TRUE(wait_for_error(running, "waited for ", std::chrono::seconds(30)));
+  EXPECT_THAT(running.err_so_far(), HasSubstr("rank 0 on "));
+  running.interrupt();
+  EXPECT_TRUE(wait_for_end(running, std::chrono::seconds(20)));
+}
+
+TEST_F(Ranks, RanksWithDifferentCommandLinesAllEnd) {
+  const Strings study = {"tune", "ur10_gaze", "--max-evaluations", "5", "--out", folder_ / "run"};
+  Strings longer = study;
+  longer.emplace_back("--no-analysis");
+  const Strings others[] = {{"simulate", "moving_target"},
+                            {"robustness", "published"},
+                            {"sensitivity", "nowhere"},
+                            {"--version"},
+                            {"tune", "--help"},
+                            {"tune", "--no-such-option"},
+                            {},
+                            longer};
+  for (const Strings& other : others) {
+    for (const bool leads : {false, true}) {
+      SCOPED_TRACE((other.empty() ? "nothing" : other.front() + " " + other.back()) +
+                   (leads ? " in rank 0" : " in rank 1"));
+      Program running(leads ? study : other, folder_.path(), launcher_of_two(leads ? other : study));
+      ASSERT_TRUE(wait_for_end(running, std::chrono::seconds(60))) << running.err_so_far();
+      const Finished done = running.wait();
+      EXPECT_EQ(code_of(0), "2\n");
+      EXPECT_EQ(code_of(1), "2\n");
+      EXPECT_EQ(done.out, "");
+      EXPECT_EQ(times_said(done.err, "armtune: rank 1 on "), 1U) << done.err;
+      EXPECT_THAT(done.err, AllOf(HasSubstr("command line"), HasSubstr("tune ur10_gaze")));
+      EXPECT_THAT(done.err, HasSubstr(other.empty() ? "armtune" : other.back()));
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run"));
+}
+
+// The words are the same, but not what they name.
 TEST_F(Ranks, ARankWithAnotherStudyOrNoneIsRefused) {
   const ShortStudy here;
   const ShortStudy there;
+  const TemporaryFolder nowhere;
   std::filesystem::copy(here / "gains.yaml", there / "gains.yaml",
                         std::filesystem::copy_options::overwrite_existing);
   there.write("short.yaml", "base: moving_target\nduration: 7\n");
   const auto both = [&](const std::string& second) {
-    Strings all = {kMpiexec, "--oversubscribe", "-n", "1", ARMTUNE_PROGRAM};
-    for (const std::string& word : tune(here.path(), here / "run", {})) all.push_back(word);
-    for (const char* word : {":", "-n", "1"}) all.emplace_back(word);
-    return Program(tune(second, here / "run", {}), folder_.path(), all).wait();
+    const Strings words = tune("study.yaml", here / "run", {});
+    Strings all = {kMpiexec, "--oversubscribe", "-n", "1", "--wdir", here / ".", ARMTUNE_PROGRAM};
+    all.insert(all.end(), words.begin(), words.end());
+    for (const std::string& word : Strings{":", "-n", "1", "--wdir", second}) all.push_back(word);
+    return Program(words, folder_.path(), all).wait();
   };
-  const Finished other = both(there.path());
+  const Finished other = both(there / ".");
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.err,
               AllOf(HasSubstr("rank 1 on "), HasSubstr("of short: 7 s"), HasSubstr("rank 0 has 8 s")));
-  const Finished none = both("nowhere.yaml");
+  const Finished none = both(nowhere.path());
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.err, AllOf(HasSubstr("rank 1 on "), HasSubstr("nowhere.yaml")));
+  EXPECT_THAT(none.err, AllOf(HasSubstr("rank 1 on "), HasSubstr("study.yaml")));
   EXPECT_FALSE(std::filesystem::exists(here / "run"));
 }
 

@@ -1,6 +1,7 @@
 #include "tuner/cli/on_ranks.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 
 #include "core/common/error.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -23,21 +25,48 @@ std::string what_of(const std::exception_ptr& failure) {
   }
 }
 
-int lead(Team& team, const std::function<int(Team&)>& command) {
+/// A command gets nothing but its own options from the command line's parser.
+Team*& current_team() {
+  static Team* team = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+  return team;
+}
+
+/// Takes the place of a progress line on a terminal, which appears again behind it.
+void say_while_running(const std::string& what) {
+  const std::string line = (::isatty(STDERR_FILENO) == 1 ? "\r\033[Karmtune: " : "armtune: ") + what + '\n';
+  std::fputs(line.c_str(), stderr);
+}
+
+int lead(Team& team, const std::string& command_line, const std::function<int()>& program) {
   int exit_code = kDone;
   try {
-    exit_code = command(team);
+    team.call_roll(command_line);
+    exit_code = program();
   } catch (...) {
     exit_code = report(std::current_exception());
   }
   std::fflush(stdout);
+  // A launcher that sees another rank end with this exit code first may end this one, which has nothing left
+  // to save.
+  ignore_interrupts();
   try {
-    if (team.end()) return exit_code;
+    if (team.end(exit_code)) return exit_code;
   } catch (...) {
     report(std::current_exception());
   }
   team.abort(exit_code == kDone ? kFailed : exit_code);
   return exit_code;
+}
+
+int follow(Team& team, const std::string& command_line, const std::function<int()>& program) {
+  std::string failure = "it ended before the work began";
+  try {
+    if (team.call_roll(command_line)) program();
+  } catch (...) {
+    failure = what_of(std::current_exception());
+  }
+  if (!team.left()) team.fail(failure);
+  return team.exit_code();
 }
 
 }  // namespace
@@ -56,21 +85,16 @@ int report(const std::exception_ptr& failure) {
   }
 }
 
-int on_ranks(const std::function<int(Team&)>& command) {
-  if (rank_place().size == 1) {
-    Team alone(nullptr);
-    return command(alone);
-  }
-  Team team(begin_mpi());
-  if (team.leads()) return lead(team, command);
-  std::exception_ptr failure;
-  try {
-    return command(team);
-  } catch (...) {
-    failure = std::current_exception();
-  }
-  team.fail(what_of(failure));
-  return kDone;
+int on_ranks(const std::string& command_line, const std::function<int()>& program) {
+  const bool alone = rank_place().size == 1;
+  Team team(alone ? nullptr : begin_mpi(say_while_running), say_while_running);
+  current_team() = &team;
+  if (alone) return program();
+  return team.leads() ? lead(team, command_line, program) : follow(team, command_line, program);
+}
+
+Team& team() {
+  return *current_team();
 }
 
 void refuse_ranks(const std::string& command) {

@@ -9,17 +9,21 @@
 
 namespace armtune::cli {
 
-/// Runs a command in this process alone, or among the ranks that mpirun or srun started, and gives its exit
-/// code. Only rank 0 prints. Every rank calls `command`, which calls Team::begin and returns kDone where that
-/// is false.
-int on_ranks(const std::function<int(Team&)>& command);
+/// Runs the program in this process alone, or among the ranks that mpirun or srun started, and gives its exit
+/// code, the same in every rank. Ranks that were started with different command lines end before they call
+/// `program`. A command that uses ranks calls team().begin and returns kDone where that is false. Only rank 0
+/// prints.
+int on_ranks(const std::string& command_line, const std::function<int()>& program);
+
+/// The processes of this run, for the command that on_ranks has called.
+Team& team();
 
 /// Throws InputError if several ranks were started for a command that does not use them, or several tasks
 /// that are no ranks.
 void refuse_ranks(const std::string& command);
 
-/// Prints what went wrong and gives the exit code. Ranks but 0 are silent, and done: all of them see what is
-/// wrong with the command line.
+/// Prints what went wrong and gives the exit code. Ranks but 0 are silent: before they could speak to rank 0,
+/// all of them see the same.
 int report(const std::exception_ptr& failure);
 
 /// What --help says of --workers, --resume and --rollout-deadline.

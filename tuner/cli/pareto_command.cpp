@@ -280,8 +280,7 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
       "without "
       "another one being worse than with the start gains.\n\nExample:\n  armtune pareto ur10_gaze --criteria "
       "gaze/rms joint_velocity/max_ratio effort_rate/rms --levels 5\n");
-  command->callback(
-      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
+  command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }
 
 }  // namespace armtune::cli

@@ -29,18 +29,8 @@ std::string version_text() {
 
 int parse_and_run(int argc, char** argv) {
   program_name() = argv[0];
-  const bool first = rank_place().rank == 0;
-  // Rank 0 decides when the others stop.
-  first ? catch_interrupts() : ignore_interrupts();
-  try {
-    command_words() = resumed_arguments({argv, argv + argc});
-    command_line() = repeating_command(command_words());
-  } catch (const InputError&) {
-    if (first) throw;
-    const auto failure =
-        std::current_exception();  // rank 0 is to say it, which may see the folder where others do not
-    return on_ranks([&failure](Team&) -> int { std::rethrow_exception(failure); });
-  }
+  command_words() = resumed_arguments({argv, argv + argc});
+  command_line() = repeating_command(command_words());
 
   CLI::App app{
       "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
@@ -76,7 +66,7 @@ int parse_and_run(int argc, char** argv) {
   add_man_command(app, exit_code);
   add_completion_command(app, exit_code);
   if (argc == 1) {
-    if (!first) return kDone;
+    if (rank_place().rank != 0) return kDone;
     fmt::print(stderr, "{}", app.help());
     return kBadInput;
   }
@@ -88,7 +78,8 @@ int parse_and_run(int argc, char** argv) {
     for (const std::string& word : command_words()) words.push_back(word.c_str());
     app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::ParseError& e) {
-    if (!first) return kDone;
+    // Rank 0 prints it; what only another rank does not understand it has to be told.
+    if (rank_place().rank != 0) throw InputError(one_line(e.what()));
     return app.exit(e) == 0 ? kDone : kBadInput;
   }
   return exit_code;
@@ -102,7 +93,9 @@ int run(int argc, char** argv) {
   try {
     // It costs a second start, which a bare --version or --help need not wait for.
     if (argc > 1 && argv[1][0] != '-') fix_arithmetic(argv);
-    exit_code = parse_and_run(argc, argv);
+    // Rank 0 decides when the others stop.
+    rank_place().rank == 0 ? catch_interrupts() : ignore_interrupts();
+    exit_code = on_ranks(quoted_command({argv, argv + argc}), [&] { return parse_and_run(argc, argv); });
   } catch (...) {
     exit_code = report(std::current_exception());
   }

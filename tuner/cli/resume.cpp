@@ -55,11 +55,15 @@ std::string shell_word(const std::string& word) {
 
 }  // namespace
 
-std::string repeating_command(std::vector<std::string> words) {
-  cut(words, kResume);
+std::string quoted_command(const std::vector<std::string>& words) {
   std::string text = "armtune";
   for (std::size_t i = 1; i < words.size(); ++i) text += ' ' + shell_word(words[i]);
   return text;
+}
+
+std::string repeating_command(std::vector<std::string> words) {
+  cut(words, kResume);
+  return quoted_command(words);
 }
 
 std::vector<std::string> resumed_arguments(std::vector<std::string> words) {

@@ -17,6 +17,9 @@ namespace armtune::cli {
 /// if the folder holds no journal or one of another command, or if further words were given.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
+/// The words of a command line as a shell takes them, with armtune in place of the program's path.
+std::string quoted_command(const std::vector<std::string>& words);
+
 /// The command that makes a run again where its --out folder is not there yet, quoted for a shell: the words
 /// of its command line, of a resumed run those it was begun with.
 std::string repeating_command(std::vector<std::string> words);

@@ -290,7 +290,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       "--limit 'joint_velocity/max_ratio<=0.9'\n");
   command->callback([args, payload, &exit_code] {
     args->payload_given = payload->count() > 0;
-    exit_code = on_ranks([&args](Team& team) { return run(*args, team); });
+    exit_code = run(*args, team());
   });
 }
 

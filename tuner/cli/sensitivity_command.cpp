@@ -96,8 +96,7 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
       "global      rank correlation of gain and merit over the run's evaluations\n"
       "merit       objective + penalty * relative violations, with the study's search/penalty\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
-  command->callback(
-      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
+  command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }
 
 }  // namespace armtune::cli

@@ -271,8 +271,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   add_yardstick_option(*command, args->yardstick);
   add_warm_options(*command, args->warm);
   command->footer(tune_help);
-  command->callback(
-      [args, &exit_code] { exit_code = on_ranks([&args](Team& team) { return run(*args, team); }); });
+  command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }
 
 }  // namespace armtune::cli

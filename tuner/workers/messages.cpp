@@ -227,4 +227,19 @@ std::pair<std::uint64_t, std::string> read_failure(const std::string& message) {
   return {number, std::move(what)};
 }
 
+std::string bye_message(int exit_code) {
+  ByteWriter writer = begun(MessageKind::kBye);
+  writer.add(static_cast<std::uint64_t>(exit_code));
+  return writer.bytes();
+}
+
+int read_bye(const std::string& message) {
+  constexpr std::uint64_t kLargest = 255;
+  ByteReader reader = opened(message, MessageKind::kBye);
+  const std::uint64_t exit_code = reader.integer();
+  if (exit_code > kLargest) throw std::runtime_error(fmt::format("a message's exit code is {}", exit_code));
+  reader.end();
+  return static_cast<int>(exit_code);
+}
+
 }  // namespace armtune

@@ -18,7 +18,7 @@ enum class MessageKind : std::uint64_t {
   kStop,     ///< from rank 0: interrupt the jobs up to that number
   kResult,   ///< to rank 0
   kFailure,  ///< to rank 0: the job threw
-  kBye,      ///< from rank 0: nothing follows
+  kBye,      ///< from rank 0: nothing follows, and the exit code of all
   kLeaving   ///< to rank 0: the answer to kBye, the rank's last message
 };
 
@@ -39,12 +39,13 @@ struct NumberedJob {
 
 MessageKind kind_of(const std::string& message);
 
-std::string plain_message(MessageKind kind);  ///< kGo, kBye, kLeaving
+std::string plain_message(MessageKind kind);  ///< kGo, kLeaving
 std::string hello_message(const Hello& hello);
 std::string job_message(const NumberedJob& job);
 std::string stop_message(std::uint64_t number);
 std::string result_message(std::uint64_t number, const RolloutResult& result);
 std::string failure_message(std::uint64_t number, const std::string& what);
+std::string bye_message(int exit_code);
 
 // Each throws std::runtime_error if the message is of another kind, too short or too long.
 Hello read_hello(const std::string& message);
@@ -52,5 +53,6 @@ NumberedJob read_job(const std::string& message);
 std::uint64_t read_stop(const std::string& message);
 std::pair<std::uint64_t, RolloutResult> read_result(const std::string& message);
 std::pair<std::uint64_t, std::string> read_failure(const std::string& message);
+int read_bye(const std::string& message);
 
 }  // namespace armtune

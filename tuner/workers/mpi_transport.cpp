@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/common/error.hpp"
+#include "tuner/workers/call_watch.hpp"
 #include "tuner/workers/transport.hpp"
 
 namespace armtune {
@@ -21,13 +22,38 @@ void check(int code, const char* what) {
   if (code != MPI_SUCCESS) throw std::runtime_error(fmt::format("MPI: {} failed with code {}", what, code));
 }
 
+/// Watches a call that returns only when all ranks have made it. Rank 0 speaks first; a rank that no launcher
+/// ends after that ends itself.
+CallWatch watch_all(const Notice& notice, const std::string& verb, double limit) {
+  constexpr double kRankZeroFirst = 5.0;
+  const RankPlace place = rank_place();
+  const auto say = [notice, verb, place](const std::string& more) {
+    notice(fmt::format("rank {} on {} has waited for the other {} ranks to {} for {}", place.rank,
+                       host_name(), place.size - 1, verb, more));
+  };
+  const bool speaks = place.rank == 0;
+  const double end = limit + (speaks ? 0.0 : kRankZeroFirst);
+  return {kSayAfter,
+          [say, speaks, end] {
+            if (speaks) say(fmt::format("{} s; it gives up after {} s", kSayAfter, end));
+          },
+          end,
+          [say, end] {
+            say(fmt::format("{} s: one of them hangs, has ended, or is another program; this run ends", end));
+            std::_Exit(EXIT_FAILURE);
+          }};
+}
+
 /// One MPI call at a time, from any thread (MPI_THREAD_SERIALIZED). A blocking receive of Open MPI would keep
 /// a processor busy: every call here returns at once, and who waits sleeps.
 class MpiTransport final : public Transport {
  public:
-  MpiTransport() {
+  explicit MpiTransport(Notice notice) : notice_(std::move(notice)) {
     int provided = 0;
-    check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
+    {
+      const CallWatch watch = watch_all(notice_, "start", kStartSeconds);
+      check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided), "MPI_Init_thread");
+    }
     // As codes, so that what fails is said before the ranks are ended.
     check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
     check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "MPI_Comm_rank");
@@ -72,6 +98,7 @@ class MpiTransport final : public Transport {
     const std::lock_guard lock(mutex_);
     for (Sent& sent : sent_) MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
     sent_.clear();
+    const CallWatch watch = watch_all(notice_, "leave", kStartSeconds);
     MPI_Finalize();
   }
 
@@ -93,6 +120,7 @@ class MpiTransport final : public Transport {
     }
   }
 
+  Notice notice_;
   int rank_ = 0;
   int size_ = 1;
   std::mutex mutex_;
@@ -101,8 +129,8 @@ class MpiTransport final : public Transport {
 
 }  // namespace
 
-std::unique_ptr<Transport> begin_mpi() {
-  auto transport = std::make_unique<MpiTransport>();
+std::unique_ptr<Transport> begin_mpi(const Notice& notice) {
+  auto transport = std::make_unique<MpiTransport>(notice);
   if (transport->size() != rank_place().size) {
     throw InputError(
         fmt::format("the launcher started {} ranks, MPI sees {}: use the mpirun of the MPI armtune was built "

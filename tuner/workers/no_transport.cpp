@@ -7,7 +7,7 @@
 
 namespace armtune {
 
-std::unique_ptr<Transport> begin_mpi() {
+std::unique_ptr<Transport> begin_mpi(const Notice& /*notice*/) {
   throw InputError(fmt::format(
       "{} ranks were started, but this armtune was built without MPI (-DARMTUNE_MPI=OFF): start one, with "
       "--workers for its threads, or build it with MPI",

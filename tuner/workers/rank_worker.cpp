@@ -19,8 +19,9 @@ constexpr double kGrace = 5.0;
 
 class RankWorker final : public Worker {
  public:
-  RankWorker(Transport& transport, Peer& peer, std::uint64_t crew, const RolloutPlan& plan)
-      : transport_(transport), peer_(peer), crew_(crew), plan_(plan) {}
+  RankWorker(Transport& transport, Peer& peer, std::uint64_t crew, const RolloutPlan& plan,
+             const Notice& notice)
+      : transport_(transport), peer_(peer), crew_(crew), plan_(plan), notice_(notice) {}
 
   void work(JobSource& jobs) override {
     open_.clear();
@@ -39,7 +40,9 @@ class RankWorker final : public Worker {
         patience = Patience();
       }
       const double seconds = patience.seconds();
-      if (seconds > (told ? 0.0 : longest()) + kGrace) throw hung(seconds);
+      const double limit = (told ? 0.0 : longest()) + kGrace;
+      if (seconds > limit) throw hung(seconds);
+      say_waiting(peer_, seconds, what(), limit, notice_);
     }
   }
 
@@ -86,20 +89,26 @@ class RankWorker final : public Worker {
     return static_cast<double>(most_) * seconds;
   }
 
+  /// The job it was given first, as messages name it.
+  std::string what() const {
+    const RolloutJob& oldest = open_.begin()->second.job;
+    return plan_.scenarios[oldest.scenario].name +
+           (plan_.draw ? fmt::format(", sample {}", oldest.sample) : std::string());
+  }
+
   std::runtime_error hung(double seconds) {
     peer_.lost = true;
-    const RolloutJob& oldest = open_.begin()->second.job;
     return std::runtime_error(fmt::format(
-        "rank {} on {} gave no answer for {:.0f} s to {}{}: it hangs (a slow one says so after {} s, "
+        "rank {} on {} gave no answer for {:.0f} s to {}: it hangs (a slow one says so after {} s, "
         "its --rollout-deadline)",
-        peer_.rank, peer_.host, seconds, plan_.scenarios[oldest.scenario].name,
-        plan_.draw ? fmt::format(", sample {}", oldest.sample) : "", longest()));
+        peer_.rank, peer_.host, seconds, what(), longest()));
   }
 
   Transport& transport_;
   Peer& peer_;
   std::uint64_t crew_;
   const RolloutPlan& plan_;
+  const Notice& notice_;
   std::map<std::uint64_t, GivenJob> open_;  ///< sent and not answered, by the rank's own number
   std::size_t most_ = 1;                    ///< of them at once
 };
@@ -107,8 +116,8 @@ class RankWorker final : public Worker {
 }  // namespace
 
 std::unique_ptr<Worker> rank_worker(Transport& transport, Peer& peer, std::uint64_t crew,
-                                    const RolloutPlan& plan) {
-  return std::make_unique<RankWorker>(transport, peer, crew, plan);
+                                    const RolloutPlan& plan, const Notice& notice) {
+  return std::make_unique<RankWorker>(transport, peer, crew, plan, notice);
 }
 
 }  // namespace armtune

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/workers/lane_worker.hpp"
@@ -19,22 +19,14 @@
 namespace armtune {
 namespace {
 
-constexpr double kStartSeconds = 120.0;  ///< to read a study, from a slow disk too
-constexpr double kEndSeconds = 10.0;
+using Facts = std::vector<std::pair<std::string, std::string>>;
 
-std::string host_name() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown host";
-}
-
-Hello hello_of(const RolloutPlan& plan) {
-  Hello hello;
-  hello.host = host_name();
-  for (const auto& [library, version] : versions())
-    hello.facts.emplace_back("version of " + library, version);
-  hello.facts.emplace_back("arithmetic", arithmetic().level + ", " + arithmetic().fingerprint);
-  for (const auto& fact : facts_of(plan)) hello.facts.push_back(fact);
-  return hello;
+/// What has to be the same in every process before it reads anything.
+Facts program_facts(const std::string& command_line) {
+  Facts facts = {{"command line", command_line}};
+  for (const auto& [library, version] : versions()) facts.emplace_back("version of " + library, version);
+  facts.emplace_back("arithmetic", arithmetic().level + ", " + arithmetic().fingerprint);
+  return facts;
 }
 
 /// The first difference, or empty.
@@ -43,7 +35,8 @@ std::string difference(const Hello& rank, const Hello& leader) {
     const auto& [what, theirs] = rank.facts[i];
     const auto& [expected, ours] = leader.facts[i];
     if (what != expected) return fmt::format("has {} where rank 0 has {}", what, expected);
-    if (theirs != ours) return fmt::format("has another {}: {}, rank 0 has {}", what, theirs, ours);
+    if (theirs != ours)
+      return fmt::format("has another {}: {}, rank 0 has {}", what, one_line(theirs), one_line(ours));
   }
   if (rank.facts.size() == leader.facts.size()) return {};
   return fmt::format("has {} facts, rank 0 has {}", rank.facts.size(), leader.facts.size());
@@ -51,19 +44,43 @@ std::string difference(const Hello& rank, const Hello& leader) {
 
 }  // namespace
 
-Team::Team(std::unique_ptr<Transport> transport) : transport_(std::move(transport)), parent_(::getppid()) {
+void say_waiting(Peer& peer, double seconds, const std::string& what, double limit, const Notice& notice) {
+  if (seconds < kSayAfter || peer.told || !notice) return;
+  peer.told = true;
+  notice(fmt::format(
+      "waiting for rank {} on {}, which has not answered for {:.0f} s{}; it is given up after {:.0f} s",
+      peer.rank, peer.host, seconds, what.empty() ? "" : fmt::format(" ({})", what), limit));
+}
+
+Team::Team(std::unique_ptr<Transport> transport, Notice notice)
+    : transport_(std::move(transport)), notice_(std::move(notice)), parent_(::getppid()) {
   if (!several() || !leads()) return;
   for (int rank = 1; rank < ranks(); ++rank) peers_.push_back({rank, "an unknown host", 0, false});
 }
 
 Team::~Team() = default;
 
+bool Team::call_roll(const std::string& command_line) {
+  if (!several()) return true;
+  const Hello own{host_name(), {}, program_facts(command_line)};
+  if (leads()) {
+    compare(own);
+    return true;
+  }
+  transport_->send(0, hello_message(own));
+  const std::string answer = next_from_leader();
+  if (kind_of(answer) == MessageKind::kGo) return true;
+  leave(answer);
+  return false;
+}
+
 bool Team::begin(RolloutPlan plan, int threads) {
   plan_ = std::make_shared<const RolloutPlan>(std::move(plan));
   threads_ = threads;
   if (!several()) return true;
+  const auto own = [this] { return Hello{host_name(), {}, facts_of(*plan_)}; };
   if (!leads()) {
-    transport_->send(0, hello_message(hello_of(*plan_)));
+    transport_->send(0, hello_message(own()));
     serve();
     return false;
   }
@@ -72,24 +89,27 @@ bool Team::begin(RolloutPlan plan, int threads) {
         fmt::format("--workers is {}, but each of the {} ranks is one worker: start more ranks instead",
                     threads, ranks()));
   }
-  meet();
+  compare(own());
+  met_ = true;
   return true;
 }
 
-void Team::meet() {
-  const Hello own = hello_of(*plan_);
-  Patience patience;
-  for (Peer& peer : peers_) {
-    std::optional<std::string> message;
-    while (!(message = transport_->receive(peer.rank))) {
-      if (patience.seconds() > kStartSeconds) {
-        peer.lost = true;
-        throw std::runtime_error(fmt::format("rank {} has said nothing for {} s: it hangs, or never started",
-                                             peer.rank, kStartSeconds));
-      }
-      patience.sleep();
+std::string Team::hear(Peer& peer, double limit) {
+  for (Patience patience;; patience.sleep()) {
+    if (auto message = transport_->receive(peer.rank)) return std::move(*message);
+    const double seconds = patience.seconds();
+    if (seconds > limit) {
+      peer.lost = true;
+      throw std::runtime_error(
+          fmt::format("rank {} on {} has said nothing for {} s: it hangs", peer.rank, peer.host, limit));
     }
-    const Hello hello = read_hello(*message);
+    say_waiting(peer, seconds, {}, limit, notice_);
+  }
+}
+
+void Team::compare(const Hello& own) {
+  for (Peer& peer : peers_) {
+    const Hello hello = read_hello(hear(peer, kStartSeconds));
     peer.host = hello.host;
     if (!hello.failure.empty()) {
       throw InputError(fmt::format("rank {} on {}: {}", peer.rank, peer.host, hello.failure));
@@ -102,7 +122,6 @@ void Team::meet() {
     }
   }
   for (const Peer& peer : peers_) transport_->send(peer.rank, plain_message(MessageKind::kGo));
-  met_ = true;
 }
 
 std::unique_ptr<Crew> Team::crew() {
@@ -111,16 +130,20 @@ std::unique_ptr<Crew> Team::crew() {
   std::vector<std::unique_ptr<Worker>> workers;
   workers.reserve(peers_.size() + 1);
   workers.push_back(std::make_unique<LaneWorker>(*plan_));
-  for (Peer& peer : peers_) workers.push_back(rank_worker(*transport_, peer, crews_, *plan_));
+  for (Peer& peer : peers_) workers.push_back(rank_worker(*transport_, peer, crews_, *plan_, notice_));
   return std::make_unique<Crew>(plan_, std::move(workers));
 }
 
 void Team::fail(const std::string& what) {
-  Hello hello;
-  hello.host = host_name();
-  hello.failure = what;
-  transport_->send(0, hello_message(hello));
+  transport_->send(0, hello_message({host_name(), what, {}}));
   serve();
+}
+
+void Team::leave(const std::string& bye) {
+  exit_code_ = read_bye(bye);
+  transport_->send(0, plain_message(MessageKind::kLeaving));
+  transport_->end();
+  left_ = true;
 }
 
 std::string Team::next_from_leader() {
@@ -147,8 +170,7 @@ void Team::serve() {
         work(message);
         break;
       case MessageKind::kBye:
-        transport_->send(0, plain_message(MessageKind::kLeaving));
-        transport_->end();
+        leave(message);
         return;
       default:
         throw std::runtime_error("rank 0 sent a message that is none of its own kinds");
@@ -168,20 +190,12 @@ void Team::work(const std::string& message) {
   }
 }
 
-bool Team::end() {
+bool Team::end(int exit_code) {
   if (!several()) return true;
   if (std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.lost; })) return false;
-  for (const Peer& peer : peers_) {
-    transport_->send(peer.rank, plain_message(MessageKind::kBye));
-  }
-  Patience patience;
-  for (const Peer& peer : peers_) {
-    for (bool leaving = false; !leaving; patience.sleep()) {
-      const auto message = transport_->receive(peer.rank);
-      leaving = message && kind_of(*message) == MessageKind::kLeaving;
-      if (!leaving && patience.seconds() > (met_ ? kEndSeconds : kStartSeconds)) {
-        throw std::runtime_error(fmt::format("rank {} on {} does not leave: it hangs", peer.rank, peer.host));
-      }
+  for (const Peer& peer : peers_) transport_->send(peer.rank, bye_message(exit_code));
+  for (Peer& peer : peers_) {
+    while (kind_of(hear(peer, met_ ? kEndSeconds : kStartSeconds)) != MessageKind::kLeaving) {
     }
   }
   transport_->end();

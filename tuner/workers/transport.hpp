@@ -2,6 +2,7 @@
 // Messages between the processes (ranks) of one run, and where a process stands among them. MPI is behind it,
 // where armtune was built with it.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +17,17 @@ struct RankPlace {
 RankPlace rank_place();
 /// How many tasks srun started that know nothing of each other; 0 unless it did.
 int strangers();
+
+/// The name of this machine, as messages show it.
+std::string host_name();
+
+/// Tells the user something while the work continues. It is called from any thread.
+using Notice = std::function<void(const std::string&)>;
+
+// How long rank 0 waits for another rank, without the time in which it is stopped itself. [s]
+constexpr double kSayAfter = 10.0;       ///< then it tells the user, once for each rank
+constexpr double kStartSeconds = 120.0;  ///< to start and to read a study, from a slow disk too
+constexpr double kEndSeconds = 10.0;     ///< to leave
 
 /// Calls come from any thread; none waits for another process, but end().
 class Transport {
@@ -37,9 +49,11 @@ class Transport {
   virtual void abort(int exit_code) = 0;
 };
 
-/// Begins MPI, once in a process's life. Throws InputError if armtune was built without it, or if it sees
-/// other ranks than the launcher started.
-std::unique_ptr<Transport> begin_mpi();
+/// Begins MPI, once in a process's life; it returns when all ranks have begun. While rank 0 waits for them it
+/// says so to `notice`, and no rank waits longer than kStartSeconds and five more: then the process ends with
+/// exit code 1. Throws InputError if armtune was built without MPI, or if MPI sees other ranks than the
+/// launcher started.
+std::unique_ptr<Transport> begin_mpi(const Notice& notice);
 
 /// Version of the MPI library linked, or "not built in".
 std::string mpi_version();

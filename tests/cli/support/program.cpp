@@ -70,6 +70,10 @@ bool Program::running() {
   return !ended_;
 }
 
+std::string Program::err_so_far() const {
+  return read_text(err_path_);
+}
+
 Finished Program::wait() {
   if (!ended_) ::waitpid(pid_, &status_, 0);
   ended_ = true;

@@ -27,6 +27,7 @@ class Program {
   void kill() const;       ///< SIGKILL
   bool running();
   int pid() const { return pid_; }
+  std::string err_so_far() const;
   Finished wait();
 
  private:

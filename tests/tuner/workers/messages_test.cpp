@@ -163,7 +163,9 @@ TEST(Messages, TheOthersComeBackAndAreToldApart) {
   EXPECT_EQ(read_failure(failure_message(4, "why")), std::make_pair(std::uint64_t{4}, std::string("why")));
   expect_only_the_whole_is_read(failure_message(4, "why"), read_failure);
   expect_only_the_whole_is_read(stop_message(5), read_stop);
-  EXPECT_EQ(kind_of(plain_message(MessageKind::kBye)), MessageKind::kBye);
+  EXPECT_EQ(read_bye(bye_message(130)), 130);
+  expect_only_the_whole_is_read(bye_message(3), read_bye);
+  EXPECT_EQ(kind_of(plain_message(MessageKind::kLeaving)), MessageKind::kLeaving);
   EXPECT_THROW(read_stop(failure_message(4, "why")), std::runtime_error);
 }
 

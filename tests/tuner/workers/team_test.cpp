@@ -94,7 +94,7 @@ int among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::funct
   }
   Team team(std::make_unique<PostTransport>(post, 0));
   lead(team);
-  EXPECT_TRUE(team.end());
+  EXPECT_TRUE(team.end(0));
   return post->most_under_way;
 }
 
@@ -210,6 +210,54 @@ TEST(Team, ARankWithAnotherPlanIsRefused) {
               AllOf(HasSubstr("another mass: 0.25"), HasSubstr("rank 0 has 0.2")));
   EXPECT_THAT(refused([]() -> RolloutPlan { throw InputError("study.yaml: cannot be read"); }),
               AllOf(HasSubstr("rank 2 on "), HasSubstr("study.yaml: cannot be read")));
+}
+
+TEST(Team, ARankWithAnotherCommandLineIsRefusedAndAllGetTheExitCode) {
+  const auto post = std::make_shared<Post>();
+  std::vector<std::jthread> others;
+  for (int rank = 1; rank < kRanks; ++rank) {
+    others.emplace_back([post, rank] {
+      Team team(std::make_unique<PostTransport>(post, rank));
+      EXPECT_FALSE(team.call_roll(rank == 2 ? "armtune robustness a" : "armtune tune a"));
+      EXPECT_TRUE(team.left());
+      EXPECT_EQ(team.exit_code(), 2);
+    });
+  }
+  Team team(std::make_unique<PostTransport>(post, 0));
+  EXPECT_THAT(test::refusal([&team] { team.call_roll("armtune tune a"); }),
+              AllOf(HasSubstr("rank 2 on "), HasSubstr("armtune robustness a"), HasSubstr("armtune tune a")));
+  EXPECT_TRUE(team.end(2));
+}
+
+TEST(Team, RanksOfOneCommandLineBegin) {
+  const auto post = std::make_shared<Post>();
+  std::vector<std::jthread> others;
+  for (int rank = 1; rank < kRanks; ++rank) {
+    others.emplace_back([post, rank] {
+      Team team(std::make_unique<PostTransport>(post, rank));
+      ASSERT_TRUE(team.call_roll("armtune tune a"));
+      EXPECT_FALSE(team.begin(short_plan(), 1));
+      EXPECT_EQ(team.exit_code(), 3);
+    });
+  }
+  Team team(std::make_unique<PostTransport>(post, 0));
+  EXPECT_TRUE(team.call_roll("armtune tune a"));
+  EXPECT_TRUE(team.begin(short_plan(), 1));
+  EXPECT_TRUE(team.end(3));
+}
+
+TEST(Team, AWaitIsSaidOnceForEachRank) {
+  std::vector<std::string> said;
+  const Notice notice = [&said](const std::string& what) { said.push_back(what); };
+  Peer peer{3, "somewhere", 0, false, false};
+  say_waiting(peer, kSayAfter / 2.0, "short", 25.0, notice);
+  EXPECT_TRUE(said.empty());
+  for (const double seconds : {kSayAfter + 1.0, kSayAfter + 2.0}) {
+    say_waiting(peer, seconds, "short", 25.0, notice);
+  }
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_THAT(said.front(), AllOf(HasSubstr("rank 3 on somewhere"), HasSubstr("11 s"), HasSubstr("short"),
+                                  HasSubstr("25 s")));
 }
 
 TEST(Team, ThreadsBesideRanksAreRefused) {

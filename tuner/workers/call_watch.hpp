@@ -1,0 +1,24 @@
+#pragma once
+// Watches a call that cannot be given a deadline, such as MPI_Init, which returns only when every rank has
+// called it:
+//
+//   const CallWatch watch(10.0, [] { say("still waiting"); }, 120.0, [] { std::_Exit(1); });
+//   MPI_Init(nullptr, nullptr);
+
+#include <functional>
+#include <thread>
+
+namespace armtune {
+
+class CallWatch {
+ public:
+  using Action = std::function<void()>;
+  /// From a thread of its own, calls `say` after `say_after` and `give_up` after `limit` [s], each once,
+  /// unless the watch has been destroyed before. Time in which the process is stopped does not count.
+  CallWatch(double say_after, Action say, double limit, Action give_up);
+
+ private:
+  std::jthread thread_;
+};
+
+}  // namespace armtune
