@@ -74,11 +74,11 @@ void measure_joints(const Scenario& scenario, const Gains& six) {
   for (int n = 3; n <= kMaxJoints; ++n) {
     const auto model = std::make_shared<const RobotModel>(with_joints(*scenario.robot, n));
     Gains gains = six;
-    for (JointVector Gains::*values :
-         {&Gains::joint_space_gains_p, &Gains::joint_space_gains_d, &Gains::task_space_gains_d,
-          &Gains::force_control_gains, &Gains::joint_space_goal}) {
+    for (JointVector Gains::*values : {&Gains::joint_space_gains_p, &Gains::joint_space_gains_d,
+                                       &Gains::task_space_gains_d, &Gains::joint_space_goal}) {
       gains.*values = repeated(six.*values, n);
     }
+    gains.force_control_gains = repeated(six.force_control_gains, n);
     gains.joint_trajectory_duration = 0.1;  // and then the task's law
     std::mt19937 generator(1);              // NOLINT: the same states every time are wanted
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);

@@ -39,11 +39,30 @@ py::object get(const py::object& self, const std::string& name) {
   const GainField& field = field_of(gains, name);
   if (field.is_number()) {
     const auto values = numbers(gains, field);
-    return view(values.data(), values.size(), 1, self, true);
+    const py::array flat = view(values.data(), values.size(), 1, self, true);
+    const auto n = self.cast<NamedJoints&>().joints.size();
+    const auto* forces = std::get_if<ForceGains Gains::*>(&field.member);
+    if (forces == nullptr || !is_per_joint(gains.**forces, static_cast<int>(n))) return flat;
+    return flat.attr("reshape")(n, n);  // of the same memory
   }
   const std::string text = field_text(gains, field);
   if (std::holds_alternative<bool Gains::*>(field.member)) return py::bool_(text == "true");
   return py::str(text);
+}
+
+/// One number for each of n force points, or n rows of n, one for each force point.
+ForceGains force_gains_of(const std::string& name, const py::object& value, py::ssize_t n) {
+  const auto given = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
+  if (!given) {
+    PyErr_Clear();
+    throw py::cast_error();
+  }
+  const bool points = given.ndim() == 1 && given.size() == n;
+  const bool rows = given.ndim() == 2 && given.shape(0) == n && given.shape(1) == n;
+  if (!points && !rows)
+    throw InputError(fmt::format("{}: {} numbers, must be {}, one for each force point, or {} lists of {}",
+                                 name, given.size(), n, n, n));
+  return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
 }
 
 void assign(NamedJoints& self, const std::string& name, const py::object& value) {
@@ -59,6 +78,10 @@ void assign(NamedJoints& self, const std::string& name, const py::object& value)
     const auto values = numbers(self.gains, field);
     if (!py::isinstance<py::sequence>(value) && !py::isinstance<py::array>(value)) {
       std::fill(values.begin(), values.end(), value.cast<double>());
+      return;
+    }
+    if (const auto* forces = std::get_if<ForceGains Gains::*>(&field.member)) {
+      self.gains.** forces = force_gains_of(name, value, static_cast<py::ssize_t>(self.joints.size()));
       return;
     }
     const auto given = value.cast<std::vector<double>>();
@@ -104,7 +127,8 @@ void bind_gains(py::module_& module) {
       .def_property_readonly("controller", [](const NamedJoints& self) { return self.gains.controller; })
       .def("keys", &names, "Names of the gains.")
       .def("__getitem__", &get, py::arg("name"),
-           "Numbers: a NumPy array onto them, without a copy, so that writing into it changes the gains.")
+           "Numbers: a NumPy array onto them, without a copy, so that writing into it changes the gains. "
+           "force_control_gains is n x n where each force point has a gain for every joint.")
       .def("__setitem__", &set, py::arg("name"), py::arg("value"))
       .def("__iter__", [](const NamedJoints& self) { return py::iter(py::cast(names(self))); })
       .def("__contains__",

@@ -132,7 +132,8 @@ auto numbers_of(G& gains, const GainField& field) {
           using Value = std::remove_cvref_t<decltype(gains.*member)>;
           if constexpr (std::is_same_v<Value, double>) {
             return {&(gains.*member), 1};
-          } else if constexpr (std::is_same_v<Value, Vec6> || std::is_same_v<Value, JointVector>) {
+          } else if constexpr (std::is_same_v<Value, Vec6> || std::is_same_v<Value, JointVector> ||
+                               std::is_same_v<Value, ForceGains>) {
             return {(gains.*member).data(), static_cast<std::size_t>((gains.*member).size())};
           } else {
             return {};
@@ -175,13 +176,28 @@ std::vector<std::string> component_names(const GainField& field, const std::vect
     return {"x", "y", "z", "rx", "ry", "rz"};
   }
   if (std::holds_alternative<JointVector Gains::*>(field.member) || is(GainShape::kJoints)) return joints;
+  if (std::holds_alternative<ForceGains Gains::*>(field.member)) return joints;
   return {""};
+}
+
+std::vector<std::string> component_names(const Gains& gains, const GainField& field,
+                                         const std::vector<std::string>& joints) {
+  const auto* force = std::get_if<ForceGains Gains::*>(&field.member);
+  if (force == nullptr || !is_per_joint(gains.**force, static_cast<int>(joints.size()))) {
+    return component_names(field, joints);
+  }
+  std::vector<std::string> names;
+  names.reserve(joints.size() * joints.size());
+  for (const std::string& point : joints) {
+    for (const std::string& joint : joints) names.push_back(fmt::format("{}/{}", point, joint));
+  }
+  return names;
 }
 
 void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source) {
   for (const GainField& field : fields_of(gains)) {
     const auto values = numbers(gains, field);
-    const auto names = component_names(field, joints);
+    const auto names = component_names(gains, field, joints);
     const bool own = std::holds_alternative<OwnGain>(field.member);
     if (!field.required && !own && field.is_number() && values.empty()) continue;
     if (field.is_number() && values.size() != names.size()) {

@@ -33,8 +33,8 @@ struct GainField {
   const char* name;
   const char* unit;
   const char* meaning;
-  std::variant<double Gains::*, Vec6 Gains::*, JointVector Gains::*, OwnGain, bool Gains::*,
-               SlerpReference Gains::*>
+  std::variant<double Gains::*, Vec6 Gains::*, JointVector Gains::*, ForceGains Gains::*, OwnGain,
+               bool Gains::*, SlerpReference Gains::*>
       member;
   bool required = true;            ///< must stand in a gains file; joint vectors that need not may be empty
   bool strictly_positive = false;  ///< otherwise numbers must be >= 0 (the joint goal: any)
@@ -51,14 +51,14 @@ struct GainField {
   /// Of an own gain: each of its numbers where a gains file has none.
   double otherwise = 0.0;
 
-  bool is_number() const { return member.index() <= 3; }
+  bool is_number() const { return member.index() <= 4; }
 };
 
 /// The members of Gains, in the order files are written. What one controller has: fields_of
 /// (core/control/laws/controller_kind.hpp).
 const std::vector<GainField>& gain_fields();
 
-/// The numbers of a field: 1, 6 or n of them; empty for switches.
+/// The numbers of a field: 1, 6, n or n x n (ForceGains) of them; empty for switches.
 std::span<double> numbers(Gains& gains, const GainField& field);
 std::span<const double> numbers(const Gains& gains, const GainField& field);
 
@@ -67,6 +67,10 @@ Eigen::Index size_of(GainShape shape, int n);
 
 /// Names of a field's numbers: "" for a scalar, "x".."rz" for six, the joints' names for joint vectors.
 std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints);
+/// The same of the numbers that `gains` have: where a force point has a gain for each joint, these are called
+/// "point/joint", by the names of both joints.
+std::vector<std::string> component_names(const Gains& gains, const GainField& field,
+                                         const std::vector<std::string>& joints);
 
 /// All gains that the controller of `gains` has. Throws InputError naming the gain, its value and the limit;
 /// `source` stands in front of the message.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/common/types.hpp"
+#include "core/control/force_gains.hpp"
 #include "core/control/inverse_damping.hpp"
 
 namespace armtune {
@@ -22,7 +23,7 @@ struct Gains {
   Vec6 task_space_gains_p = Vec6::Zero();
   Vec6 task_space_gains_i = Vec6::Zero();
   JointVector task_space_gains_d;
-  JointVector force_control_gains;
+  ForceGains force_control_gains;
   JointVector joint_space_goal;  ///< [deg], as published; empty: a scenario's own
   double joint_trajectory_duration = 6.0;
   double obstacleInfluenceRadius = 0.325;

@@ -10,23 +10,35 @@ namespace {
 
 constexpr int kAvoidingJoints = 3;
 
-/// Adds J^T f of a force [N] on a point p of body i.
-void add_force(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& force, Jacobian& J,
-               JointVector& tau) {
+/// Adds k_f,i * (J^T f) of a repulsion f (at most 1 long) on a point p of body i.
+void add_force(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& f,
+               const ForceGains& gains, Jacobian& J, JointVector& tau) {
   point_jacobian(chain, poses, i, p, J);
   const int avoiding = std::min(kAvoidingJoints, chain.n);
-  tau.head(avoiding) += J.topRows<3>().leftCols(avoiding).transpose() * force;
+  const auto J_p = J.topRows<3>().leftCols(avoiding);
+  if (!is_per_joint(gains, chain.n)) {
+    const Vec3 force = gains[i] * f;
+    tau.head(avoiding) += J_p.transpose() * force;
+    return;
+  }
+  // One product for each joint, so that n equal gains have the bits of one number.
+  for (int j = 0; j < avoiding; ++j) {
+    const Vec3 force = force_gain(gains, chain.n, i, j) * f;
+    const JointVector torque = J_p.transpose() * force;
+    tau[j] += torque[j];
+  }
 }
 
 /// Adds what a force on point p of link i does to the next joint, where that slides and draws the link out: p
 /// goes along with it by its share of the length.
-void add_drawing_out(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& force,
-                     JointVector& tau) {
+void add_drawing_out(const Chain& chain, const Poses& poses, int i, const Vec3& p, const Vec3& f,
+                     const ForceGains& gains, JointVector& tau) {
   const int next = i + 1;
   const auto k = static_cast<std::size_t>(next);
   if (next >= std::min(kAvoidingJoints, chain.n) || chain.motion[k] != JointMotion::kPrismatic) return;
   const Vec3& from = poses.p_0B[static_cast<std::size_t>(i)];
   const double length = (poses.p_0B[k] - from).norm();
+  const Vec3 force = force_gain(gains, chain.n, i, next) * f;
   if (length > 0.0) tau[next] += (p - from).norm() / length * poses.R_0B[k].col(2).dot(force);
 }
 
@@ -43,7 +55,7 @@ Vec3 repulsion(const Vec3& d, double influence_radius, double inside) {
 }
 
 void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Obstacle> obstacles,
-                     double influence_radius, const JointVector& force_gains, JointVector& tau) {
+                     double influence_radius, const ForceGains& force_gains, JointVector& tau) {
   tau.setZero(chain.n);
   Jacobian J(6, chain.n);
   const bool links = chain.link_radius.size() > 0;
@@ -59,10 +71,10 @@ void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Obs
       const Vec3 force =
           repulsion(p - obstacle.center, influence_radius, chain.link_radius[i] + obstacle.radius);
       if (force.isZero(0.0)) continue;
-      add_force(chain, poses, i, p, force_gains[i] * force, J, tau);
-      add_drawing_out(chain, poses, i, p, force_gains[i] * force, tau);
+      add_force(chain, poses, i, p, force, force_gains, J, tau);
+      add_drawing_out(chain, poses, i, p, force, force_gains, tau);
     }
-    if (!on_origin.isZero(0.0)) add_force(chain, poses, i, origin, force_gains[i] * on_origin, J, tau);
+    if (!on_origin.isZero(0.0)) add_force(chain, poses, i, origin, on_origin, force_gains, J, tau);
   }
 }
 

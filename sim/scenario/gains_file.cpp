@@ -11,6 +11,7 @@
 #include "core/common/message_text.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/yaml/force_gains.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
@@ -34,7 +35,7 @@ const yaml::Node& fields_node(const yaml::Node& root) {
 /// ROS 2's parameter files may hold several nodes.
 void refuse_several(const yaml::Node& fields) {
   const auto is_node = [](const auto& entry) {
-    return entry.second.kind() == yaml::Node::Kind::kMap && entry.second.find("ros__parameters") != nullptr;
+    return entry.second.kind() == yaml::Node::Kind::kMap && entry.second.find(kRos2Parameters) != nullptr;
   };
   const auto& entries = fields.entries();
   if (std::count_if(entries.begin(), entries.end(), is_node) > 1)
@@ -54,6 +55,14 @@ std::string value_text(std::span<const double> values, bool is_list) {
   words.reserve(values.size());
   for (const double value : values) words.push_back(decimal(value));
   return is_list ? fmt::format("[{}]", fmt::join(words, ", ")) : words.front();
+}
+
+/// Lists of n numbers each.
+std::string rows_text(std::span<const double> values, std::size_t n) {
+  std::vector<std::string> rows;
+  for (std::size_t first = 0; first < values.size(); first += n)
+    rows.push_back(value_text(values.subspan(first, n), true));
+  return fmt::format("[{}]", fmt::join(rows, ", "));
 }
 
 JointVector own_values(const yaml::Node& node, GainShape shape, const std::vector<std::string>& joints) {
@@ -77,6 +86,8 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
             value = Vec6(node.as_numbers(6).data());
           } else if constexpr (std::is_same_v<Value, JointVector>) {
             value = yaml::joint_values(node, joints);
+          } else if constexpr (std::is_same_v<Value, ForceGains>) {
+            value = yaml::force_gains(node, joints);
           } else if constexpr (std::is_same_v<Value, bool>) {
             value = node.as_boolean();
           } else {
@@ -123,6 +134,10 @@ std::string field_text(const Gains& gains, const GainField& field) {
   if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
     return gains.**reference == SlerpReference::kStart ? "start" : "current";
   }
+  if (const auto* member = std::get_if<ForceGains Gains::*>(&field.member)) {
+    const auto n = static_cast<int>(gains.joint_space_gains_p.size());  // every controller has that one
+    if (is_per_joint(gains.**member, n)) return rows_text(numbers(gains, field), static_cast<std::size_t>(n));
+  }
   return value_text(numbers(gains, field), component_names(field, {}).size() != 1);
 }
 
@@ -147,13 +162,17 @@ std::string gains_yaml(const Gains& gains, const std::vector<std::string>& heade
     text += fmt::format("{}{}:\n", indent, key);
     indent += "  ";
   }
+  const bool is_ros2 = std::find(keys.begin(), keys.end(), kRos2Parameters) != keys.end();
   // Files of the published controller do not name one.
   if (gains.controller != Gains().controller)
     text += fmt::format("{}{}: {}\n", indent, kController, gains.controller);
   for (const GainField& field : fields_of(gains)) {
     if (field.is_number() && numbers(gains, field).empty()) continue;
+    // ROS 2 has no lists of lists: there the numbers stand row by row in one.
+    const bool flat = is_ros2 && std::holds_alternative<ForceGains Gains::*>(field.member);
     text += fmt::format("{0}# {1}{2}{3}{4}\n{0}{5}: {6}\n", indent, field.meaning, *field.unit ? " [" : "",
-                        field.unit, *field.unit ? "]" : "", field.name, field_text(gains, field));
+                        field.unit, *field.unit ? "]" : "", field.name,
+                        flat ? value_text(numbers(gains, field), true) : field_text(gains, field));
   }
   for (const auto& [key, value] : others) text += fmt::format("{}{}: {}\n", indent, key, value);
   return text;

@@ -28,10 +28,11 @@ std::vector<std::pair<std::string, std::string>> published_path(const std::strin
 /// The YAML keys that gains stand under, the outermost first.
 using GainsKeys = std::vector<std::string>;
 inline const GainsKeys kPublishedKeys = {"simple_effort_ctrl"};
+inline constexpr const char* kRos2Parameters = "ros__parameters";  ///< the last key of a ROS 2 file
 
 /// The gains as such a file; numbers read back to the same bits, also by readers of YAML 1.1 and those that
 /// tell 5 from 5.0, as ROS has them. `header`: comment lines without '#'. `others`: keys with values in YAML,
-/// to follow the gains.
+/// to follow the gains. Below the key `ros__parameters` no list is in a list.
 std::string gains_yaml(const Gains& gains, const std::vector<std::string>& header,
                        const GainsKeys& keys = kPublishedKeys,
                        const std::vector<std::pair<std::string, std::string>>& others = {});

@@ -100,6 +100,24 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(armtune.InputError, "task_space_gains_p"):
             self.rollout()
 
+    def test_force_gains_are_one_per_point_or_a_row_per_point(self):
+        name = "force_control_gains"
+        self.assertEqual(self.gains[name].shape, (6,))
+        rows = np.arange(36.0).reshape(6, 6)
+        for value in (rows, rows.tolist()):
+            self.gains[name] = value
+            np.testing.assert_array_equal(self.gains[name], rows)
+        self.gains[name][2, 1] = 99.0
+        (self.folder / "gains.yaml").write_text(self.gains.text())
+        back = armtune.load_gains(str(self.folder / "gains.yaml"), self.scenario)
+        self.assertEqual(back[name][2, 1], 99.0)
+        self.assertEqual(back[name][1, 2], rows[1, 2])
+        for wrong in ([1.0, 2.0], rows[:5], rows.ravel()):
+            with self.assertRaisesRegex(armtune.InputError, "must be 6"):
+                self.gains[name] = wrong
+        self.gains[name] = np.full(6, 5.0)
+        self.assertEqual(self.gains[name].shape, (6,))
+
     def test_behaves_like_a_mapping(self):
         self.assertEqual(list(self.gains), self.gains.keys())
         self.assertEqual(len(self.gains), len(self.gains.keys()))

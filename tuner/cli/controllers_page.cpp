@@ -25,6 +25,8 @@ bool is_of_some(const GainField& field) {
 
 const char* shape(const GainField& field) {
   if (!field.is_number()) return "switch";
+  if (std::holds_alternative<ForceGains Gains::*>(field.member))
+    return "per force point: one, or a list per joint";
   const auto names = component_names(field, {"one", "another"});
   return names.size() == 6 ? "task" : (names.size() == 2 ? "per joint" : "number");
 }

@@ -38,18 +38,37 @@ std::vector<GainField> all_fields(const std::vector<NamedGains>& sets) {
   return fields;
 }
 
+/// Names of the field's numbers: of the set that has most of them, as gains of forces have two forms.
+std::vector<std::string> parts_of(const GainField& field, const std::vector<NamedGains>& sets,
+                                  const std::vector<std::string>& joints) {
+  if (!field.is_number()) return {""};
+  std::vector<std::string> parts = component_names(field, joints);
+  for (const NamedGains& set : sets) {
+    auto own = component_names(set.gains, field, joints);
+    if (own.size() > parts.size()) parts = std::move(own);
+  }
+  return parts;
+}
+
+/// Part `i` of `parts` of them. One number of a force point counts for each joint.
+std::optional<double> number_at(const Gains& gains, const GainField& field, std::size_t i, std::size_t parts,
+                                std::size_t joints) {
+  const auto values = numbers(gains, field);
+  const bool one_per_point =
+      std::holds_alternative<ForceGains Gains::*>(field.member) && values.size() == joints && parts > joints;
+  const std::size_t place = one_per_point ? i / joints : i;
+  return place < values.size() ? std::optional(values[place]) : std::nullopt;
+}
+
 void add_rows(const GainField& field, const std::vector<NamedGains>& sets,
               const std::vector<std::string>& joints, std::vector<Row>& rows) {
-  const auto parts = field.is_number() ? component_names(field, joints) : std::vector<std::string>{""};
+  const auto parts = parts_of(field, sets, joints);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Row row{parts[i].empty() ? field.name : fmt::format("{}/{}", field.name, parts[i]), field.unit, {}, {}};
     for (const auto& [name, gains] : sets) {
       const GainField* own = find(gains, field.name);
       std::optional<double> number;
-      if (own != nullptr && own->is_number()) {
-        const auto values = numbers(gains, *own);
-        if (i < values.size()) number = values[i];
-      }
+      if (own != nullptr && own->is_number()) number = number_at(gains, *own, i, parts.size(), joints.size());
       row.number.push_back(number);
       const bool is_switch = own != nullptr && !own->is_number();
       row.text.push_back(is_switch ? field_text(gains, *own) : number ? fmt::format("{:.6g}", *number) : "-");

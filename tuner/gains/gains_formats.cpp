@@ -37,7 +37,7 @@ std::vector<std::string> header_of(const GainsFile& file) {
 }
 
 GainsKeys keys_of(const GainsFile& file, GainsFormat format) {
-  if (format == GainsFormat::kRos2) return {file.node.empty() ? "/**" : file.node, "ros__parameters"};
+  if (format == GainsFormat::kRos2) return {file.node.empty() ? "/**" : file.node, kRos2Parameters};
   return file.node.empty() ? kPublishedKeys : GainsKeys{file.node};
 }
 
@@ -54,7 +54,7 @@ std::string gains_csv(const GainsFile& file) {
       continue;
     }
     const auto values = numbers(file.gains, field);
-    const auto components = component_names(field, file.joints);
+    const auto components = component_names(file.gains, field, file.joints);
     for (std::size_t i = 0; i < values.size(); ++i)
       row(field.name, components[i], cell(values[i]), field.unit, field.meaning);
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/study/parameter.hpp"
@@ -23,7 +22,7 @@ std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vecto
   // The sets of a run have one controller.
   const auto first = std::find_if(sets.begin(), sets.end(), [](const auto& set) { return set.has_value(); });
   if (first == sets.end()) return {};
-  const auto entries = gain_entries(fields_of(**first), joints);
+  const auto entries = gain_entries(**first, joints);
   std::vector<Gain> gains;
   for (const StudyGain& g : tuned) {
     const auto found =

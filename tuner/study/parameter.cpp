@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
 
 namespace armtune {
 namespace {
@@ -26,21 +27,26 @@ double from_coordinate(const Parameter& p, double coordinate) {
 
 }  // namespace
 
-std::vector<GainEntry> gain_entries(const std::vector<GainField>& fields,
-                                    const std::vector<std::string>& joints) {
+std::vector<GainEntry> gain_entries(const Gains& gains, const std::vector<std::string>& joints) {
   std::vector<GainEntry> entries;
-  for (const GainField& field : fields) {
-    if (!field.is_number()) continue;
-    const auto components = component_names(field, joints);
+  for (const GainField& field : fields_of(gains)) {
+    const std::size_t count = numbers(gains, field).size();
+    if (count == 0) continue;
+    const auto components = component_names(gains, field, joints);
     for (std::size_t i = 0; i < components.size(); ++i) {
-      entries.push_back({&field, i, components[i].empty() ? field.name : field.name + ("/" + components[i])});
+      entries.push_back(
+          {&field, i, count, components[i].empty() ? field.name : field.name + ("/" + components[i])});
     }
   }
   return entries;
 }
 
+bool is_named(const GainEntry& entry, const std::string& name) {
+  return entry.name == name || entry.name.starts_with(name + "/");
+}
+
 bool has(const Gains& gains, const GainEntry& entry) {
-  return entry.component < numbers(gains, *entry.field).size();
+  return numbers(gains, *entry.field).size() == entry.count;
 }
 
 double& value(Gains& gains, const GainEntry& entry) {

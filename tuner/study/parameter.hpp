@@ -14,14 +14,20 @@ enum class Scale { kLog, kLinear };
 struct GainEntry {
   const GainField* field = nullptr;
   std::size_t component = 0;
-  std::string name;  ///< "task_space_gains_p/rx", "slerpDurationErrorGain"
+  std::size_t count = 0;  ///< how many numbers the field has
+  std::string name;       ///< "task_space_gains_p/rx", "slerpDurationErrorGain"
 };
 
-/// All numbers of the fields on an arm with these joints, in the order of the fields, which outlive them.
-std::vector<GainEntry> gain_entries(const std::vector<GainField>& fields,
-                                    const std::vector<std::string>& joints);
+/// All numbers that a gain set of an arm with these joints has, in the order of its controller's fields,
+/// which outlive them.
+std::vector<GainEntry> gain_entries(const Gains& gains, const std::vector<std::string>& joints);
 
-/// Whether a gain set has that number: fields that a file may leave out can be empty.
+/// True if a name stands for the entry: the entry's own, or that of a gain or of a force point that the entry
+/// is a part of ("task_space_gains_p", "force_control_gains/elbow_joint").
+bool is_named(const GainEntry& entry, const std::string& name);
+
+/// True if a gain set has that number: fields that a file may leave out can be empty, and those of forces
+/// have two forms (core/control/force_gains.hpp).
 bool has(const Gains& gains, const GainEntry& entry);
 double& value(Gains& gains, const GainEntry& entry);
 double value(const Gains& gains, const GainEntry& entry);

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/common/nearest.hpp"
-#include "core/control/laws/controller_kind.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune {
@@ -18,7 +17,7 @@ std::vector<GainEntry> find_entries(const yaml::Node& node, const std::vector<Ga
   std::vector<GainEntry> found;
   std::vector<std::string> names;
   for (const GainEntry& entry : all) {
-    if (entry.name == name || entry.field->name == name) found.push_back(entry);
+    if (is_named(entry, name)) found.push_back(entry);
     if (names.empty() || names.back() != entry.field->name) names.emplace_back(entry.field->name);
     names.push_back(entry.name);
   }
@@ -103,8 +102,7 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std:
                           bool orientation) {
   ParameterSpace space;
   space.start = start;
-  auto all = gain_entries(fields_of(start), joints);
-  std::erase_if(all, [&start](const GainEntry& entry) { return !has(start, entry); });
+  const auto all = gain_entries(start, joints);
   if (node == nullptr) {
     for (const GainEntry& entry : all) {
       // Factors on a gain that is zero, and so switched off, are none.

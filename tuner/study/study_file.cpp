@@ -203,7 +203,7 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
     study.constraints = read_constraints(*node, study.scenarios);
   }
   if (const yaml::Node* node = map.optional("sweep"); node != nullptr && !another) {
-    study.sweep = read_sweep(*node, gain_entries(fields_of(start), joints), study.space);
+    study.sweep = read_sweep(*node, gain_entries(start, joints), study.space);
   }
   if (const yaml::Node* node = map.optional("robust")) study.robust = read_samples(*node, study.scenarios);
   if (study.robust && study.robust->measure != RiskMeasure::kWorst && !study.constraints.empty()) {

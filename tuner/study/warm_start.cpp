@@ -22,7 +22,7 @@ std::vector<bool> given(const ParameterSpace& space, const std::vector<std::stri
     for (std::size_t i = 0; i < space.free.size(); ++i) {
       const GainEntry& entry = space.free[i].entry;
       tuned.push_back(entry.name);
-      if (entry.name != name && entry.field->name != name) continue;
+      if (!is_named(entry, name)) continue;
       chosen[i] = true;
       found = true;
     }
@@ -66,7 +66,7 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     if (!has(warm.gains, entry)) {
       throw InputError(
           fmt::format("{}: no {}, which this study tunes; add it there, or name the gains to take from there",
-                      warm.source, entry.field->name));
+                      warm.source, entry.name));
     }
     value(there, entry) = value(warm.gains, entry);
   }

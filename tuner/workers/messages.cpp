@@ -43,6 +43,23 @@ void add_gains(ByteWriter& writer, const Gains& gains) {
   }
 }
 
+/// Gives a field whose size depends on the arm `count` numbers.
+void make_room(Gains& gains, const GainField& field, std::uint64_t count) {
+  const auto resize = [&](auto& values) {
+    if (count > static_cast<std::uint64_t>(std::remove_cvref_t<decltype(values)>::MaxRowsAtCompileTime)) {
+      throw std::runtime_error(fmt::format("a message's {} has {} numbers", field.name, count));
+    }
+    values.resize(static_cast<Eigen::Index>(count));
+  };
+  if (const auto* joints = std::get_if<JointVector Gains::*>(&field.member)) {
+    resize(gains.**joints);
+  } else if (const auto* forces = std::get_if<ForceGains Gains::*>(&field.member)) {
+    resize(gains.**forces);
+  } else if (std::holds_alternative<OwnGain>(field.member)) {
+    resize(gains.own.emplace_back());
+  }
+}
+
 Gains read_gains(ByteReader& reader) {
   Gains gains;
   become(gains, reader.text(), 0);
@@ -58,15 +75,7 @@ Gains read_gains(ByteReader& reader) {
       }
       continue;
     }
-    const auto* joints = std::get_if<JointVector Gains::*>(&field.member);
-    const bool own = std::holds_alternative<OwnGain>(field.member);
-    if (joints != nullptr || own) {
-      if (first > static_cast<std::uint64_t>(kMaxJoints)) {
-        throw std::runtime_error(fmt::format("a message's {} has {} numbers", field.name, first));
-      }
-      JointVector& sized = own ? gains.own.emplace_back() : gains.**joints;
-      sized.resize(static_cast<Eigen::Index>(first));
-    }
+    make_room(gains, field, first);
     const auto values = numbers(gains, field);
     if (values.size() != first) {
       throw std::runtime_error(

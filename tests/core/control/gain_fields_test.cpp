@@ -112,6 +112,22 @@ TEST(GainFields, AWrongNumberOfJointGainsIsRefusedWithBothNumbers) {
       AllOf(HasSubstr("force_control_gains has 5 values"), HasSubstr("needs 6"), HasSubstr("wrist_3_joint")));
 }
 
+TEST(GainFields, GainsOfForcesAreOnePerForcePointOrOnePerForcePointAndJoint) {
+  const auto with = [](Eigen::Index count) {
+    return [count](Gains& gains) { gains.force_control_gains = ForceGains::Ones(count); };
+  };
+  EXPECT_EQ(refusal_of(with(6)), "nothing was refused");
+  EXPECT_EQ(refusal_of(with(36)), "nothing was refused");
+  for (const Eigen::Index count : {0, 1, 12, 35, 37}) {
+    EXPECT_THAT(refusal_of(with(count)), HasSubstr("force_control_gains")) << count;
+  }
+  EXPECT_THAT(refusal_of([](Gains& gains) {
+                gains.force_control_gains = ForceGains::Ones(36);
+                gains.force_control_gains[2 * 6 + 1] = -2.0;
+              }),
+              HasSubstr("force_control_gains/elbow_joint/shoulder_lift_joint is -2"));
+}
+
 TEST(GainFields, ReleaseRadiusIsZeroOrAtLeastTheInfluenceRadius) {
   EXPECT_EQ(refusal_of([](Gains& gains) { gains.release_radius = gains.obstacleInfluenceRadius; }),
             "nothing was refused");

@@ -24,7 +24,7 @@ using test::WorstError;
 constexpr double kRadius = 0.325;
 
 JointVector torque(const Chain& chain, const Poses& poses, const std::vector<Obstacle>& obstacles,
-                   const JointVector& force_gains) {
+                   const ForceGains& force_gains) {
   JointVector tau;
   obstacle_torque(chain, poses, obstacles, kRadius, force_gains, tau);
   return tau;
@@ -148,6 +148,49 @@ TEST(ObstacleTorque, OfSeveralObstaclesIsTheSum) {
       for (const Obstacle& o : obstacles) sum += torque(chain, poses, {o}, gains);
       worst.compare(torque(chain, poses, obstacles, gains), sum, arm.name, 1.0);
     }
+  }
+}
+
+// Equation 9: k_f,i multiplies the torques of force point i joint by joint.
+TEST(ObstacleTorque, ListsOfEqualGainsHaveTheBitsOfOneNumberPerForcePoint) {
+  std::mt19937 generator(517);
+  for (const RobotModel& arm : test::all_arms()) {
+    const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
+    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
+    const JointVector gains = test::random_vector(generator, arm.n(), 100.0).cwiseAbs();
+    ForceGains lists(arm.n() * arm.n());
+    for (int i = 0; i < arm.n(); ++i) lists.segment(i * arm.n(), arm.n()).setConstant(gains[i]);
+    for (const Chain& chain : {arm.chain, with_links(arm.chain, generator)}) {
+      const JointVector tau = torque(chain, poses, obstacles, gains);
+      EXPECT_GT(tau.norm(), 0.0) << arm.name;
+      EXPECT_EQ(torque(chain, poses, obstacles, lists), tau) << arm.name;
+    }
+  }
+}
+
+TEST(ObstacleTorque, AGainOfOneForcePointAndJointActsOnThatJointAloneWithThatPointsTorque) {
+  std::mt19937 generator(518);
+  for (const RobotModel& arm : test::all_arms()) {
+    const int n = arm.n();
+    const Poses poses = test::poses_at(arm.chain, test::random_configuration(generator, arm));
+    const std::vector<Obstacle> obstacles = random_obstacles(generator, poses);
+    int acting = 0;
+    for (const Chain& chain : {arm.chain, with_links(arm.chain, generator)}) {
+      for (int point = 0; point < n; ++point) {
+        JointVector one = JointVector::Zero(n);
+        one[point] = 37.0;
+        const JointVector of_point = torque(chain, poses, obstacles, one);
+        for (int joint = 0; joint < n; ++joint) {
+          ForceGains single = ForceGains::Zero(n * n);
+          single[point * n + joint] = 37.0;
+          JointVector expected = JointVector::Zero(n);
+          expected[joint] = of_point[joint];
+          EXPECT_EQ(torque(chain, poses, obstacles, single), expected) << arm.name << point << joint;
+          acting += expected[joint] != 0.0 ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(acting, 0) << arm.name;
   }
 }
 

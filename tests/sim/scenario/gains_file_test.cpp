@@ -162,6 +162,49 @@ TEST_F(GainsFile, AWrongCountOfGainsIsRefused) {
               HasSubstr("slerpDurationErrorGain"));
 }
 
+/// "[first, first + 1, ...]".
+std::string list_from(int first) {
+  std::string text;
+  for (int i = 0; i < 6; ++i) text += (i > 0 ? ", " : "[") + std::to_string(first + i);
+  return text + "]";
+}
+
+TEST_F(GainsFile, AForcePointMayHaveAGainForEveryJoint) {
+  const std::string key = "force_control_gains: ";
+  const std::string scalar = key + "[100, 4000, 100, 2000, 1500, 100]";
+  std::string lists, named, flat;
+  for (int i = 0; i < 6; ++i) {
+    lists += (i > 0 ? ", " : "[") + list_from(10 * i);
+    named += (i > 0 ? ", " : "{") + kJoints[static_cast<std::size_t>(i)] + ": " + list_from(10 * i);
+    flat += (i > 0 ? ", " : "[") + list_from(10 * i).substr(1, list_from(10 * i).size() - 2);
+  }
+  const auto with = [&](const std::string& value) {
+    std::string text = kRosParameters;
+    text.replace(text.find(scalar), scalar.size(), key + value);
+    return load(text);
+  };
+  for (const std::string& value : {lists + "]", named + "}", flat + "]"}) {
+    const Gains gains = with(value);
+    ASSERT_EQ(gains.force_control_gains.size(), 36) << value;
+    for (int point = 0; point < 6; ++point) {
+      for (int joint = 0; joint < 6; ++joint) {
+        EXPECT_EQ(force_gain(gains.force_control_gains, 6, point, joint), 10 * point + joint) << value;
+      }
+    }
+    const Gains back = load(gains_yaml(gains, {}));
+    EXPECT_EQ(back.force_control_gains, gains.force_control_gains);
+    EXPECT_EQ(load(gains_yaml(gains, {}, {"node", kRos2Parameters})).force_control_gains,
+              gains.force_control_gains);
+  }
+  EXPECT_THAT(refused(scalar, key + "[" + list_from(0) + ", 1, 1, 1, 1, 1]"),
+              AllOf(HasSubstr("force_control_gains/1"), HasSubstr("every force point")));
+  EXPECT_THAT(refused(scalar, key + "[" + list_from(0) + ", " + list_from(0) + "]"),
+              AllOf(HasSubstr("force_control_gains"), HasSubstr("2"), HasSubstr("6")));
+  EXPECT_THAT(refused(scalar, key + "[1, 2]"), HasSubstr("2 entries"));
+  EXPECT_THAT(refused(scalar, key + named.substr(0, named.rfind(", wrist_3")) + "}"),
+              HasSubstr("wrist_3_joint"));
+}
+
 TEST_F(GainsFile, AnUnknownKeyIsRefusedWithTheNearest) {
   EXPECT_THAT(refused("  obstacleInfluenceRadius", "  adaptation_gian: 1\n  obstacleInfluenceRadius"),
               AllOf(HasSubstr("adaptation_gian"), HasSubstr("did you mean 'adaptation_gain'")));

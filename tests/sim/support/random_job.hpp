@@ -107,6 +107,8 @@ inline Job whole_job(int n, unsigned seed, bool with_prismatic) {
   gains.slerp_start_angle = 0.03;
   gains.obstacleInfluenceRadius = 0.1;
   gains.force_control_gains.setConstant(20.0);
+  // Every second one has a gain for each force point and joint.
+  if (seed % 2 == 1) gains.force_control_gains = ForceGains::LinSpaced(n * n, 10.0, 30.0);
   // On the far side of that joint from the base, so that nothing else is as close.
   const Vec3 joint = poses.p_0B[static_cast<std::size_t>(n - 1)];
   const Vec3 out = joint.normalized();

@@ -53,6 +53,22 @@ TEST_F(GainsDifference, SeesTheLastBit) {
               testing::StartsWith("the same in all"));
 }
 
+TEST_F(GainsDifference, OneNumberPerForcePointIsTheSameAsAListOfEqualOnes) {
+  Gains lists = published_;
+  lists.force_control_gains.resize(36);
+  for (Eigen::Index i = 0; i < 6; ++i)
+    lists.force_control_gains.segment(6 * i, 6).setConstant(published_.force_control_gains[i]);
+  EXPECT_THAT(gains_difference({{"numbers", published_}, {"lists", lists}}, joints_),
+              testing::StartsWith("the same in all"));
+  lists.force_control_gains[2 * 6 + 1] *= 3.0;
+  for (const auto& [first, second, ratio] :
+       {std::tuple(published_, lists, "100 +300 +3\n"), std::tuple(lists, published_, "300 +100 +0\\.333")}) {
+    EXPECT_THAT(
+        gains_difference({{"a", first}, {"b", second}}, joints_),
+        ContainsRegex(std::string("force_control_gains/elbow_joint/shoulder_lift_joint +N +") + ratio));
+  }
+}
+
 TEST_F(GainsDifference, AGainThatAControllerHasNotIsADash) {
   const Gains other = controlled_by(controller_kind("joint_pd"), published_, robot_,
                                     in_si(robot_, published_.joint_space_goal));

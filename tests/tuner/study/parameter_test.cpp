@@ -25,7 +25,7 @@ class Parameters : public testing::Test {
   }
 
   GainEntry entry(const std::string& name) const {
-    for (const GainEntry& e : gain_entries(gain_fields(), joints_)) {
+    for (const GainEntry& e : gain_entries(space_.start, joints_)) {
       if (e.name == name) return e;
     }
     ADD_FAILURE() << "no gain " << name;
@@ -48,13 +48,32 @@ class Parameters : public testing::Test {
 
 TEST_F(Parameters, EveryNumberOfEveryFieldHasAnEntryOfItsOwn) {
   Gains gains = space_.start;
-  const auto entries = gain_entries(gain_fields(), joints_);
+  const auto entries = gain_entries(space_.start, joints_);
   for (std::size_t i = 0; i < entries.size(); ++i) value(gains, entries[i]) = 1000.0 + static_cast<double>(i);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     EXPECT_EQ(value(gains, entries[i]), 1000.0 + static_cast<double>(i)) << entries[i].name;
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(entries[i].name, entries[j].name);
   }
   EXPECT_EQ(gains.task_space_gains_d[5], value(gains, entry("task_space_gains_d/wrist_3_joint")));
+}
+
+TEST_F(Parameters, AForceGainOfEachJointIsAnEntryAndTheOtherFormHasNone) {
+  Gains lists = space_.start;
+  lists.force_control_gains = ForceGains::LinSpaced(36, 1.0, 36.0);
+  std::size_t of_elbow = 0;
+  std::size_t of_forces = 0;
+  for (const GainEntry& e : gain_entries(lists, joints_)) {
+    of_elbow += is_named(e, "force_control_gains/elbow_joint") ? 1 : 0;
+    of_forces += is_named(e, "force_control_gains") ? 1 : 0;
+    EXPECT_TRUE(has(lists, e)) << e.name;
+    EXPECT_EQ(has(space_.start, e), !is_named(e, "force_control_gains")) << e.name;
+    if (e.name == "force_control_gains/elbow_joint/shoulder_lift_joint") {
+      EXPECT_EQ(value(lists, e), 2 * 6 + 1 + 1);
+    }
+  }
+  EXPECT_EQ(of_elbow, 6U);
+  EXPECT_EQ(of_forces, 36U);
+  EXPECT_FALSE(has(lists, entry("force_control_gains/elbow_joint")));
 }
 
 TEST_F(Parameters, TheUnitBoxSpansTheBoundsOnEachScale) {

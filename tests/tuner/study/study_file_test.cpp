@@ -166,6 +166,29 @@ TEST(StudyFile, AFieldNameStandsForAllItsNumbers) {
   EXPECT_EQ(parameters_study("parameters:\n  - {name: task_space_gains_d}\n").space.free.size(), 6U);
 }
 
+TEST(StudyFile, SelectsForceGainsInEitherForm) {
+  const ShortStudy files("parameters:\n  - {name: force_control_gains}\n");
+  EXPECT_EQ(load_study(files.path()).space.free.size(), 6U);
+  Gains lists = load_study(files.path()).space.start;
+  lists.force_control_gains = ForceGains::LinSpaced(36, 1.0, 36.0);
+  files.write("lists.yaml", gains_yaml(lists, {}));
+  const auto selected = [&](const std::string& name) {
+    std::string text = test::read_text(files.path());
+    const auto at = text.find("gains: ");
+    text.replace(at, text.find('\n', at) - at, "gains: lists.yaml");
+    text.replace(text.find("{name: force_control_gains}"), 27, "{name: " + name + "}");
+    return load_study(files.write("selected.yaml", text)).space;
+  };
+  EXPECT_EQ(selected("force_control_gains").free.size(), 36U);
+  EXPECT_EQ(selected("force_control_gains/elbow_joint").free.size(), 6U);
+  const ParameterSpace one = selected("force_control_gains/elbow_joint/shoulder_lift_joint");
+  ASSERT_EQ(one.free.size(), 1U);
+  const Gains high = one.gains_at({1.0});
+  for (Eigen::Index i = 0; i < 36; ++i) {
+    EXPECT_EQ(high.force_control_gains[i] != lists.force_control_gains[i], i == 2 * 6 + 1) << i;
+  }
+}
+
 TEST(StudyFile, UnknownNamesAreRefusedWithTheNearest) {
   EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gain_p/rx}\n"),
               AllOf(HasSubstr("is no gain"), HasSubstr("did you mean 'task_space_gains_p/rx'")));

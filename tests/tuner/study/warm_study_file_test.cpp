@@ -117,7 +117,7 @@ TEST_F(WarmStudyFile, ReadsBackFromItsResolvedFormWithTheGainsKeptBesideIt) {
 TEST_F(WarmStudyFile, ATunedGainThatTheWarmGainsLeaveOutIsRefusedUnlessOthersAreNamed) {
   const Study study = load_study(files_.path());
   ParameterSpace space = study.space;
-  for (const GainEntry& entry : gain_entries(gain_fields(), joint_names(*study.scenarios[0].robot))) {
+  for (const GainEntry& entry : gain_entries(study.space.start, joint_names(*study.scenarios[0].robot))) {
     if (std::string(entry.field->name) == "joint_space_goal" && entry.component == 0)
       space.free.push_back({entry, value(space.start, entry), -180.0, 180.0, Scale::kLinear});
   }

@@ -30,6 +30,7 @@ NumberedJob some_job() {
   double next = 0.1;
   for (const GainField& field : gain_fields()) {
     if (const auto* joints = std::get_if<JointVector Gains::*>(&field.member)) (gains.**joints).setZero(6);
+    if (const auto* forces = std::get_if<ForceGains Gains::*>(&field.member)) (gains.**forces).setZero(36);
     if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) gains.** flag = !(gains.**flag);
     for (double& value : numbers(gains, field)) value = next += 1.0 / 3.0;
   }
