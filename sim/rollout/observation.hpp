@@ -25,7 +25,9 @@ struct Observation {
   Vec6 error_rate = Vec6::Zero();  ///< (v - vd, w - wd); likewise
   double gaze_angle = 0.0;         ///< [rad]
   double clearance = 0.0;          ///< of joint origins and tool, or of links [m], infinite without obstacles
-  double compensation_error = 0.0;  ///< |Y (theta_hat - theta)| [N m]
+  /// |Y (theta_hat - theta)| [N m]: theta_hat after this period's step of the adaptation, theta of the
+  /// simulated arm with payload and friction, Y along the true motion and the references.
+  double compensation_error = 0.0;
 
   ToolAim aim() const { return {target_motion, orientation, mask == TaskMask::kPositionAndAxis}; }
 };
