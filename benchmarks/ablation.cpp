@@ -1,96 +1,28 @@
 // What each option of the controller is worth: published, each option alone, all together, all tuned, and all
-// tuned with each option taken away, over the ideal and the realistic scenarios, against the published gains
-// and law under the same conditions. Then the factors asked of the tuned law, one by one.
+// tuned with each option taken away, over the ideal and the realistic scenarios and one with a noisy camera.
+// Every comparison is of two gain sets in the same scenario, with the same noise, from the same theta: once
+// from the one that the scenario names, once from the identified one. What the identified theta gives by
+// itself is printed apart. Then the factors asked of the tuned law, one by one.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "benchmarks/ablation_runs.hpp"
 #include "core/common/error.hpp"
-#include "core/control/gain_fields.hpp"
 #include "sim/csv/text_file.hpp"
-#include "sim/rollout/rollout.hpp"
-#include "sim/scenario/gains_file.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/workers/parallel.hpp"
 
 namespace {
 
 using namespace armtune;
-
-/// An option of the controller: the fields of a gains file that switch it on and set it.
-struct Option {
-  const char* name;
-  std::vector<std::string> fields;
-};
-
-const std::vector<Option>& options() {
-  static const std::vector<Option> all = {
-      {"gaze feed-forward", {"gaze_feedforward", "slerp_start_angle"}},
-      {"moving joint goal", {"joint_goal_follows_task", "joint_trajectory_duration"}},
-      {"governor and barrier", {"velocity_margin", "velocity_barrier_start", "velocity_barrier_gain"}},
-      {"variable damping", {"variable_damping"}},
-      {"adaptation",
-       {"adaptation_gain", "adaptation_leakage", "adaptation_inertia_leakage", "adaptation_filter",
-        "adaptation_projection", "adapt_while_avoiding"}},
-  };
-  return all;
-}
-
-/// `to` with one option's fields as they are in `from`.
-Gains with_option(Gains to, const Gains& from, const Option& option) {
-  for (const GainField& field : gain_fields()) {
-    if (std::find(option.fields.begin(), option.fields.end(), field.name) == option.fields.end()) continue;
-    std::visit(
-        [&](auto member) {
-          if constexpr (!std::is_same_v<decltype(member), OwnGain>) to.*member = from.*member;
-        },
-        field.member);
-  }
-  return to;
-}
-
-struct Variant {
-  std::string name;
-  Gains gains;
-  bool identified;  ///< theta starts from identification instead of from where the published runs start it
-};
-
-std::vector<Variant> variants(const std::vector<std::string>& joints, const std::string& tuned_gains) {
-  const Gains published = load_gains("published", joints);
-  const Gains extended = load_gains("extended", joints);
-  const Gains tuned = load_gains(tuned_gains, joints);
-  std::vector<Variant> all = {{"published", published, false}, {"identified theta", published, true}};
-  for (const Option& option : options()) {
-    all.push_back({option.name, with_option(published, extended, option), false});
-  }
-  all.push_back({"all together", extended, true});
-  all.push_back({"all tuned", tuned, true});
-  all.push_back({"all tuned, published theta", tuned, false});
-  for (const Option& option : options()) {
-    all.push_back(
-        {fmt::format("all tuned, no {}", option.name), with_option(tuned, published, option), true});
-  }
-  return all;
-}
-
-const std::vector<std::string>& scenario_names() {
-  static const std::vector<std::string> names = {"fixed_target",
-                                                 "moving_target",
-                                                 "target_switch",
-                                                 "obstacle_pass",
-                                                 "realistic_fixed_target",
-                                                 "realistic_moving_target",
-                                                 "realistic_target_switch",
-                                                 "realistic_obstacle_pass"};
-  return names;
-}
 
 /// At least, or for a bound at most.
 struct Demand {
@@ -113,43 +45,26 @@ const std::vector<Demand>& demands() {
 }
 constexpr double kLargestVelocityRatio = 0.9;
 
-using Results = std::vector<std::vector<RolloutResult>>;  ///< [variant][scenario]
-
-Results simulate_all(const std::vector<Variant>& all, int workers) {
-  const auto& names = scenario_names();
-  Results results(all.size(), std::vector<RolloutResult>(names.size()));
-  const std::atomic<bool> never{false};
-  std::atomic<std::size_t> done{0};
-  const std::size_t jobs = all.size() * names.size();
-  parallel_for(jobs, workers, never, [&](std::size_t, std::size_t job) {
-    const Variant& variant = all[job / names.size()];
-    const std::size_t s = job % names.size();
-    Rollout rollout(load_scenario((variant.identified ? "identified_" : "") + names[s]), Stepper::kMidpoint);
-    results[job / names.size()][s] = rollout.run(variant.gains);
-    fmt::print(stderr, "\r{} of {} rollouts", ++done, jobs);
-  });
-  fmt::print(stderr, "\n");
-  return results;
-}
-
-/// Geometric mean over scenarios first .. last of published / variant; NaN where a rollout did not complete.
-double mean_factor(const Results& results, std::size_t v, Metric m, std::size_t first, std::size_t last) {
+/// Geometric mean over scenarios first .. last of published / variant at the same theta; NaN where a rollout
+/// did not complete.
+double mean_factor(const Results& results, std::size_t v, Theta theta, Metric m, std::size_t first,
+                   std::size_t last) {
   double sum = 0.0;
   int count = 0;
   for (std::size_t s = first; s <= last; ++s) {
-    if (results[v][s].status != RolloutStatus::kCompleted) return NAN;
-    const double factor = results[0][s].metrics[m] / results[v][s].metrics[m];
-    if (!std::isfinite(factor) || factor <= 0.0) continue;
-    sum += std::log(factor);
+    if (results[v][theta][s].status != RolloutStatus::kCompleted) return NAN;
+    const double ratio = factor(results[0][theta][s], results[v][theta][s], m);
+    if (std::isnan(ratio)) continue;
+    sum += std::log(ratio);
     ++count;
   }
   return count > 0 ? std::exp(sum / count) : NAN;
 }
 
-double largest_velocity(const Results& results, std::size_t v, std::size_t first, std::size_t last) {
+double largest_velocity(const std::vector<RolloutResult>& results, std::size_t first, std::size_t last) {
   double largest = 0.0;
   for (std::size_t s = first; s <= last; ++s) {
-    largest = std::max(largest, results[v][s].metrics[Metric::kJointVelocityMaxRatio]);
+    largest = std::max(largest, results[s].metrics[Metric::kJointVelocityMaxRatio]);
   }
   return largest;
 }
@@ -158,13 +73,15 @@ std::string cell(double factor) {
   return std::isfinite(factor) ? fmt::format("{:.2f}", factor) : "diverged";
 }
 
-void print_ablation(const std::vector<Variant>& all, const Results& results) {
+void print_ablation(const std::vector<Variant>& all, const Results& results, Theta theta) {
   fmt::print(
+      "Theta of every row: {}.\n"
       "Published error over error (geometric mean over four scenarios), published effort rate over effort "
       "rate,\n"
-      "reacquisition time as a share of the published one, largest |q'| over its limit.\n\n");
-  fmt::print("{:<36}{:^50}{:^50}\n", "", "ideal arm", "realistic arm");
-  fmt::print("{:<36}", "");
+      "reacquisition time as a share of the published one, largest |q'| over its limit.\n\n",
+      theta == kIdentified ? "identified in logs"
+                           : "as the scenario says, 0 (ideal arm) or 0.8 of the model");
+  fmt::print("{:<36}{:^50}{:^50}\n{:<36}", "", "ideal arm", "realistic arm", "");
   for (int i = 0; i < 2; ++i) {
     fmt::print("{:>10}{:>10}{:>10}{:>10}{:>10}", "position", "gaze", "effort", "reacq.", "velocity");
   }
@@ -172,67 +89,108 @@ void print_ablation(const std::vector<Variant>& all, const Results& results) {
   for (std::size_t v = 0; v < all.size(); ++v) {
     fmt::print("{:<36}", all[v].name);
     for (const std::size_t first : {std::size_t{0}, std::size_t{4}}) {
-      fmt::print("{:>10}{:>10}{:>10}{:>10}{:>10.2f}",
-                 cell(mean_factor(results, v, Metric::kPositionMax, first, first + 3)),
-                 cell(mean_factor(results, v, Metric::kOrientationMax, first, first + 3)),
-                 cell(mean_factor(results, v, Metric::kEffortRateRms, first, first + 3)),
-                 cell(1.0 / mean_factor(results, v, Metric::kReacquisitionTime, first + 2, first + 2)),
-                 largest_velocity(results, v, first, first + 3));
+      const auto mean = [&](Metric m) { return mean_factor(results, v, theta, m, first, first + 3); };
+      fmt::print("{:>10}{:>10}{:>10}{:>10}{:>10.2f}", cell(mean(Metric::kPositionMax)),
+                 cell(mean(Metric::kOrientationMax)), cell(mean(Metric::kEffortRateRms)),
+                 cell(1.0 / mean_factor(results, v, theta, Metric::kReacquisitionTime, first + 2, first + 2)),
+                 largest_velocity(results[v][theta], first, first + 3));
     }
     fmt::print("\n");
   }
 }
 
-/// One line per demand and scenario; how many are missed.
-int print_demands(const Results& results, std::size_t tuned) {
+constexpr std::array kTableMetrics = {Metric::kOrientationMax, Metric::kPositionMax};
+
+/// The comparison as docs/comparisons.md has it: what the law gives from either theta, and what theta gives.
+std::string table(const Results& results, std::size_t tuned) {
+  std::string text =
+      "| scenario | theta of both | error | published | extended, tuned | times smaller "
+      "|\n|---|---|---|---|---|---|\n";
+  for (std::size_t s = 0; s < kScenarios.size(); ++s) {
+    for (const Theta theta : kThetas) {
+      for (const Metric m : kTableMetrics) {
+        const RolloutResult& before = results[0][theta][s];
+        const RolloutResult& now = results[tuned][theta][s];
+        text += fmt::format("| `{}` | {} | {} [{}] | {:.3g} | {:.3g} | {:.3g} |\n", kScenarios[s],
+                            kThetaNames[theta], name(m), field(m).unit, before.metrics[m], now.metrics[m],
+                            factor(before, now, m));
+      }
+    }
+  }
+  text +=
+      "\n| scenario | gains | error | theta of the scenario | identified theta | times smaller |\n"
+      "|---|---|---|---|---|---|\n";
+  for (std::size_t s = 0; s < kScenarios.size(); ++s) {
+    for (const auto& [gains, v] :
+         {std::pair("published", std::size_t{0}), std::pair("extended, tuned", tuned)}) {
+      for (const Metric m : kTableMetrics) {
+        const RolloutResult& before = results[v][kOfScenario][s];
+        const RolloutResult& now = results[v][kIdentified][s];
+        text +=
+            fmt::format("| `{}` | {} | {} [{}] | {:.3g} | {:.3g} | {:.3g} |\n", kScenarios[s], gains, name(m),
+                        field(m).unit, before.metrics[m], now.metrics[m], factor(before, now, m));
+      }
+    }
+  }
+  return text;
+}
+
+void print_demand(std::size_t s, const char* what, double before, double now, const std::string& ratio,
+                  double asked, bool met) {
+  fmt::print("{:<28}{:<28}{:>12.4g}{:>12.4g}{:>10}{:>10.3g}{}\n", kScenarios[s], what, before, now, ratio,
+             asked, met ? "" : "  missed");
+}
+
+/// One line per demand and scenario, both gain sets from identified theta; how many are missed.
+int print_demands(const std::vector<RolloutResult>& published, const std::vector<RolloutResult>& tuned) {
   int missed = 0;
-  const auto completed = [&](std::size_t s) { return results[tuned][s].status == RolloutStatus::kCompleted; };
+  const auto completed = [&](std::size_t s) { return tuned[s].status == RolloutStatus::kCompleted; };
   fmt::print(
-      "\nAll tuned, one gain set for all scenarios, against "
-      "published:\n\n{:<28}{:<28}{:>12}{:>12}{:>10}{:>10}\n",
+      "\nAll tuned, one gain set for all scenarios, against published, both from identified theta:\n\n"
+      "{:<28}{:<28}{:>12}{:>12}{:>10}{:>10}\n",
       "scenario", "metric", "published", "now", "factor", "asked");
   for (const Demand& demand : demands()) {
     for (std::size_t s = demand.first_scenario; s <= demand.last_scenario; ++s) {
-      const double before = results[0][s].metrics[demand.metric];
-      const double now = results[tuned][s].metrics[demand.metric];
-      const bool met = completed(s) && before / now >= demand.factor;
+      const double ratio = factor(published[s], tuned[s], demand.metric);
+      const bool met = ratio >= demand.factor;
       missed += met ? 0 : 1;
-      fmt::print("{:<28}{:<28}{:>12.4g}{:>12.4g}{:>10.2f}{:>10.2f}{}\n", scenario_names()[s],
-                 name(demand.metric), before, now, before / now, demand.factor, met ? "" : "  missed");
+      print_demand(s, name(demand.metric), published[s].metrics[demand.metric],
+                   tuned[s].metrics[demand.metric], fmt::format("{:.2f}", ratio), demand.factor, met);
     }
   }
-  for (std::size_t s = 0; s < scenario_names().size(); ++s) {
-    const double ratio = results[tuned][s].metrics[Metric::kJointVelocityMaxRatio];
+  for (std::size_t s = 0; s < kCamera; ++s) {
+    const double ratio = tuned[s].metrics[Metric::kJointVelocityMaxRatio];
     const bool met = completed(s) && ratio <= kLargestVelocityRatio;
     missed += met ? 0 : 1;
-    fmt::print("{:<28}{:<28}{:>12.4g}{:>12.4g}{:>10}{:>10.2f}{}\n", scenario_names()[s],
-               "joint_velocity/max_ratio", results[0][s].metrics[Metric::kJointVelocityMaxRatio], ratio,
-               "at most", kLargestVelocityRatio, met ? "" : "  missed");
+    print_demand(s, name(Metric::kJointVelocityMaxRatio),
+                 published[s].metrics[Metric::kJointVelocityMaxRatio], ratio, "at most",
+                 kLargestVelocityRatio, met);
   }
-  for (std::size_t s = 0; s < scenario_names().size(); ++s) {
-    const double before = results[0][s].metrics[Metric::kObstacleMinClearance];
-    const double now = results[tuned][s].metrics[Metric::kObstacleMinClearance];
+  for (std::size_t s = 0; s < kCamera; ++s) {
+    const double before = published[s].metrics[Metric::kObstacleMinClearance];
+    const double now = tuned[s].metrics[Metric::kObstacleMinClearance];
     if (!std::isfinite(before)) continue;
     const bool met = completed(s) && now >= before;
     missed += met ? 0 : 1;
-    fmt::print("{:<28}{:<28}{:>12.4g}{:>12.4g}{:>10}{:>10.3g}{}\n", scenario_names()[s],
-               "obstacle/min_clearance", before, now, "at least", before, met ? "" : "  missed");
+    print_demand(s, name(Metric::kObstacleMinClearance), before, now, "at least", before, met);
   }
   fmt::print("\n{} missed\n", missed);
   return missed;
 }
 
 std::string csv(const std::vector<Variant>& all, const Results& results) {
-  std::string text = "variant,scenario,status,metric,unit,value,published_over_value\n";
+  std::string text = "variant,theta,scenario,status,metric,unit,value,published_over_value\n";
   for (std::size_t v = 0; v < all.size(); ++v) {
-    for (std::size_t s = 0; s < scenario_names().size(); ++s) {
-      for (const Metric m : all_metrics()) {
-        const double value = results[v][s].metrics[m];
-        if (std::isnan(value)) continue;
-        const double factor = results[0][s].metrics[m] / value;
-        text += fmt::format("\"{}\",{},{},{},{},{},{}\n", all[v].name, scenario_names()[s],
-                            name(results[v][s].status), name(m), field(m).unit, value,
-                            std::isfinite(factor) ? fmt::format("{:.6g}", factor) : "");
+    for (const Theta theta : kThetas) {
+      for (std::size_t s = 0; s < kScenarios.size(); ++s) {
+        const RolloutResult& now = results[v][theta][s];
+        for (const Metric m : all_metrics()) {
+          if (std::isnan(now.metrics[m])) continue;
+          const double ratio = factor(results[0][theta][s], now, m);
+          text += fmt::format("\"{}\",{},{},{},{},{},{},{}\n", all[v].name, kThetaNames[theta], kScenarios[s],
+                              name(now.status), name(m), field(m).unit, now.metrics[m],
+                              std::isfinite(ratio) ? fmt::format("{:.6g}", ratio) : "");
+        }
       }
     }
   }
@@ -240,7 +198,8 @@ std::string csv(const std::vector<Variant>& all, const Results& results) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Published law, each option alone, all together, all tuned, over the eight bundled scenarios"};
+  CLI::App app{
+      "Published law, each option alone, all together, all tuned, from the same theta, over nine scenarios"};
   std::string folder;
   std::string tuned_gains = "extended_tuned";
   int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -252,20 +211,24 @@ int run(int argc, char** argv) {
   const auto began = std::chrono::steady_clock::now();
 
   const auto joints = joint_names(*load_scenario("moving_target").robot);
-  const std::vector<Variant> all = variants(joints, tuned_gains);
+  const std::vector<Variant> all = ablation_variants(joints, tuned_gains);
   const Results results = simulate_all(all, workers);
-  print_ablation(all, results);
-  const auto tuned =
-      std::find_if(all.begin(), all.end(), [](const Variant& v) { return v.name == "all tuned"; });
-  print_demands(results, static_cast<std::size_t>(tuned - all.begin()));
+  for (const Theta theta : kThetas) {
+    print_ablation(all, results, theta);
+    fmt::print("\n");
+  }
+  const auto tuned = static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [](const Variant& v) { return v.name == kTuned; }) - all.begin());
+  fmt::print("{}", table(results, tuned));
+  print_demands(results[0][kIdentified], results[tuned][kIdentified]);
   if (folder.empty()) return 0;
   write_text_file(folder + "/ablation.csv", csv(all, results));
   Provenance p;
   p.command = fmt::format("benchmark_ablation --gains {}", tuned_gains);
   p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   p.workers = workers;
-  for (const std::string& scenario : scenario_names()) {
-    add_inputs({load_scenario("identified_" + scenario)}, p.inputs);
+  for (std::size_t s = 0; s < kScenarios.size(); ++s) {
+    for (const Theta theta : kThetas) add_inputs({scenario_at(s, theta)}, p.inputs);
   }
   write_text_file(folder + "/run.yaml", run_yaml(p));
   return 0;

@@ -31,7 +31,7 @@ double largest(const Metrics& m, Metric x, Metric y, Metric z) {
   return std::max({m[x], m[y], m[z]});
 }
 
-TEST(Rollout, ReproducesThePublishedErrorsOnTheMovingTarget) {
+TEST(Rollout, ErrorsOnTheMovingTargetAreOfTheSizeOfThePublishedOnes) {
   const Scenario scenario = scenario_of("moving_target");
   const RolloutResult result = run(scenario, published_gains(scenario));
   ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
