@@ -55,6 +55,67 @@ TEST(Detached, WhatCannotBePrintedIsAFailure) {
   }
 }
 
+TEST(Detached, AnErrorThatCannotBePrintedStillHasItsExitCode) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const test::ShortStudy files;
+  for (const char* streams : {"2> /dev/full", "> /dev/full 2> /dev/full"}) {
+    SCOPED_TRACE(streams);
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"simulate", "nowhere"},
+                                                      {"simulate", files / "nowhere.yaml"},
+                                                      {"tune", "--frob"},
+                                                      {}}) {
+      EXPECT_EQ(Program(arguments, files / "", shell(streams)).wait().exit_code, 2);
+    }
+  }
+  // Warnings and notes beside the work do not end it either.
+  const std::string far =
+      files.write("far.yaml", "base: moving_target\nduration: 1\npath: {center: [-1.5, 0, 0.5]}\n");
+  const Finished warned = Program({"simulate", far, "--out", files / "far"}, files / "").wait();
+  ASSERT_THAT(warned.err, HasSubstr("warning"));
+  const Finished silent =
+      Program({"simulate", far, "--out", files / "silent"}, files / "", shell("2> /dev/full")).wait();
+  EXPECT_EQ(silent.exit_code, warned.exit_code);
+  EXPECT_EQ(read_text(files / "silent/errors.csv"), read_text(files / "far/errors.csv"));
+}
+
+TEST(Detached, ResultsAreWrittenWhereTablesCannotBePrinted) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const test::ShortStudy files;
+  const auto simulate = [&files](const std::string& run, const std::string& streams) {
+    std::vector<std::string> arguments = {"simulate", "--out", files / run};
+    for (char name = 'a'; name <= 'p'; ++name) {
+      arguments.push_back(files.write(std::string(1, name) + ".yaml", "base: moving_target\nduration: 1\n"));
+    }
+    return Program(arguments, files / "", shell(streams)).wait();
+  };
+  const Finished done = simulate("run", "");
+  ASSERT_GT(done.out.size(), std::size_t{BUFSIZ})
+      << "a table that fits the buffer of the stream shows nothing";
+  const Finished full = simulate("full", "> /dev/full");
+  EXPECT_EQ(full.exit_code, done.exit_code == 0 ? 1 : done.exit_code) << full.err;
+  for (const char* file : {"/gains.yaml", "/errors.csv", "/verdict.yaml", "/rollout_a.csv"}) {
+    ASSERT_TRUE(std::filesystem::exists(files / "full" + file)) << file;
+    EXPECT_TRUE(read_text(files / "full" + file) == read_text(files / "run" + file)) << file;
+  }
+}
+
+TEST(Detached, AReaderThatHasEnoughDoesNotEndTheRun) {
+  const test::ShortStudy files;
+  const Finished whole = Program(tune(files, "run"), files / "").wait();
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  // The shell's exit code is that of head; armtune's goes into a file.
+  for (const char* reader : {"head -n 1", "true"}) {
+    SCOPED_TRACE(reader);
+    const std::string pipe = std::string("{ \"$0\" \"$@\"; echo $? > code; } | ") + reader;
+    const Finished cut = Program(tune(files, "cut"), files / "", {"/bin/sh", "-c", pipe}).wait();
+    EXPECT_EQ(read_text(files / "code"), "0\n") << cut.err;
+    EXPECT_EQ(cut.err, whole.err);
+    EXPECT_EQ(read_text(files / "cut/gains.yaml"), read_text(files / "run/gains.yaml"));
+    EXPECT_EQ(test::run_program({"tune", "--resume", files / "cut"}).exit_code, 0) << "finished";
+    std::filesystem::remove_all(files / "cut");
+  }
+}
+
 TEST(Detached, ATerminalThatClosesInterruptsARunAndNohupDoesNot) {
   const test::ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints,
                                "search: {algorithm: CRS2, max_evaluations: 30, seed: 1}\n");

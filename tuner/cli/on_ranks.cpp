@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <new>
 #include <string_view>
 
 #include "core/common/error.hpp"
@@ -79,10 +80,12 @@ int report(const std::exception_ptr& failure) {
   } catch (const InputError& e) {
     fmt::print(stderr, "armtune: {}\n", e.what());
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "armtune: failed: the memory was not enough; allow more, or ask for less at once\n");
   } catch (const std::exception& e) {
     fmt::print(stderr, "armtune: failed: {}\n", e.what());
-    return kFailed;
   }
+  return kFailed;
 }
 
 int on_ranks(const std::string& command_line, const std::function<int()>& program) {

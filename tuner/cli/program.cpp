@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstring>
+#include <sstream>
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
@@ -25,6 +25,17 @@ std::string version_text() {
   for (const auto& [name, version] : versions()) text += fmt::format("{} {}\n", name, version);
   text.pop_back();
   return text;
+}
+
+/// Prints what CLI11 has to say: help on standard output, an error of usage on standard error. Returns the
+/// exit code. CLI11 itself would print through std::cout, which is another stream than ours.
+int conclude_parsing(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = app.exit(error, out, err);
+  fmt::print("{}", out.str());
+  fmt::print(stderr, "{}", err.str());
+  return code == 0 ? kDone : kBadInput;
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -80,7 +91,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     // Rank 0 prints it; what only another rank does not understand it has to be told.
     if (rank_place().rank != 0) throw InputError(one_line(e.what()));
-    return app.exit(e) == 0 ? kDone : kBadInput;
+    return conclude_parsing(app, e);
   }
   return exit_code;
 }
@@ -99,9 +110,12 @@ int run(int argc, char** argv) {
   } catch (...) {
     exit_code = report(std::current_exception());
   }
-  if (flush_standard_output() || exit_code != kDone) return exit_code;
-  fmt::print(stderr, "armtune: failed: what was to be printed could not all be written: {}\n",
-             std::strerror(errno));
+  const int reason = flush_standard_output();
+  if (reason == 0 || exit_code != kDone) return exit_code;
+  fmt::print(
+      stderr,
+      "armtune: failed: standard output could not all be written: {}; send it to a place that takes it\n",
+      std::strerror(reason));
   return kFailed;
 }
 

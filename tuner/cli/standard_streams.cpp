@@ -1,21 +1,79 @@
 #include "tuner/cli/standard_streams.hpp"
 
 #include <fcntl.h>
+#include <sys/poll.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 
 namespace armtune::cli {
+namespace {
+
+/// A descriptor, and why the first text was lost that it did not take.
+struct Sink {
+  int descriptor;
+  std::atomic<int> reason{0};
+};
+
+// The C library flushes its streams after all destructors, so these have none.
+Sink output{STDOUT_FILENO};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+Sink errors{STDERR_FILENO};  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+/// Waits until a descriptor that another process has made non-blocking takes text again. False if it never
+/// will.
+bool becomes_writable(int descriptor) {
+  pollfd wanted{descriptor, POLLOUT, 0};
+  return ::poll(&wanted, 1, -1) > 0 || errno == EINTR;
+}
+
+/// Writes all of a text, or drops the rest of it. It always reports success, because a stream that has failed
+/// makes fmt::print throw.
+ssize_t write_or_drop(void* cookie, const char* text, std::size_t size) {
+  Sink& sink = *static_cast<Sink*>(cookie);
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t written = ::write(sink.descriptor, text + done, size - done);
+    if (written >= 0) {
+      done += static_cast<std::size_t>(written);
+      continue;
+    }
+    if (errno == EINTR || (errno == EAGAIN && becomes_writable(sink.descriptor))) continue;
+    int none = 0;
+    sink.reason.compare_exchange_strong(none, errno);
+    break;
+  }
+  return static_cast<ssize_t>(size);
+}
+
+/// A stream into the sink; the one given where memory is short.
+std::FILE* stream_into(Sink& sink, std::FILE* instead, int buffering) {
+  cookie_io_functions_t functions{};
+  functions.write = write_or_drop;
+  std::FILE* stream = ::fopencookie(&sink, "w", functions);
+  if (stream == nullptr) return instead;
+  std::setvbuf(stream, nullptr, buffering, BUFSIZ);
+  return stream;
+}
+
+}  // namespace
 
 void open_standard_streams() {
   // The lowest number that is free is given out first.
   int file = open("/dev/null", O_RDWR);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   while (file >= 0 && file <= STDERR_FILENO) file = dup(file);
   if (file > STDERR_FILENO) close(file);
+  std::signal(SIGPIPE, SIG_IGN);
+  // The GNU C library's names of the streams are variables.
+  stdout = stream_into(output, stdout, ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF);
+  stderr = stream_into(errors, stderr, _IONBF);
 }
 
-bool flush_standard_output() {
-  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+int flush_standard_output() {
+  if (std::fflush(stdout) != 0 && output.reason == 0) return errno;
+  return output.reason == EPIPE ? 0 : output.reason.load();
 }
 
 }  // namespace armtune::cli

@@ -1,14 +1,18 @@
 #pragma once
-// The three files that a program takes for granted.
+// Standard output and standard error of the program. Writing to them never throws and never ends the program:
+// a disk behind them may be full, and a reader such as `head` may have seen enough.
 
 namespace armtune::cli {
 
-/// Opens /dev/null for those that are closed, as detached programs' may be: else the next files that are
-/// opened, a journal say, would be taken for them and written into.
+/// Makes the three standard streams safe to use. To be called first in main.
+/// - Streams that are closed, as those of detached programs may be, become /dev/null. Otherwise the next file
+///   that is opened, such as a journal, would get their number and be written into.
+/// - `stdout` and `stderr` accept every text. What they cannot write is dropped, and the reason is kept.
+/// - A pipe that nobody reads any more is no longer a signal (SIGPIPE) that ends the program.
 void open_standard_streams();
 
-/// Writes out what was printed. False, with the reason in errno, if it did not all arrive: on a full disk,
-/// say.
-bool flush_standard_output();
+/// Writes out what was printed so far. Returns errno's number of the first error that lost some of it, or 0.
+/// A pipe whose reader has closed it is no error: that reader has what it wanted.
+int flush_standard_output();
 
 }  // namespace armtune::cli
