@@ -23,6 +23,7 @@
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/gains/gains_difference.hpp"
 #include "tuner/run/comparison.hpp"
+#include "tuner/run/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/study/study.hpp"
@@ -154,8 +155,9 @@ int run(const Arguments& args) {
       refuse_winding(s, load_gains(gains_name(set), joint_names(*s.robot)));
     }
   }
-  const FolderLock lock = make_run_folder(args.folder);
   SimulateOptions options;
+  if (!args.folder.empty()) require_recording_memory(scenarios, options.record_stride, args.workers);
+  const FolderLock lock = make_run_folder(args.folder);
   options.stepper = stepper_from_name(args.stepper);
   options.workers = args.workers;
   options.deadline = args.deadline;

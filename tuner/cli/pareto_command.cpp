@@ -22,7 +22,9 @@
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
+#include "tuner/run/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/simulate.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 #include "tuner/workers/simulate_points.hpp"
 
@@ -133,6 +135,7 @@ int run(Arguments args, Team& team) {
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
   FolderLock lock;
+  require_recording_memory(study.scenarios, SimulateOptions().record_stride, args.workers);
   if (!resumed) lock = make_run_folder(args.folder);
   const auto journal = open_journal(args.folder, args.resume, header_of(study, args, options));
   if (journal->exit_code()) {

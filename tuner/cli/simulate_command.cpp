@@ -23,6 +23,7 @@
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/run/simulate.hpp"
 #include "tuner/verdict/assumptions.hpp"
@@ -103,6 +104,7 @@ int run(const Arguments& args) {
   options.folder = args.folder;
   options.record_stride = args.record_every;
   options.deadline = args.deadline;
+  if (!args.folder.empty()) require_recording_memory(scenarios, args.record_every, args.workers);
   const FolderLock lock = make_run_folder(args.folder);
 
   ProgressLine line;

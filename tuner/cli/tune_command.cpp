@@ -25,6 +25,7 @@
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/comparison.hpp"
+#include "tuner/run/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/search/sweep.hpp"
@@ -144,6 +145,7 @@ int run(Arguments args, Team& team) {
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
+  require_recording_memory(study.scenarios, args.record_every, args.workers);
   FolderLock lock;
   if (!resumed) {
     lock = make_run_folder(args.folder);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/common/error.hpp"
+#include "tuner/run/recording_memory.hpp"
 #include "tuner/workers/parallel.hpp"
 #include "tuner/workers/patience.hpp"
 #include "tuner/workers/rollout_plan.hpp"
@@ -29,6 +30,10 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                         scenarios[k].source, scenarios[i].source, scenarios[i].name));
       }
     }
+  }
+  if (!options.folder.empty() || options.recorded) {
+    require_recording_memory(scenarios, options.record_stride, options.workers,
+                             options.recorded ? RecordingUse::kKept : RecordingUse::kWritten);
   }
   std::size_t done = 0;
   std::mutex progress_mutex;

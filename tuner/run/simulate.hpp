@@ -29,7 +29,7 @@ struct SimulateOptions {
 
 /// Results in the order of the scenarios. gains_of(scenario): its gains. Scenarios that were not reached
 /// before `stop` or their deadline have the status interrupted. Throws InputError if two scenarios share a
-/// name.
+/// name, or if their recordings do not fit in memory (recording_memory.hpp).
 std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                                      const std::function<Gains(const Scenario&)>& gains_of,
                                      const SimulateOptions& options, const std::atomic<bool>& stop);
