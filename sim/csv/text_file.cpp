@@ -69,10 +69,9 @@ void sync_folder_of(const std::string& path) {
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("{}: cannot make this folder: {}", path,
-                                 error ? error.message() : std::string("a file of that name is in the way")));
-  }
+  if (!error && std::filesystem::is_directory(path, error)) return;
+  throw InputError(fmt::format("{}: cannot make this folder: {}", path,
+                               error ? error.message() : std::string("a file of that name is in the way")));
 }
 
 }  // namespace armtune

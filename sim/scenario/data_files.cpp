@@ -8,12 +8,14 @@
 
 #include "core/common/error.hpp"
 #include "core/common/nearest.hpp"
+#include "core/common/path_state.hpp"
 
 namespace armtune {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kExtension = ".yaml";
+constexpr std::size_t kLongestName = 200;  // file systems have 255 bytes with the extension
 
 bool looks_like_path(const std::string& text) {
   return text.find('/') != std::string::npos || text.ends_with(kExtension) || text.ends_with(".yml") ||
@@ -44,7 +46,7 @@ std::string shown_path(const std::string& path) {
 std::string portable_reference(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   const bool bundled = path.ends_with(kExtension) && folder.parent_path() == fs::path(data_folder());
-  return bundled ? stem(path) : fs::absolute(path).lexically_normal().string();
+  return bundled ? stem(path) : absolute_path(path);
 }
 
 std::string data_folder() {
@@ -58,8 +60,7 @@ std::string data_folder() {
     candidates.emplace_back(ARMTUNE_INSTALLED_DATA);
   }
   for (const fs::path& candidate : candidates) {
-    std::error_code ignored;
-    if (fs::is_directory(candidate / "scenarios", ignored)) return candidate.string();
+    if (is_there(candidate / "scenarios/.")) return candidate.string();
   }
   throw InputError(
       fmt::format("bundled data not found in {}; set ARMTUNE_DATA to the folder that holds "
@@ -79,16 +80,14 @@ std::vector<std::string> bundled_names(const std::string& folder) {
 
 std::string find_data_file(const std::string& folder, const std::string& name_or_path,
                            const std::string& relative_to) {
-  std::error_code ignored;
   if (looks_like_path(name_or_path)) {
-    if (!relative_to.empty() && fs::exists(fs::path(relative_to) / name_or_path, ignored)) {
-      return (fs::path(relative_to) / name_or_path).string();
-    }
-    if (fs::exists(name_or_path, ignored)) return name_or_path;
+    const std::string beside = (fs::path(relative_to) / name_or_path).string();
+    if (!relative_to.empty() && is_there(beside)) return beside;
+    if (is_there(name_or_path)) return name_or_path;
     throw InputError(fmt::format("{}: no such file", name_or_path));
   }
-  const fs::path bundled = fs::path(data_folder()) / folder / (name_or_path + kExtension);
-  if (fs::exists(bundled, ignored)) return bundled.string();
+  const std::string bundled = (fs::path(data_folder()) / folder / (name_or_path + kExtension)).string();
+  if (name_or_path.size() <= kLongestName && is_there(bundled)) return bundled;
   const auto names = bundled_names(folder);
   throw InputError(
       fmt::format("no bundled file '{}' in {}{}; there are: {}; a file of your own is given by its "

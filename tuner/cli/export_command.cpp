@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/common/error.hpp"
+#include "core/common/path_state.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -103,10 +104,7 @@ int run(const Arguments& args) {
     fmt::print("{}", text);
     return kDone;
   }
-  std::error_code ignored;
-  if (fs::exists(args.file, ignored))
-    throw InputError(
-        fmt::format("{}: is there already; name another file, or take this one away", args.file));
+  refuse_existing(args.file);
   write_text_file(args.file, text);
   fmt::print("wrote {}\n", args.file);
   return kDone;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/common/error.hpp"
+#include "core/common/path_state.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/warm_arguments.hpp"
@@ -72,7 +73,7 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   const RunHeader begun = read_run_header(*folder + kJournal);
   std::vector<std::string> all = {words.front()};
   all.insert(all.end(), begun.arguments.begin(), begun.arguments.end());
-  all.insert(all.end(), {kResume, fs::absolute(*folder).lexically_normal().string()});
+  all.insert(all.end(), {kResume, absolute_path(*folder)});
   for (const char* option : kFree) {
     if (const auto value = cut(words, option)) all.insert(all.end(), {option, *value});
   }
@@ -123,7 +124,7 @@ RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
   header.arguments.erase(header.arguments.begin());
   cut(header.arguments, "--out");
   for (const char* option : kFree) cut(header.arguments, option);
-  header.working_folder = fs::current_path().string();
+  header.working_folder = absolute_path(".");
   header.identity = std::move(identity);
   for (auto& version : versions()) header.identity.push_back(std::move(version));
   header.identity.emplace_back("arithmetic", arithmetic().fingerprint);

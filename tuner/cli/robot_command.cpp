@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 
 #include "core/common/error.hpp"
+#include "core/common/path_state.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -63,8 +63,8 @@ void write_sidecar(const RobotFile& file, const MissingData& missing, const std:
     fmt::print("{} lacks nothing; {} is not written\n", file.path, path);
     return;
   }
-  if (std::filesystem::exists(path)) throw InputError(path + ": is there already; name another file");
-  const std::string urdf = file.root ? "" : std::filesystem::absolute(file.urdf).string();
+  refuse_existing(path);
+  const std::string urdf = file.root ? "" : absolute_path(file.urdf);
   write_text_file(path, missing_yaml(urdf, missing));
   fmt::print("{}: fill in {}{}\n", path, named(missing),
              file.root ? fmt::format(", and add it to {}", file.path) : "; then give it as the robot");

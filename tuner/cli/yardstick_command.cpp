@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/common/error.hpp"
+#include "core/common/path_state.hpp"
 #include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -69,11 +70,10 @@ std::string report_again(const std::string& run) {
 }
 
 int run(const Arguments& args) {
-  if (!std::filesystem::is_directory(args.folder))
+  if (args.folder.empty() || !is_there(args.folder + "/."))
     throw InputError(args.folder +
                      ": is no folder; give that of a run that was simulated with --out, or tuned");
-  if (!args.out.empty() && std::filesystem::exists(args.out))
-    throw InputError(fmt::format("{}: is there already; name another file, or take this one away", args.out));
+  if (!args.out.empty()) refuse_existing(args.out);
   const auto began = std::chrono::steady_clock::now();
   const std::vector<Scenario> scenarios = rollout_scenarios(args.folder, args.scenarios);
   const std::vector<Measure> measures = measure_rollouts(

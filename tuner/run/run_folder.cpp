@@ -17,6 +17,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/input_file.hpp"
+#include "core/common/path_state.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
@@ -45,13 +46,9 @@ std::string processor() {
 }  // namespace
 
 void refuse_used_folder(const std::string& folder) {
-  std::error_code ignored;
-  if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored)) {
-    throw InputError(
-        fmt::format("{}: is there already and not empty; name another folder with --out, or take "
-                    "this one away",
-                    folder));
-  }
+  if (is_missing_or_empty(folder)) return;
+  throw InputError(fmt::format(
+      "{}: is there already and not empty; name another folder with --out, or take this one away", folder));
 }
 
 FolderLock::~FolderLock() {
@@ -64,15 +61,33 @@ bool FolderLock::take() {
 
 FolderLock make_run_folder(const std::string& folder) {
   if (folder.empty()) return {};
+  absolute_path(".");  // the run's provenance needs it: refused now, not when the folder is made
   refuse_used_folder(folder);
+  const bool is_new = !is_there(folder);
   make_folder(folder);
-  FolderLock lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int reason = errno;
+  const auto take_away = [&] {  // nothing but an empty folder
+    std::error_code ignored;
+    if (is_new) fs::remove(folder, ignored);
+  };
+  if (descriptor < 0) {
+    take_away();
+    throw InputError(fmt::format("{}: cannot open this folder: {}; name another one with --out", folder,
+                                 std::generic_category().message(reason)));
+  }
+  FolderLock lock(descriptor);
   // Where a file system locks no folders, what is in it has to do.
   if (!lock.take() && errno == EWOULDBLOCK) {
     throw InputError(
         fmt::format("{}: another run is about to write into it; name another folder with --out", folder));
   }
-  refuse_used_folder(folder);  // by one that has ended meanwhile
+  try {
+    refuse_used_folder(folder);  // by one that has ended meanwhile
+  } catch (const InputError&) {
+    take_away();
+    throw;
+  }
   return lock;
 }
 

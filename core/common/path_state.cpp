@@ -1,0 +1,53 @@
+#include "core/common/path_state.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& path, const std::error_code& why) {
+  throw InputError(fmt::format("{}: cannot be looked at: {}; name another path, or remove the cause", path,
+                               why.message()));
+}
+
+}  // namespace
+
+bool is_there(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) return false;
+  if (error) refuse(path, error);
+  return true;
+}
+
+void refuse_existing(const std::string& path) {
+  if (!is_there(path)) return;
+  throw InputError(fmt::format("{}: is there already; name another file, or take this one away", path));
+}
+
+bool is_missing_or_empty(const std::string& folder) {
+  if (!is_there(folder)) return true;
+  std::error_code error;
+  const fs::directory_iterator first(folder, error);
+  if (error) refuse(folder, error);
+  return first == fs::directory_iterator();
+}
+
+std::string absolute_path(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);
+  if (error) {
+    throw InputError(fmt::format("the current folder cannot be found: {}; change to a folder that exists",
+                                 error.message()));
+  }
+  return whole.lexically_normal().string();
+}
+
+}  // namespace armtune

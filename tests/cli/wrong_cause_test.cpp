@@ -1,0 +1,128 @@
+// Folders and files that cannot be looked at: the message names the true cause, with the right exit code.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Finished;
+using test::Program;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Starts the program as a user who may not read everything: root's rights are dropped.
+std::vector<std::string> plain_user() {
+  return ::getuid() == 0 ? std::vector<std::string>{"/usr/bin/setpriv", "--reuid=65534", "--regid=65534",
+                                                    "--clear-groups"}
+                         : std::vector<std::string>{};
+}
+
+/// Starts the program after some words of a shell.
+std::vector<std::string> after(const std::string& words) {
+  return {"/bin/sh", "-c", words + "; exec \"$0\" \"$@\""};
+}
+
+TEST(WrongCause, AFolderThatMayNotBeReadIsCalledThat) {
+  if (::getuid() == 0 && !fs::exists("/usr/bin/setpriv")) GTEST_SKIP() << "root reads everything";
+  const test::TemporaryFolder folder;
+  const std::string closed = folder / "closed";
+  fs::create_directories(closed);
+  folder.write("closed/own.yaml", "base: moving_target\nduration: 1\n");
+  for (const fs::perms mode : {fs::perms::none, fs::perms::owner_write | fs::perms::owner_exec}) {
+    fs::permissions(closed, mode);
+    if (Program({"--version"}, "/", plain_user()).wait().exit_code != 0) GTEST_SKIP() << "cannot drop rights";
+    const Finished out = Program({"simulate", "moving_target", "--out", closed}, "/", plain_user()).wait();
+    EXPECT_EQ(out.exit_code, 2);
+    EXPECT_THAT(out.err,
+                AllOf(HasSubstr(closed), HasSubstr("Permission denied"), Not(HasSubstr("not empty"))));
+    const Finished in = Program({"simulate", closed + "/own.yaml"}, "/", plain_user()).wait();
+    EXPECT_EQ(in.exit_code, 2);
+    EXPECT_THAT(in.err,
+                AllOf(HasSubstr(closed), HasSubstr("Permission denied"), Not(HasSubstr("no such file"))));
+  }
+  fs::permissions(closed, fs::perms::owner_all);
+}
+
+TEST(WrongCause, TooFewFilesAreNamedAndLeaveNoFolder) {
+  const test::TemporaryFolder folder;
+  const std::string scenario = folder.write("own.yaml", "base: moving_target\nduration: 0.1\n");
+  bool named = false;
+  for (int files = 4; files < 9; ++files) {
+    SCOPED_TRACE(files);
+    const std::string run = folder / ("run" + std::to_string(files));
+    const Finished done = Program({"simulate", scenario, "--out", run}, folder.path(),
+                                  after("ulimit -n " + std::to_string(files)))
+                              .wait();
+    // The loader itself needs some; from then on it is armtune that says so.
+    if (done.exit_code == 127) continue;
+    if (done.exit_code == 0 || done.exit_code == 3) break;
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    EXPECT_THAT(done.err, AllOf(HasSubstr("Too many open files"), Not(HasSubstr("not empty")),
+                                Not(HasSubstr("no such file"))));
+    EXPECT_FALSE(fs::exists(run));
+    named = true;
+  }
+  EXPECT_TRUE(named);
+}
+
+TEST(WrongCause, ACurrentFolderThatIsGoneIsNamedAndNothingIsLeft) {
+  const test::TemporaryFolder folder;
+  const std::string gone = "mkdir gone && cd gone && rmdir ../gone";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"tune", "ur10_gaze", "--max-evaluations", "2", "--out", folder / "run"},
+        {"robustness", "published", "--samples", "2", "--out", folder / "run"},
+        {"pareto", "ur10_gaze", "--max-evaluations", "2", "--out", folder / "run"},
+        {"simulate", "moving_target", "--out", folder / "run"},
+        {"tune", "--resume", "somewhere"}}) {
+    SCOPED_TRACE(arguments[0]);
+    const Finished done = Program(arguments, folder.path(), after(gone)).wait();
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    EXPECT_THAT(done.err, Not(HasSubstr("filesystem error")));
+    EXPECT_FALSE(fs::exists(folder / "run"));
+  }
+}
+
+TEST(WrongCause, ASidecarThatCannotBeMadeIsRefused) {
+  const test::TemporaryFolder folder;
+  const std::string arm = folder.write(
+      "arm.urdf",
+      "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'><parent link='a'/>"
+      "<child link='b'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' velocity='0' "
+      "effort='0'/></joint></robot>");
+  const std::string loop = folder / "loop.yaml";
+  fs::create_symlink(loop, loop);
+  for (const std::string& path :
+       {loop, folder / (std::string(300, 'n') + ".yaml"), folder / "none/arm.yaml"}) {
+    const Finished done = Program({"robot", arm, "--sidecar", path}, folder.path()).wait();
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    EXPECT_THAT(done.err, AllOf(testing::StartsWith("armtune: /"), Not(HasSubstr("failed"))));
+  }
+}
+
+TEST(WrongCause, ARecordingThatDoesNotFitIsRefusedBeforeTheFolderIsMade) {
+  const test::TemporaryFolder folder;
+  const std::string far = folder.write("far.yaml", "base: moving_target\nduration: 2e5\n");
+  const std::vector<std::string> limited = after("ulimit -v 2000000");
+  if (Program({"--version"}, folder.path(), limited).wait().exit_code != 0)
+    GTEST_SKIP() << "the address sanitizer takes terabytes of addresses for itself";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"simulate", far, "--record-every", "1", "--out", folder / "run"},
+        {"compare", "published", "--scenarios", far, "--out", folder / "run"}}) {
+    const Finished done = Program(arguments, folder.path(), limited).wait();
+    EXPECT_EQ(done.exit_code, 2) << done.err;
+    EXPECT_THAT(done.err, AllOf(HasSubstr("far"), HasSubstr("GB"), HasSubstr("duration")));
+    EXPECT_FALSE(fs::exists(folder / "run"));
+  }
+}
+
+}  // namespace
+}  // namespace armtune
