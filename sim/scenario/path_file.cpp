@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 #include "core/trajectory/polyline.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -46,10 +47,43 @@ Vec3 read_extent(const yaml::Node& node) {
 constexpr double kFastest = 1e6;    // rad/s
 constexpr double kMostTurns = 1e6;  // rad
 
-/// Throws InputError at `node` for a path whose highest harmonic or phase is none that can be followed.
+constexpr double kFarthest = 1e6;   // m
+constexpr double kSpeediest = 1e6;  // m/s, m/s^2, as of waypoints
+constexpr double kLongest = 1e9;    // s
+
+/// Throws InputError at `node` for a motion through knots whose times, velocities or accelerations would
+/// overflow, or are not those of an arm.
+void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
+  if (!(spline.end() - spline.begin() <= kLongest))
+    node.fail(fmt::format("it takes {:.3g} s; it may take {:.0e}", spline.end() - spline.begin(), kLongest));
+  for (std::size_t k = 0; k < spline.knots().size(); ++k) {
+    // A blend between two straight pieces has its largest acceleration in the middle.
+    const double time = spline.time()[k];
+    const double next = k + 1 < spline.knots().size() ? spline.time()[k + 1] : time;
+    const MotionPoint<Vec3> middle = spline.at(0.5 * (time + next));
+    const double v = spline.knots()[k].velocity.norm();
+    const double a = middle.acceleration.norm();
+    if (!(v <= kSpeediest && a <= kSpeediest && middle.position.norm() <= 2.0 * kFarthest)) {
+      node.fail(fmt::format(
+          "its speed or acceleration at {:.3g} s is beyond {:.0e} m/s or m/s^2, the most that a motion may "
+          "have: lower the speed, or blend more",
+          time, kSpeediest));
+    }
+  }
+}
+
+/// Throws InputError at `node` for a path whose highest harmonic, phase or extent is none that can be
+/// followed.
 void require_sensible(const Path& path, const yaml::Node& node) {
   int highest = 1;
-  for (const HarmonicTerm& term : path.terms) highest = std::max(highest, term.order);
+  double farthest = path.center.norm();
+  for (const HarmonicTerm& term : path.terms) {
+    highest = std::max(highest, term.order);
+    farthest += term.cosine.norm() + term.sine.norm();
+  }
+  if (!(farthest <= kFarthest))
+    node.fail(fmt::format("it leads {:.3g} m away from the base; it may lead {:.0e}", farthest, kFarthest));
+  if (path.spline) require_sensible(*path.spline, node);
   const double fastest = std::abs(path.frequency) * highest;
   if (!(fastest <= kFastest))
     node.fail(fmt::format("its fastest harmonic has {} rad/s; it may have {:.0e}", fastest, kFastest));
@@ -124,6 +158,9 @@ Path read_polyline(const yaml::Node& node, const Files&) {
   for (const yaml::Node& item : corners_node.items()) {
     if (corners.size() == kMostCorners) corners_node.fail(fmt::format("more than {} corners", kMostCorners));
     corners.push_back(read_vec3(item));
+    if (!(corners.back().norm() <= kFarthest))
+      item.fail(
+          fmt::format("lies {:.3g} m away from the base; at most {:.0e}", corners.back().norm(), kFarthest));
   }
   const double speed = read_positive(map.required("speed"), "m/s");
   const double blend = read_positive(map.required("blend"), "m");
@@ -195,13 +232,21 @@ Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_p
   if (const yaml::Node* terms = map.optional("terms")) {
     for (const yaml::Node& item : terms->items()) path.terms.push_back(read_term(item));
   }
-  for (const char* key : {"phase", "frequency"}) {
+  for (const char* key : {"phase", "frequency", "center"}) {
     if (const yaml::Node* node = map.optional(key)) require_sensible(path, *node);
   }
   return path;
 }
 
 namespace {
+
+/// Fails at the name's node if the last of these has the name of another: schedules and results go by names.
+template <typename Named>
+void refuse_second_of_name(const std::vector<Named>& all, const yaml::Node& node) {
+  const auto is_so_named = [&all](const Named& other) { return other.name == all.back().name; };
+  if (std::any_of(all.begin(), all.end() - 1, is_so_named))
+    node.fail(fmt::format("{} is the name of two in this list; rename one", shown(all.back().name)));
+}
 
 /// Of an item that may have keys of its own beside them.
 NamedPath read_named_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
@@ -218,6 +263,7 @@ std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<s
     NamedPath center = read_named_path(map, inputs);
     obstacles.push_back(
         {std::move(center.name), std::move(center.path), map.number_in("radius", 0.0, 0.0, kLargestBody)});
+    refuse_second_of_name(obstacles, map.required("name"));
     map.finish();
   }
   return obstacles;
@@ -229,6 +275,7 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
     for (const yaml::Node& item : node.items()) {
       yaml::MapReader map(item);
       targets.push_back(read_named_path(map, inputs));
+      refuse_second_of_name(targets, map.required("name"));
       map.finish();
     }
     return targets;

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/common/error.hpp"
+#include "core/common/message_text.hpp"
 
 namespace armtune::yaml {
 namespace {
@@ -23,6 +26,15 @@ void check_characters(std::string_view text, const std::string& file) {
     throw InputError(file + ": the text is UTF-16; save it as UTF-8");
   }
   int line = 1;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (!is_utf8(text.substr(begin, end - begin))) {
+      fail_at(file, line, {}, "not UTF-8, perhaps Latin-1; save the file as UTF-8");
+    }
+    begin = end + 1;
+    ++line;
+  }
+  line = 1;
   for (const char c : text) {
     if (c == '\n') ++line;
     if (!is_control(c) || c == '\n' || c == '\r' || c == '\t') continue;

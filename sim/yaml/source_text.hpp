@@ -10,8 +10,8 @@ namespace armtune::yaml {
 [[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
                           std::string_view what);
 
-/// Throws InputError for UTF-16 and for control characters. yaml-cpp ends a file at the character 4 without a
-/// word, keeps NUL in values and guesses UTF-16.
+/// Throws InputError for text that is not UTF-8 and for control characters. yaml-cpp replaces what is not
+/// UTF-8, ends a file at the character 4 without a word, keeps NUL in values and guesses UTF-16.
 void check_characters(std::string_view text, const std::string& file);
 
 /// Whether the quote that `text` begins with is closed in it. True for a text that begins with none.

@@ -11,6 +11,9 @@
 namespace armtune {
 namespace {
 
+/// Largest ratio of the bounds on a log scale: beyond it, their ratio no longer fits a double.
+constexpr double kWidestSpan = 1e30;
+
 double to_coordinate(const Parameter& p, double v) {
   const double x = p.scale == Scale::kLog ? std::log(v / p.lower) / std::log(p.upper / p.lower)
                                           : (v - p.lower) / (p.upper - p.lower);
@@ -94,6 +97,12 @@ void validate(const ParameterSpace& space, const std::string& where) {
     if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; gains are not", p.lower));
     if (p.scale == Scale::kLog && p.lower <= 0.0) {
       fail(fmt::format("lower bound {} on a log scale; give one above zero or 'scale: linear'", p.lower));
+    }
+    if (p.scale == Scale::kLog && !(p.upper / p.lower <= kWidestSpan)) {
+      fail(
+          fmt::format("its bounds {} .. {} span more than a factor of {:.0e}, the most of a log scale; raise "
+                      "the lower bound or give 'scale: linear'",
+                      p.lower, p.upper, kWidestSpan));
     }
     if (!(p.start >= p.lower && p.start <= p.upper)) {
       fail(fmt::format("start {} lies outside its bounds {} .. {}", p.start, p.lower, p.upper));

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <numeric>
 
 #include "core/common/error.hpp"
@@ -21,8 +21,6 @@
 namespace armtune {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 std::vector<Scenario> read_scenarios(const yaml::Node& node, const std::string& folder) {
   std::vector<Scenario> scenarios;
   for (const std::string& name : node.as_strings()) {
@@ -38,6 +36,26 @@ std::vector<Scenario> read_scenarios(const yaml::Node& node, const std::string& 
   }
   if (scenarios.empty()) node.fail("empty; name at least one scenario");
   return scenarios;
+}
+
+/// Magnitudes that a weight, a floor or a limit may have besides zero. Then no product, quotient or sum of
+/// them, over however many terms a file can hold, is zero or infinite.
+constexpr double kSmallest = 1e-12;
+constexpr double kLargest = 1e12;
+
+/// Returns the number. Fails at the node if its magnitude is neither zero nor moderate.
+double require_moderate(double value, const yaml::Node& node) {
+  const double magnitude = std::abs(value);
+  if (magnitude == 0.0 || (magnitude >= kSmallest && magnitude <= kLargest)) return value;
+  node.fail(
+      fmt::format("{} is neither 0 nor of a magnitude from {:.0e} to {:.0e}; give a value in this range",
+                  value, kSmallest, kLargest));
+}
+
+/// Returns a number of a map that is not negative and moderate.
+double read_scale(yaml::MapReader& map, std::string_view key, double otherwise) {
+  const double value = map.number_in(key, otherwise, 0.0, kLargest);
+  return map.has(key) ? require_moderate(value, map.required(key)) : value;
 }
 
 Metric read_metric(const yaml::Node& node) {
@@ -108,8 +126,8 @@ std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vec
       map.required("metric").fail(fmt::format(
           "{} is no goal: neither more nor less of it is better; take another metric", name(term.metric)));
     }
-    term.weight = map.number_in("weight", 1.0, 0.0, kInfinity);
-    term.floor = map.number_in("floor", 0.0, 0.0, kInfinity);
+    term.weight = read_scale(map, "weight", 1.0);
+    term.floor = read_scale(map, "floor", 0.0);
     term.scenarios = read_term_scenarios(item, term.metric, map.optional("scenarios"), scenarios);
     map.finish();
   }
@@ -128,7 +146,7 @@ std::vector<Constraint> read_constraints(const yaml::Node& node, const std::vect
     constraint.upper = map.has("at_most");
     if (constraint.upper == map.has("at_least")) item.fail("give one of: at_most, at_least");
     const yaml::Node& limit = map.required(constraint.upper ? "at_most" : "at_least");
-    if (!limit.is_word("start")) constraint.limit = limit.as_number();
+    if (!limit.is_word("start")) constraint.limit = require_moderate(limit.as_number(), limit);
     const yaml::Node* listed = map.optional("scenarios");
     constraint.scenarios = listed != nullptr ? read_subset(*listed, scenarios) : all_of(scenarios);
     applicable(listed != nullptr ? *listed : map.required("metric"), constraint.metric, constraint.scenarios,

@@ -186,5 +186,53 @@ TEST(PathFile, WaypointsThatCannotBeAreRefusedWithFileLineAndColumn) {
               AllOf(HasSubstr("points.csv:"), HasSubstr("more time")));
 }
 
+TEST(PathFile, EveryPathThatIsAcceptedHasFiniteMotion) {
+  // Magnitudes that overflow, underflow, or are nowhere near an arm, one at a time.
+  const auto with = [](const std::string& corner, const std::string& speed, const std::string& blend) {
+    return "polyline: {corners: [[0, 0, 0], [" + corner + ", 0, 0], [0, 1, 0]], speed: " + speed +
+           ", blend: " + blend + "}\n";
+  };
+  int accepted = 0;
+  int refused = 0;
+  for (const std::string number :
+       {"1e-300", "1e-200", "1e-30", "1e-6", "0.1", "1", "1e3", "1e30", "1e200", "1e300"}) {
+    for (const std::string& text :
+         {with("1", number, "0.01"), with("1", "0.1", number), with(number, "0.1", "0.01"),
+          with("1", number, number), "circle: {center: [0, 0, 0], radius: " + number + ", period: 4}\n",
+          "circle: {center: [0, 0, 0], radius: 1, period: " + number + "}\n",
+          "hold: [" + number + ", 0, 0]\n",
+          "center: [0, 0, 0]\nfrequency: 1\nterms: [{order: 1, cos: [" + number + ", 0, 0]}]\n"}) {
+      SCOPED_TRACE(text);
+      Path path;
+      const std::string message = test::refusal([&] { path = path_of(text); });
+      if (message != "nothing was refused") {
+        EXPECT_THAT(message, HasSubstr("path.yaml:"));
+        ++refused;
+        continue;
+      }
+      ++accepted;
+      for (const double t : {0.0, 1e-3, 0.5, 3.0, 1e4}) {
+        const MotionPoint<Vec3> at = path.at(t);
+        EXPECT_TRUE(at.position.allFinite() && at.velocity.allFinite() && at.acceleration.allFinite()) << t;
+      }
+    }
+  }
+  EXPECT_GT(accepted, 10);
+  EXPECT_GT(refused, 10);
+  EXPECT_THAT(test::refusal([&] { path_of(with("1", "1e300", "0.01")); }),
+              AllOf(HasSubstr("path.yaml:1"), HasSubstr("polyline"), HasSubstr("m/s")));
+}
+
+TEST(PathFile, TwoOfOneNameAreRefused) {
+  std::vector<std::string> inputs;
+  const std::string two =
+      "- {name: red, hold: [0, 0, 0]}\n- {name: blue, hold: [1, 0, 0]}\n- {name: red, hold: [2, 0, 0]}\n";
+  const yaml::Node node = yaml::parse_text(two, "two.yaml");
+  EXPECT_THAT(test::refusal([&] { read_targets(node, inputs); }),
+              AllOf(HasSubstr("two.yaml:3"), HasSubstr("'red'")));
+  EXPECT_THAT(test::refusal([&] { read_obstacles(node, inputs); }),
+              AllOf(HasSubstr("two.yaml:3"), HasSubstr("'red'")));
+}
+
 }  // namespace
 }  // namespace armtune

@@ -120,6 +120,15 @@ TEST(Parse, RefusesUtf16) {
   EXPECT_TRUE(contains(parse_error(std::string("a\0:\0", 4)), "control character 0x00"));
 }
 
+TEST(Parse, RefusesTextThatIsNotUtf8AndNamesItsLine) {
+  for (const std::string text : {"name: caf\xe9", "# caf\xe9", "'caf\xe9': 1", "name: \"caf\xe9\""}) {
+    EXPECT_TRUE(contains(parse_error("a: 1\n" + text + "\nb: 2\n"), "in.yaml:2: ")) << text;
+    EXPECT_TRUE(contains(parse_error("a: 1\n" + text + "\nb: 2\n"), "UTF-8")) << text;
+  }
+  EXPECT_EQ(parse_error("name: caf\xc3\xa9\n"), "no error");
+  EXPECT_EQ(parse_error("\xEF\xBB\xBFname: caf\xc3\xa9\n"), "no error") << "a byte order mark";
+}
+
 TEST(Parse, RefusesAnEmptyDocument) {
   for (const char* text : {"", "\n\n", "# only a comment\n", "---\n", "~"}) {
     EXPECT_EQ(parse_error(text), "in.yaml: empty, or nothing but comments; expected a YAML document") << text;

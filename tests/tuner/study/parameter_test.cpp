@@ -138,5 +138,30 @@ TEST_F(Parameters, WhatDoesNotFitIsRefusedByName) {
   EXPECT_THAT(test::refusal([] { validate({}, "study.yaml"); }), HasSubstr("no parameter"));
 }
 
+TEST_F(Parameters, BoundsThatAreAcceptedGiveFiniteGainsEverywhere) {
+  int accepted = 0;
+  for (const double lower : {2.3e-308, 1e-200, 1e-100, 1e-20, 1e-6, 1.0}) {
+    for (const double upper : {25.0, 80.0, 1e6, 1e100, 1.7e308}) {
+      ParameterSpace space = space_;
+      space.free[0].lower = lower;
+      space.free[0].upper = upper;
+      const std::string message = test::refusal([&] { validate(space, "study.yaml"); });
+      if (message != "nothing was refused") {
+        EXPECT_THAT(message, testing::AllOf(testing::HasSubstr("study.yaml"),
+                                            testing::HasSubstr("task_space_gains_p/rx")));
+        continue;
+      }
+      ++accepted;
+      for (const double x : {0.0, 0.3, 0.5, 1.0}) {
+        EXPECT_TRUE(std::isfinite(value(space.gains_at({x, 0.5}), space.free[0].entry)))
+            << lower << " " << upper;
+      }
+      EXPECT_DOUBLE_EQ(value(space.gains_at({0.0, 0.5}), space.free[0].entry), lower);
+      EXPECT_DOUBLE_EQ(value(space.gains_at({1.0, 0.5}), space.free[0].entry), upper);
+    }
+  }
+  EXPECT_GT(accepted, 5);
+}
+
 }  // namespace
 }  // namespace armtune

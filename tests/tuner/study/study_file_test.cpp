@@ -439,5 +439,24 @@ TEST(StudyFile, RefusesGainsThatNoControllerTakes) {
               HasSubstr("release_radius"));
 }
 
+TEST(StudyFile, WeightsFloorsAndLimitsOutsideTheirRangeAreRefusedWhereTheyStand) {
+  const auto objective = [](const std::string& weight, const std::string& floor) {
+    return "objective:\n  - {metric: error/orientation/rms, weight: 1}\n  - {metric: error/position/max, "
+           "weight: " +
+           weight + ", floor: " + floor + "}\n";
+  };
+  for (const std::string number : {"1e308", "1e13", "1e-13", "2.3e-308"}) {
+    EXPECT_THAT(refusal(test::kShortParameters, objective(number, "0")), HasSubstr("objective/1/weight"));
+    EXPECT_THAT(refusal(test::kShortParameters, objective("1", number)), HasSubstr("objective/1/floor"));
+    EXPECT_THAT(refusal(test::kShortParameters, test::kShortObjective,
+                        "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: " + number + "}\n"),
+                HasSubstr("constraints/0/at_most"));
+  }
+  for (const std::string number : {"0", "1e12", "1e-12"}) {
+    EXPECT_NO_THROW(load_study(ShortStudy(test::kShortParameters, objective(number, number)).path()))
+        << number;
+  }
+}
+
 }  // namespace
 }  // namespace armtune
