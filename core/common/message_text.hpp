@@ -6,8 +6,8 @@
 
 namespace armtune {
 
-/// One line that a terminal can show: line breaks and other control characters are escaped, and words longer
-/// than any path or key path (a name of a megabyte) are cut.
+/// One line that a terminal can show, in UTF-8: line breaks, other control characters and bytes that are not
+/// UTF-8 are escaped, and words longer than any path or key path (a name of a megabyte) are cut.
 std::string one_line(std::string_view text);
 
 /// A value as a message shows it: in quotes, cut when long, never in the middle of a UTF-8 character.

@@ -3,13 +3,15 @@
 
 #include <string>
 
+#include "core/common/utf8.hpp"
+
 namespace armtune::yaml {
 
 /// In double quotes, with quotes, backslashes, line ends and tabs escaped. For text without other control
-/// characters.
+/// characters. What is not UTF-8 is taken for Latin-1 (as_utf8): YAML can hold no other bytes.
 inline std::string quoted(const std::string& text) {
   std::string out = "\"";
-  for (const char c : text) {
+  for (const char c : as_utf8(text)) {
     if (c == '"' || c == '\\') out += '\\';
     if (c == '\n' || c == '\t') {
       out += c == '\n' ? "\\n" : "\\t";

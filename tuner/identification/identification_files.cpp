@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/common/message_text.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/csv/cell.hpp"
 #include "sim/yaml/quoted.hpp"
@@ -15,7 +16,7 @@ namespace armtune {
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
                        const std::vector<std::string>& header) {
   std::string text;
-  for (const std::string& line : header) text += fmt::format("# {}\n", line);
+  for (const std::string& line : header) text += fmt::format("# {}\n", one_line(line));
   Eigen::Index i = 0;
   for (const std::string& name : theta_names(model)) text += fmt::format("{}: {}\n", name, theta[i++]);
   return text;

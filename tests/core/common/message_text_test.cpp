@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/common/error.hpp"
+#include "core/common/utf8.hpp"
 
 namespace armtune {
 namespace {
@@ -12,6 +13,21 @@ TEST(OneLine, EscapesLineBreaksAndControlCharacters) {
   EXPECT_EQ(one_line("a\nb\tc\x1b[31m \x7f é"), "a\\nb\\x09c\\x1b[31m \\x7f é");
   EXPECT_EQ(one_line("  two  spaces "), "  two  spaces ");
   EXPECT_EQ(one_line(""), "");
+}
+
+TEST(OneLine, IsUtf8WhateverBytesItQuotes) {
+  EXPECT_EQ(one_line("caf\xe9/s.yaml"), "caf\\xe9/s.yaml");
+  EXPECT_EQ(one_line("\xe2\x82 \xe2\x82\xac"), "\\xe2\\x82 \xe2\x82\xac");
+  for (int first = 1; first < 256; ++first) {
+    for (int second = 1; second < 256; ++second) {
+      const std::string text = {static_cast<char>(first), static_cast<char>(second)};
+      EXPECT_TRUE(is_utf8(one_line(text))) << first << " " << second;
+      EXPECT_TRUE(is_utf8(as_utf8(text))) << first << " " << second;
+      if (is_utf8(text)) {
+        EXPECT_EQ(as_utf8(text), text);
+      }
+    }
+  }
 }
 
 TEST(OneLine, CutsWordsThatAreLongerThanAnyPath) {

@@ -16,5 +16,9 @@ TEST(Quoted, AnyTextReadsBackAsItself) {
   }
 }
 
+TEST(Quoted, BytesThatAreNotUtf8CanStillBeRead) {
+  EXPECT_EQ(parse_text("key: " + quoted("caf\xe9/\xff") + "\n", "text").find("key")->as_string(), "café/ÿ");
+}
+
 }  // namespace
 }  // namespace armtune::yaml

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/common/message_text.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune {
@@ -45,7 +46,7 @@ std::string end_velocity(const RobotModel& robot, const Trajectory& trajectory) 
 std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory, RosVersion version,
                            const std::vector<std::string>& header) {
   std::string text;
-  for (const std::string& line : header) text += "# " + line + "\n";
+  for (const std::string& line : header) text += "# " + one_line(line) + "\n";
   if (const std::string moving = end_velocity(robot, trajectory); !moving.empty())
     text += "# " + moving + "\n";
   text += "joint_names:\n";
