@@ -16,6 +16,10 @@ struct NamedJoints {
   std::vector<std::string> joints;
 };
 
+/// For classes of which only C++ makes objects. Python's own ways to one that holds nothing, such as
+/// Rollout.__new__(Rollout) or copy.copy, raise TypeError, as every use of such an object would be undefined.
+pybind11::custom_type_setup made_by_armtune();
+
 void bind_gains(pybind11::module_& module);
 void bind_rollouts(pybind11::module_& module);
 void bind_tuning(pybind11::module_& module);

@@ -120,7 +120,7 @@ std::string text(const NamedJoints& self, const std::string& format) {
 }  // namespace
 
 void bind_gains(py::module_& module) {
-  py::class_<NamedJoints>(module, "Gains",
+  py::class_<NamedJoints>(module, "Gains", made_by_armtune(),
                           "A controller's gains for one arm, by the names of its gains file.")
       .def_readonly("joints", &NamedJoints::joints,
                     "Names of the arm's joints, in the order of joint vectors.")

@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "python/work.hpp"
+
 namespace armtune::python {
 
 /// A Python function that C++ calls from any thread. What it raises ends the work, and is raised again by
@@ -49,26 +51,29 @@ inline void check_workers(int workers) {
                               std::to_string(kMost));
 }
 
-/// work(stop), in a thread of its own and without Python's lock, while this one looks for signals: Ctrl-C
-/// sets `stop`, at which the work has to end soon, and is raised when it has. if_interrupted(what the work
-/// returned) may raise something else before.
-template <class Work, class IfInterrupted>
-auto interruptible(Callback& callback, Work work, IfInterrupted if_interrupted) {
+/// Runs task(stop) in a thread of its own and without Python's lock, while this one looks for signals. Ctrl-C
+/// sets `stop`, at which the task has to end soon, and is raised when it has. if_interrupted(what the task
+/// returned) may raise something else before. The end of the interpreter stops it like Ctrl-C.
+template <class Task, class IfInterrupted>
+auto interruptible(Work& work, Callback& callback, Task task, IfInterrupted if_interrupted) {
   constexpr std::chrono::milliseconds kLook{50};
-  std::atomic<bool> stop{false};
+  std::atomic<bool>& stop = work.stop();
   callback.stops(stop);
   std::optional<pybind11::error_already_set> signal;
-  auto done = std::async(std::launch::async, [&] { return work(stop); });
+  auto done = std::async(std::launch::async, [&] { return task(stop); });
   {
     const pybind11::gil_scoped_release without_lock;
     while (done.wait_for(kLook) != std::future_status::ready) {
+      Work::stay_if_abandoned();
       const pybind11::gil_scoped_acquire lock;
       if (!signal && PyErr_CheckSignals() != 0) {
         signal.emplace();
         stop = true;
       }
     }
+    Work::stay_if_abandoned();
   }
+  if (Work::ends_with_interpreter()) Work::throw_exit();
   if (callback.raised()) throw pybind11::error_already_set(*callback.raised());
   if (signal) {
     if (signal->matches(PyExc_KeyboardInterrupt)) if_interrupted(done.get());
@@ -77,9 +82,9 @@ auto interruptible(Callback& callback, Work work, IfInterrupted if_interrupted) 
   return done.get();
 }
 
-template <class Work>
-auto interruptible(Callback& callback, Work work) {
-  return interruptible(callback, std::move(work), [](const auto&) {});
+template <class Task>
+auto interruptible(Work& work, Callback& callback, Task task) {
+  return interruptible(work, callback, std::move(task), [](const auto&) {});
 }
 
 }  // namespace armtune::python

@@ -10,6 +10,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
+#include "core/common/utf8.hpp"
 #include "core/control/gain_fields.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
@@ -49,13 +50,15 @@ py::dict metrics(const Rolled& self) {
 std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const NamedJoints& gains,
                                  int workers, int record_every, const std::string& stepper,
                                  py::object progress) {
+  Work work;
   check_workers(workers);
   if (record_every < 1)
     throw py::value_error(fmt::format("record_every: {}, must be 1 or more", record_every));
   validate(gains.gains, gains.joints, "gains");
   for (const Scenario& scenario : scenarios) {
     if (joint_names(*scenario.robot) != gains.joints)
-      throw py::value_error(fmt::format("{}: the gains are for an arm of other joints", scenario.name));
+      throw py::value_error(
+          one_line(fmt::format("{}: the gains are for an arm of other joints", scenario.name)));
   }
   Callback callback(std::move(progress));
   SimulateOptions options;
@@ -69,7 +72,7 @@ std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const N
     rolled[i].values = std::move(recorder).rows(completed);
   };
   Gains given = gains.gains;  // the caller's may change meanwhile
-  auto results = interruptible(callback, [&](const std::atomic<bool>& stop) {
+  auto results = interruptible(work, callback, [&](const std::atomic<bool>& stop) {
     return simulate(
         scenarios, [&](const Scenario&) { return given; }, options, stop);
   });
@@ -110,10 +113,10 @@ std::string errors_text(const std::vector<const Rolled*>& rollouts) {
 }  // namespace
 
 void bind_rollouts(py::module_& module) {
-  py::class_<Scenario>(module, "Scenario",
+  py::class_<Scenario>(module, "Scenario", made_by_armtune(),
                        "A task for an arm: path, targets, obstacles, and what is not ideal.")
       .def_property(
-          "name", [](const Scenario& self) { return self.name; }, &set_name,
+          "name", [](const Scenario& self) { return as_utf8(self.name); }, &set_name,
           "What its results are called by: of two variants that are simulated together one needs another.")
       .def_property(
           "duration", [](const Scenario& self) { return self.duration; }, &set_duration,
@@ -124,13 +127,14 @@ void bind_rollouts(py::module_& module) {
       "load_scenario", [](const std::filesystem::path& name) { return load_scenario(name.string()); },
       py::arg("name"), "A bundled scenario by name, or a file by path.");
 
-  py::class_<Rolled>(module, "Rollout", "A simulated scenario: its outcome, metrics and time series.")
-      .def_property_readonly("scenario", [](const Rolled& self) { return self.result.scenario; })
+  py::class_<Rolled>(module, "Rollout", made_by_armtune(),
+                     "A simulated scenario: its outcome, metrics and time series.")
+      .def_property_readonly("scenario", [](const Rolled& self) { return as_utf8(self.result.scenario); })
       .def_property_readonly(
           "status", [](const Rolled& self) { return name(self.result.result.status); },
           "'completed', or what became of it.")
       .def_property_readonly(
-          "reason", [](const Rolled& self) { return self.result.result.reason; },
+          "reason", [](const Rolled& self) { return as_utf8(self.result.result.reason); },
           "When, where and why it ended; empty if completed.")
       .def_property_readonly("metrics", &metrics,
                              "Every metric by name, SI units; nan where there is no value.")
@@ -147,8 +151,9 @@ void bind_rollouts(py::module_& module) {
              py::arg("workers") = 1, py::arg("record_every") = 5, py::arg("stepper") = "midpoint",
              py::arg("progress") = py::none(),
              "Scenarios under gains, in parallel. progress(done, all) is called after each. Ctrl-C ends it.");
-  module.def("errors_csv", &errors_text, py::arg("rollouts"),
-             "The text of errors.csv: one row per rollout, every metric.");
+  module.def(
+      "errors_csv", [](const std::vector<const Rolled*>& rollouts) { return as_utf8(errors_text(rollouts)); },
+      py::arg("rollouts"), "The text of errors.csv: one row per rollout, every metric.");
   module.def(
       "write_errors",
       [](const std::vector<const Rolled*>& rollouts, const std::filesystem::path& path) {

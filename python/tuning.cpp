@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "core/common/utf8.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/interruptible.hpp"
@@ -56,6 +57,7 @@ Tuned tuned_of(const Study& study, const TuneResult& result, Series seen) {
 }
 
 Tuned tune_study(const Study& given, int workers, py::object progress) {
+  Work under_way;
   check_workers(workers);
   const Study study = given;
   Callback callback(std::move(progress));
@@ -69,11 +71,11 @@ Tuned tune_study(const Study& given, int workers, py::object progress) {
   callbacks.progress = [&](const TuneProgress& p) {
     callback(p.evaluations, p.max_evaluations, p.best->objective, p.best->feasible);
   };
-  const auto work = [&](const std::atomic<bool>& stop) {
+  const auto task = [&](const std::atomic<bool>& stop) {
     Workers crew(study.scenarios, study.stepper, workers, study.robust);
     return tune(study, crew, stop, callbacks);
   };
-  const TuneResult found = interruptible(callback, work, [&](const TuneResult& so_far) {
+  const TuneResult found = interruptible(under_way, callback, task, [&](const TuneResult& so_far) {
     raise_interrupted(tuned_of(study, so_far, std::move(seen)));
   });
   return tuned_of(study, found, std::move(seen));
@@ -92,8 +94,9 @@ void set_max_evaluations(Study& self, long most) {
 }  // namespace
 
 void bind_tuning(py::module_& module) {
-  py::class_<Study>(module, "Study", "What is tuned, over which scenarios, for what, inside which limits.")
-      .def_readonly("name", &Study::name)
+  py::class_<Study>(module, "Study", made_by_armtune(),
+                    "What is tuned, over which scenarios, for what, inside which limits.")
+      .def_property_readonly("name", [](const Study& self) { return as_utf8(self.name); })
       .def_readonly("scenarios", &Study::scenarios)
       .def_property(
           "max_evaluations", [](const Study& self) { return self.max_evaluations; }, &set_max_evaluations,
@@ -109,12 +112,13 @@ void bind_tuning(py::module_& module) {
       py::arg("name"), py::arg("controller") = "",
       "A bundled study by name, or a file by path; with another controller than its gains are for.");
 
-  py::class_<Tuned>(module, "Tuned", "A search that is over.")
+  py::class_<Tuned>(module, "Tuned", made_by_armtune(), "A search that is over.")
       .def_readonly("start", &Tuned::start, "The gains it began with.")
       .def_readonly("best", &Tuned::best, "The best gains: feasible, if any were.")
       .def_readonly("objective", &Tuned::objective, "Of the best; the start scores 1.")
       .def_readonly("feasible", &Tuned::feasible, "Whether the best keeps every limit.")
-      .def_readonly("reason", &Tuned::reason, "Why the search ended.")
+      .def_property_readonly(
+          "reason", [](const Tuned& self) { return as_utf8(self.reason); }, "Why the search ended.")
       .def_readonly("objectives", &Tuned::objectives, "Of every evaluation, in order.")
       .def_readonly("violations", &Tuned::violations,
                     "Sum of relative violations of the limits; 0: feasible.")

@@ -273,6 +273,84 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "other joints"):
             armtune.simulate([panda], self.gains)
 
+    def test_a_daemon_thread_at_work_does_not_abort_the_end_of_the_script(self):
+        (self.folder / "study.yaml").write_text(STUDY.replace("COBYLA", "CRS2"))
+        begin = (
+            "import armtune, sys, threading, time\n"
+            f"study = armtune.load_study({str(self.folder / 'study.yaml')!r})\n"
+            "study.max_evaluations = 100000\n"
+            "scenario = armtune.load_scenario('moving_target')\n"
+            "scenario.duration = 20000\n"
+            "gains = armtune.load_gains('published', scenario)\n"
+            "def again():\n"
+            "    while True:\n"
+            "        try:\n"
+            "            armtune.tune(study)\n"
+            "        except Exception:\n"
+            "            pass\n"
+        )
+        works = {
+            "tune": "lambda: armtune.tune(study)",
+            "tune with progress": "lambda: armtune.tune(study, workers=2, progress=lambda *_: None)",
+            "simulate": "lambda: armtune.simulate([scenario], gains, record_every=1000)",
+            "tune again and again": "again",
+            "a progress that sleeps": "lambda: armtune.tune(study, progress=lambda *_: time.sleep(0.2))",
+        }
+        for name, work in works.items():
+            for ending in ("", "sys.exit(7)\n"):
+                with self.subTest(name, ending=ending):
+                    script = begin + f"threading.Thread(target={work}, daemon=True).start()\ntime.sleep(0.7)\n" + ending
+                    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+                    self.assertEqual((done.returncode, done.stderr), (7 if ending else 0, ""))
+
+    def test_objects_that_hold_nothing_cannot_be_made(self):
+        script = (
+            "import armtune, copy, pickle\n"
+            "made = {'Scenario': armtune.load_scenario('moving_target'), 'Study': armtune.load_study('ur10_gaze')}\n"
+            "made['Scenario'].duration = 0.1\n"
+            "made['Gains'] = armtune.load_gains('published', made['Scenario'])\n"
+            "(made['Rollout'],) = armtune.simulate([made['Scenario']], made['Gains'])\n"
+            "classes = [armtune.Scenario, armtune.Gains, armtune.Rollout, armtune.Study, armtune.Tuned]\n"
+            "for one in classes:\n"
+            "    class Sub(one):\n"
+            "        def __init__(self): pass\n"
+            "    ways = [lambda: one.__new__(one), lambda: one(), lambda: object.__new__(one), lambda: Sub(), lambda: Sub.__new__(Sub),\n"
+            "            lambda: one.__base__.__new__(one)]\n"
+            "    if one.__name__ in made:\n"
+            "        thing = made[one.__name__]\n"
+            "        other = classes[(classes.index(one) + 1) % len(classes)]\n"
+            "        ways += [lambda: pickle.loads(pickle.dumps(thing)), lambda: setattr(thing, '__class__', other)]\n"
+            "        if one is not armtune.Gains: ways.append(lambda: copy.copy(thing))\n"
+            "    for place, way in enumerate(ways):\n"
+            "        try:\n"
+            "            empty = way()\n"
+            "        except TypeError:\n"
+            "            continue\n"
+            "        print(one.__name__, place, 'was made', flush=True)\n"
+            "        for name in dir(empty): getattr(empty, name, None)\n"
+        )
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+    def test_names_that_are_not_utf_8_are_shown(self):
+        folder = os.fsencode(self.folder) + b"/caf\xe9"
+        os.mkdir(folder)
+        for load in (armtune.load_scenario, armtune.load_study, lambda name: armtune.load_gains(name, self.scenario)):
+            with self.assertRaisesRegex(armtune.InputError, r"caf.*nowhere\.yaml"):
+                load(folder + b"/nowhere.yaml")
+            with self.assertRaisesRegex(armtune.InputError, r"caf.*nowhere\.yaml"):
+                load(os.fsdecode(folder + b"/nowhere.yaml"))
+        with open(folder + b"/caf\xe9.yaml", "w") as file:
+            file.write(SHORT)
+        scenario = armtune.load_scenario(folder + b"/caf\xe9.yaml")
+        self.assertIn("caf", scenario.name)
+        scenario.duration = 0.1
+        (rollout,) = armtune.simulate([scenario], self.gains)
+        self.assertIn("caf", rollout.scenario)
+        self.assertIn(rollout.scenario, armtune.errors_csv([rollout]))
+        with self.assertRaisesRegex(armtune.InputError, "caf.*errors"):
+            armtune.write_errors([rollout], folder + b"/none/errors.csv")
+
     def test_the_example_gives_the_programs_bytes(self):
         # 3: the published gains saturate the elbow when the task begins.
         self.assertEqual(run("simulate", "moving_target", "--out", self.folder / "run").returncode, 3)
