@@ -37,18 +37,30 @@ TEST(WrongCause, AFolderThatMayNotBeReadIsCalledThat) {
   const std::string closed = folder / "closed";
   fs::create_directories(closed);
   folder.write("closed/own.yaml", "base: moving_target\nduration: 1\n");
-  for (const fs::perms mode : {fs::perms::none, fs::perms::owner_write | fs::perms::owner_exec}) {
-    fs::permissions(closed, mode);
-    if (Program({"--version"}, "/", plain_user()).wait().exit_code != 0) GTEST_SKIP() << "cannot drop rights";
-    const Finished out = Program({"simulate", "moving_target", "--out", closed}, "/", plain_user()).wait();
-    EXPECT_EQ(out.exit_code, 2);
-    EXPECT_THAT(out.err,
-                AllOf(HasSubstr(closed), HasSubstr("Permission denied"), Not(HasSubstr("not empty"))));
-    const Finished in = Program({"simulate", closed + "/own.yaml"}, "/", plain_user()).wait();
-    EXPECT_EQ(in.exit_code, 2);
-    EXPECT_THAT(in.err,
-                AllOf(HasSubstr(closed), HasSubstr("Permission denied"), Not(HasSubstr("no such file"))));
+  fs::permissions(closed, fs::perms::none);
+  if (Program({"--version"}, "/", plain_user()).wait().exit_code != 0) GTEST_SKIP() << "cannot drop rights";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"simulate", "moving_target", "--out", closed},
+        {"simulate", closed + "/own.yaml"},
+        {"simulate", "moving_target", "--gains", closed + "/gains.yaml"},
+        {"tune", "--resume", closed},
+        {"report", closed},
+        {"compare", closed},
+        {"export", closed},
+        {"identify", closed + "/log.csv"}}) {
+    SCOPED_TRACE(arguments[0]);
+    const Finished done = Program(arguments, "/", plain_user()).wait();
+    EXPECT_EQ(done.exit_code, 2);
+    EXPECT_THAT(done.err, AllOf(HasSubstr(closed), HasSubstr("Permission denied"), Not(HasSubstr("o such")),
+                                Not(HasSubstr("not empty")), Not(HasSubstr("not exist"))));
   }
+  // One that may be searched and written to, but not listed: whether it is empty cannot be told.
+  constexpr fs::perms kUnlisted =
+      fs::perms::owner_write | fs::perms::owner_exec | fs::perms::others_write | fs::perms::others_exec;
+  fs::permissions(closed, kUnlisted);
+  const Finished done = Program({"simulate", "moving_target", "--out", closed}, "/", plain_user()).wait();
+  EXPECT_EQ(done.exit_code, 2);
+  EXPECT_THAT(done.err, AllOf(HasSubstr("Permission denied"), Not(HasSubstr("not empty"))));
   fs::permissions(closed, fs::perms::owner_all);
 }
 

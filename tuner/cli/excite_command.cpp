@@ -14,6 +14,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/readable_file.hpp"
 #include "tuner/identification/excitation_design.hpp"
 #include "tuner/identification/excitation_log.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -165,7 +166,7 @@ void add_excite_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", d.seed, "of the random series it starts from")->capture_default_str();
   command
       ->add_option("--trajectory", args->trajectory, "an excitation.yaml: takes it instead of designing one")
-      ->check(CLI::ExistingFile);
+      ->check(readable_file());
   command->add_option("--scenario", args->scenarios,
                       "also simulate this scenario's arm (without its payload) and log it");
   command

@@ -17,6 +17,7 @@
 #include "tuner/cli/identify_report.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/readable_file.hpp"
 #include "tuner/identification/identification_files.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -131,7 +132,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
                    "(checked against the "
                    "positions); as simulate and excite write them")
       ->required()
-      ->check(CLI::ExistingFile);
+      ->check(readable_file());
   command
       ->add_option("--robot", args->robot,
                    "bundled robot, robot YAML or URDF: geometry, names and prior values")

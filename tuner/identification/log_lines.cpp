@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
 
 #include "core/common/error.hpp"
 
@@ -47,7 +49,8 @@ LogLines::LogLines(const std::string& path) : path_(path), buffer_(kMaxLineBytes
         "{}: is not a regular file; a log is read more than once, so save it to a file first", path));
   }
   file_.open(path, std::ios::binary);
-  if (!file_) throw InputError(fmt::format("{}: cannot be opened", path));
+  if (!file_)
+    throw InputError(fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(errno)));
 }
 
 bool LogLines::fill() {

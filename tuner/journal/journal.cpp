@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
+#include "core/common/path_state.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune {
@@ -74,6 +77,10 @@ class Lines {
  public:
   explicit Lines(const std::string& path) : path_(path), file_(path, std::ios::binary) {
     if (!file_) {
+      const int reason = errno;
+      if (is_there(path))
+        throw InputError(
+            fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(reason)));
       throw InputError(
           path + ": cannot be read; only the folder of a run that has begun can be resumed: begin it anew");
     }

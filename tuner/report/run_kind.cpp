@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/common/error.hpp"
+#include "core/common/path_state.hpp"
 #include "tuner/journal/journal.hpp"
 
 namespace armtune::report {
@@ -48,7 +49,8 @@ RunKind kind_of(const std::string& folder) {
     std::error_code ignored;
     return std::filesystem::exists(folder + "/" + file, ignored);
   };
-  if (!has(".")) throw InputError(folder + ": there is no such folder; give one that a run has left");
+  if (!is_there(folder + "/."))
+    throw InputError(folder + ": there is no such folder; give one that a run has left");
   if (has("journal.txt")) {
     if (const auto kind = journal_kind(folder + "/journal.txt")) return *kind;
   }
