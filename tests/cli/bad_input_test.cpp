@@ -155,6 +155,29 @@ TEST_F(BadInput, UnknownNames) {
   EXPECT_THAT(refused({"compare", "published", "--scenarios", "fixed_targe"}), HasSubstr("'fixed_target'"));
 }
 
+TEST_F(BadInput, WhatWouldGiveNoNumbersOrTwoMeanings) {
+  const std::string base = "base: moving_target\nduration: 1\n";
+  const std::string two =
+      "targets:\n  - {name: red, hold: [0, 0, 0]}\n  - {name: red, hold: [-0.6, 0, 0]}\nschedule: []\n";
+  EXPECT_THAT(refused({"simulate", files_.write("two.yaml", base + two)}),
+              testing::AllOf(HasSubstr("two.yaml:5"), HasSubstr("'red'")));
+  const std::string fast =
+      "targets: [{name: a, polyline: {corners: [[0, 0, 0], [1, 0, 0]], speed: 1e300, blend: 0.1}}]\n";
+  EXPECT_THAT(refused({"simulate", files_.write("fast.yaml", base + fast)}),
+              testing::AllOf(HasSubstr("fast.yaml:3"), HasSubstr("polyline")));
+  EXPECT_THAT(refused({"simulate", files_.write("latin.yaml", base + "description: caf\xe9\n")}),
+              testing::AllOf(HasSubstr("latin.yaml:3"), HasSubstr("UTF-8")));
+  EXPECT_THAT(
+      refused({"tune", study_with("parameters:\n  - {name: slerpDurationErrorGain, lower: 2.3e-308}\n")}),
+      testing::AllOf(HasSubstr("slerpDurationErrorGain"), HasSubstr("2.3e-308")));
+  const std::string heavy =
+      "objective:\n  - {metric: error/orientation/rms, weight: 1e308}\n  - {metric: error/position/max, "
+      "weight: 1e308}\n";
+  EXPECT_THAT(refused({"tune", ShortStudyText(test::kShortParameters, heavy, test::kShortConstraints,
+                                              test::kShortSearch)}),
+              testing::AllOf(HasSubstr("bad_study.yaml:7"), HasSubstr("weight")));
+}
+
 TEST_F(BadInput, LeavesNoFolderBehind) {
   refused({"tune", study_with("parameters:\n  - {name: no_such_gain}\n"), "--out", files_ / "run"});
   EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
