@@ -81,12 +81,12 @@ std::vector<std::string> bundled_names(const std::string& folder) {
 std::string find_data_file(const std::string& folder, const std::string& name_or_path,
                            const std::string& relative_to) {
   if (looks_like_path(name_or_path)) {
-    const std::string beside = (fs::path(relative_to) / name_or_path).string();
+    std::string beside = (fs::path(relative_to) / name_or_path).string();
     if (!relative_to.empty() && is_there(beside)) return beside;
     if (is_there(name_or_path)) return name_or_path;
     throw InputError(fmt::format("{}: no such file", name_or_path));
   }
-  const std::string bundled = (fs::path(data_folder()) / folder / (name_or_path + kExtension)).string();
+  std::string bundled = (fs::path(data_folder()) / folder / (name_or_path + kExtension)).string();
   if (name_or_path.size() <= kLongestName && is_there(bundled)) return bundled;
   const auto names = bundled_names(folder);
   throw InputError(

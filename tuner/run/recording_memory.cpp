@@ -67,6 +67,7 @@ double usable_memory() {
 void require_recording_memory(const std::vector<Scenario>& scenarios, int stride, int workers,
                               RecordingUse use, double usable) {
   std::vector<double> bytes;
+  bytes.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) bytes.push_back(recording_bytes(scenario, stride, use));
   if (bytes.empty()) return;
   const auto longest = static_cast<std::size_t>(std::max_element(bytes.begin(), bytes.end()) - bytes.begin());
