@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cstdint>
+
+#include "core/common/utf8.hpp"
 
 namespace armtune {
 namespace {
@@ -16,35 +18,21 @@ std::string_view beginning(std::string_view text, std::size_t most) {
   return text.substr(0, most);
 }
 
-/// Returns how many bytes the UTF-8 character has that the text begins with; 0: it begins with none.
-std::size_t character_bytes(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned first = byte(0);
-  if (first < 0x80) return text.empty() ? 0 : 1;
-  if (first < 0xC2 || first > 0xF4) return 0;
-  // The second byte has a smaller range behind these four: overlong forms, surrogates, beyond U+10FFFF.
-  const unsigned lowest = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-  const unsigned highest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-  if (byte(1) < lowest || byte(1) > highest) return 0;
-  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  for (std::size_t i = 2; i < bytes; ++i) {
-    if (byte(i) < 0x80 || byte(i) > 0xBF) return 0;
-  }
-  return bytes;
-}
-
 void append_escaped(std::string& line, std::string_view text) {
   while (!text.empty()) {
-    const std::size_t bytes = character_bytes(text);
-    const auto c = static_cast<unsigned char>(text[0]);
-    if (c == '\n') {
+    const Utf8Character character = first_character(text);
+    if (text.front() == '\n') {
       line += "\\n";
-    } else if (bytes == 0 || c < 0x20 || c == 0x7f) {
-      line += fmt::format("\\x{:02x}", c);
+    } else if (character.code && is_printable(*character.code)) {
+      line += text.substr(0, character.bytes);
     } else {
-      line += text.substr(0, bytes);
+      const auto code = static_cast<std::uint32_t>(
+          character.code.value_or(static_cast<char32_t>(static_cast<unsigned char>(text.front()))));
+      line += code > 0xFFFF ? fmt::format("\\U{:08x}", code)
+              : code > 0xFF ? fmt::format("\\u{:04x}", code)
+                            : fmt::format("\\x{:02x}", code);
     }
-    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+    text.remove_prefix(character.bytes);
   }
 }
 
@@ -70,9 +58,9 @@ std::string one_line(std::string_view text) {
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t bytes = character_bytes(text);
-    if (bytes == 0) return false;
-    text.remove_prefix(bytes);
+    const Utf8Character character = first_character(text);
+    if (!character.code) return false;
+    text.remove_prefix(character.bytes);
   }
   return true;
 }

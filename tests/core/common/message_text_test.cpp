@@ -30,6 +30,17 @@ TEST(OneLine, IsUtf8WhateverBytesItQuotes) {
   }
 }
 
+TEST(OneLine, EscapesWhatSomeReaderTakesForTheEndOfALineAndWhatIsNotUtf8) {
+  EXPECT_EQ(one_line("a\xC2\x85"
+                     "b\xE2\x80\xA8"
+                     "c\xE2\x80\xA9"
+                     "d\xEF\xBB\xBF"
+                     "e"),
+            "a\\x85b\\u2028c\\u2029d\\ufeffe");
+  EXPECT_EQ(one_line("caf\xE9 \xC2\x9B[31m \xF0\x9F\xA4\x96 \xF0\x9F\xBF\xBE"),
+            "caf\\xe9 \\x9b[31m \xF0\x9F\xA4\x96 \\U0001fffe");
+}
+
 TEST(OneLine, CutsWordsThatAreLongerThanAnyPath) {
   const std::string path(4096, 'p');
   EXPECT_EQ(one_line(path + ": no such file"), path + ": no such file");
