@@ -40,14 +40,4 @@ bool is_missing_or_empty(const std::string& folder) {
   return first == fs::directory_iterator();
 }
 
-std::string absolute_path(const std::string& path) {
-  std::error_code error;
-  const fs::path whole = fs::absolute(path, error);
-  if (error) {
-    throw InputError(fmt::format("the current folder cannot be found: {}; change to a folder that exists",
-                                 error.message()));
-  }
-  return whole.lexically_normal().string();
-}
-
 }  // namespace armtune

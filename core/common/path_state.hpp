@@ -19,8 +19,4 @@ void refuse_existing(const std::string& path);
 /// cannot be told: it may not be read, too many files are open, or it is no folder.
 bool is_missing_or_empty(const std::string& folder);
 
-/// Returns the path from the root on, without "." and "..". Throws InputError if the current folder, where
-/// relative paths begin, was deleted or may not be looked at.
-std::string absolute_path(const std::string& path);
-
 }  // namespace armtune

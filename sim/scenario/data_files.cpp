@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "core/common/error.hpp"
+#include "core/common/file_path.hpp"
+#include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 #include "core/common/path_state.hpp"
 
@@ -26,7 +28,7 @@ bool looks_like_path(const std::string& text) {
 
 std::string file_beside(const std::string& path, const std::string& named_in) {
   if (path.starts_with('/')) return path;
-  return (std::filesystem::path(folder_of(named_in)) / path).lexically_normal().string();
+  return without_dots(folder_of(named_in) + "/" + path);
 }
 
 std::string stem(const std::string& path) {
@@ -46,7 +48,12 @@ std::string shown_path(const std::string& path) {
 std::string portable_reference(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   const bool bundled = path.ends_with(kExtension) && folder.parent_path() == fs::path(data_folder());
-  return bundled ? stem(path) : absolute_path(path);
+  const std::string reference = bundled ? stem(path) : absolute_path(path);
+  if (!is_utf8(reference)) {
+    throw InputError(fmt::format(
+        "{}: the path is not UTF-8, so that no file could name it; rename the folder", reference));
+  }
+  return reference;
 }
 
 std::string data_folder() {

@@ -20,6 +20,7 @@ std::vector<std::string> bundled_names(const std::string& folder);
 std::string data_folder();
 
 /// How another machine finds the same file: the bundled name where it is bundled, else the absolute path.
+/// Throws InputError where that is not UTF-8.
 std::string portable_reference(const std::string& path);
 
 /// The path for a person to read: bundled files without the folder they happen to be installed in.

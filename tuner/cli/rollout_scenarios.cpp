@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/common/error.hpp"
+#include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/report/provenance.hpp"
 #include "tuner/run/file_hash.hpp"
@@ -103,10 +104,9 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const Inpu
 }  // namespace
 
 std::string run_of(const std::string& folder) {
-  fs::path above = (fs::path(folder) / "..").lexically_normal();
-  if (!above.has_filename()) above = above.parent_path();
+  const std::string above = without_dots(folder + "/..");
   const bool own = exists(folder + "/run.yaml");
-  return !own && exists((above / "run.yaml").string()) ? above.string() : folder;
+  return !own && exists(above + "/run.yaml") ? above : folder;
 }
 
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names) {

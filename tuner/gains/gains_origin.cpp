@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/common/file_path.hpp"
 #include "core/common/path_state.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/metrics/metric.hpp"
@@ -99,7 +100,6 @@ void add_margins(const fs::path& folder, Rows& rows) {
 std::string run_above(const std::string& path) {
   constexpr int kLevels = 3;
   fs::path folder = absolute_path(path);
-  if (!folder.has_filename()) folder = folder.parent_path();
   for (int level = 0; level < kLevels; ++level, folder = folder.parent_path()) {
     if (has(folder / "run.yaml") && has(folder / "study.yaml")) return folder.string();
   }
