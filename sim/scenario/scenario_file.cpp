@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/common/error.hpp"
-#include "core/common/message_text.hpp"
+#include "core/common/file_name.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/robot/link_radius.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -184,10 +184,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   yaml::MapReader map(root);
   map.ignore("base");
   scenario.name = stem(path);
-  if (is_formula(scenario.name)) {
-    throw InputError(fmt::format(
-        "{}: the name begins like a spreadsheet's formula; rename the file (CSV files use it)", path));
-  }
+  check_result_name(scenario.name, path);
   scenario.source = path;
   scenario.description = map.string("description", "");
   const yaml::Node& robot_node = map.required("robot");
@@ -250,11 +247,6 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.seed = static_cast<std::uint64_t>(seed);
   map.finish();
   if (!scenario.theta.file.empty()) start_theta_from(std::string(scenario.theta.file), scenario);
-  if (scenario.name.find_first_of(",\"\n") != std::string::npos) {
-    throw InputError(path +
-                     ": the file's name holds a comma, a quote or a line break, and would break the CSV "
-                     "files; rename it");
-  }
   return scenario;
 }
 

@@ -20,6 +20,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/set_labels.hpp"
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/gains/gains_difference.hpp"
 #include "tuner/run/comparison.hpp"
@@ -47,18 +48,6 @@ struct Arguments {
   double endurance = 0.0;  ///< minutes; 0: none
   std::string robot;       ///< of --gains alone
 };
-
-/// Short and unique: the folder's or file's name.
-template <class Named>
-std::string label_of(const std::string& set, const std::vector<Named>& taken) {
-  const fs::path path(set.ends_with('/') ? set.substr(0, set.size() - 1) : set);
-  std::string label = path.has_extension() ? stem(path.string()) : path.filename().string();
-  std::replace(label.begin(), label.end(), ',', '_');
-  for (const Named& other : taken) {
-    if (other.name == label) return label + "_" + std::to_string(taken.size() + 1);
-  }
-  return label;
-}
 
 /// Those asked for; else those of the first run folder's study; else those of the bundled study.
 std::vector<Scenario> scenarios_of(const Arguments& args) {
@@ -98,12 +87,13 @@ report::Scene scene_of(const std::vector<Scenario>& scenarios, const std::vector
 
 int show_gains(const Arguments& args) {
   if (args.sets.size() < 2) throw InputError("--gains: shows what differs between sets; name two or more");
+  const std::vector<std::string> labels = set_labels(args.sets);
   const auto joints =
       joint_names(args.robot.empty() ? *scenarios_of(args).front().robot : *load_robot(args.robot));
   std::vector<NamedGains> sets;
-  for (const std::string& set : args.sets) {
+  for (std::size_t i = 0; i < args.sets.size(); ++i) {
     try {
-      sets.push_back({label_of(set, sets), load_gains(gains_name(set), joints)});
+      sets.push_back({labels[i], load_gains(gains_name(args.sets[i]), joints)});
     } catch (const InputError& e) {
       if (!args.robot.empty()) throw;
       throw InputError(fmt::format("{}; read for an arm of {} joints: name another with --robot", e.what(),
@@ -149,6 +139,7 @@ int interrupted(const Arguments& args, const std::vector<ComparedSet>& sets) {
 
 int run(const Arguments& args) {
   if (args.gains_only) return show_gains(args);
+  const std::vector<std::string> labels = set_labels(args.sets);
   const auto scenarios = scenarios_of(args);
   for (const std::string& set : args.sets) {
     for (const Scenario& s : scenarios) {
@@ -163,8 +154,9 @@ int run(const Arguments& args) {
   options.deadline = args.deadline;
   ProgressLine line;
   std::vector<ComparedSet> sets;
-  for (const std::string& set : args.sets) {
-    const std::string label = label_of(set, sets);
+  for (std::size_t i = 0; i < args.sets.size(); ++i) {
+    const std::string& set = args.sets[i];
+    const std::string& label = labels[i];
     options.progress = [&](std::size_t done) {
       line.show(fmt::format("{}: {} of {} scenarios", label, done, scenarios.size()));
     };

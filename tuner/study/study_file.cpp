@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/common/error.hpp"
+#include "core/common/file_name.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/rollout/applies.hpp"
@@ -194,6 +195,7 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   yaml::MapReader map(root);
   Study study;
   study.name = stem(path);
+  check_file_name(study.name, path);
   study.source = path;
   study.description = map.string("description", "");
   study.scenarios = read_scenarios(map.required("scenarios"), folder_of(path));

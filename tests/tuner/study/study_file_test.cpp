@@ -458,5 +458,30 @@ TEST(StudyFile, WeightsFloorsAndLimitsOutsideTheirRangeAreRefusedWhereTheyStand)
   }
 }
 
+TEST(StudyFile, WhatARunWritesNamesTheScenariosThatWereReadThroughLinksToo) {
+  const ShortStudy files;
+  std::filesystem::create_directories(files / "real/below");
+  std::filesystem::create_directory_symlink(files / "real/below", files / "sub");
+  files.write("real/twin.yaml", "base: moving_target\nduration: 5\n");
+  files.write("twin.yaml", "base: moving_target\nduration: 7\n");
+  Study study = load_study(files.path());
+  study.scenarios = {load_scenario(files / "sub/../twin.yaml")};
+  ASSERT_EQ(study.scenarios.front().duration, 5.0);
+  study.terms.front().scenarios = {0};
+  study.terms.resize(1);
+  study.constraints.clear();
+  const Study again = load_study(files.write("written.yaml", study_yaml(study, "gains.yaml", "")));
+  EXPECT_EQ(again.scenarios.front().duration, 5.0);
+}
+
+TEST(StudyFile, ANameThatNoFileCouldBeCalledAfterIsRefused) {
+  const ShortStudy files;
+  for (const std::string& name : {std::string(201, 's'), std::string("a\x1b[31m"), std::string("caf\xE9")}) {
+    const std::string path = files / (name + ".yaml");
+    std::filesystem::copy_file(files.path(), path);
+    EXPECT_THAT(test::refusal([&] { load_study(path); }), HasSubstr("rename"));
+  }
+}
+
 }  // namespace
 }  // namespace armtune

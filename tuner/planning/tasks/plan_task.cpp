@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/common/error.hpp"
+#include "core/common/file_name.hpp"
 #include "sim/csv/cell.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -185,6 +186,8 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   yaml::MapReader map(root);
   PlanTask task;
   task.name = stem(path);
+  // The scenario that follows the plan is called after it.
+  check_result_name(task.name, path, kLongestName - std::string_view("planned_").size());
   task.source = path;
   task.description = map.string("description", "");
   const yaml::Node& kind = map.required("task");

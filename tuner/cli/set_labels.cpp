@@ -1,0 +1,34 @@
+#include "tuner/cli/set_labels.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/common/file_name.hpp"
+#include "sim/scenario/data_files.hpp"
+
+namespace armtune::cli {
+namespace {
+
+std::string name_of(const std::string& set) {
+  const std::filesystem::path path(set.ends_with('/') ? set.substr(0, set.size() - 1) : set);
+  std::string name = path.has_extension() ? stem(path.string()) : path.filename().string();
+  std::replace(name.begin(), name.end(), ',', '_');
+  return name;
+}
+
+}  // namespace
+
+std::vector<std::string> set_labels(const std::vector<std::string>& sets) {
+  std::vector<std::string> labels;
+  for (const std::string& set : sets) {
+    const std::string name = name_of(set);
+    std::string label = name;
+    for (int number = 2; std::find(labels.begin(), labels.end(), label) != labels.end(); ++number)
+      label = name + "_" + std::to_string(number);
+    check_result_name(label, set);
+    labels.push_back(std::move(label));
+  }
+  return labels;
+}
+
+}  // namespace armtune::cli
