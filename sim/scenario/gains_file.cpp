@@ -8,12 +8,12 @@
 #include <span>
 
 #include "core/common/error.hpp"
-#include "core/common/message_text.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/force_gains.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
+#include "sim/yaml/quoted.hpp"
 
 namespace armtune {
 namespace {
@@ -156,7 +156,7 @@ std::vector<std::pair<std::string, std::string>> published_path(const std::strin
 std::string gains_yaml(const Gains& gains, const std::vector<std::string>& header, const GainsKeys& keys,
                        const std::vector<std::pair<std::string, std::string>>& others) {
   std::string text;
-  for (const std::string& line : header) text += fmt::format("# {}\n", one_line(line));
+  for (const std::string& line : header) text += yaml::comment(line);
   std::string indent;
   for (const std::string& key : keys) {
     text += fmt::format("{}{}:\n", indent, key);

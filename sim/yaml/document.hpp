@@ -16,9 +16,8 @@ inline constexpr std::size_t kMaxItems =
     200'000;  ///< most values in a text of kMaxBytes, containers included; in a larger one as many times more
 inline constexpr std::size_t kMaxKeys = 100'000;  ///< most keys of one map
 inline constexpr std::size_t kMaxDepth = 64;      ///< most containers inside one another
-inline constexpr std::size_t kMaxKeyBytes =
-    1024;  ///< longest key [byte], as YAML has it; run.yaml has paths as keys
-inline constexpr std::size_t kMaxPathBytes = 4096;  ///< longest key path [byte]
+inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]; run.yaml has paths as keys
+inline constexpr std::size_t kMaxPathBytes = 8192;  ///< longest key path [byte]
 inline constexpr std::size_t kMaxAllPathBytes =
     32 * 1024 * 1024;  ///< of all values, each of which holds its path
 

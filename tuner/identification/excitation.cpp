@@ -11,6 +11,7 @@
 #include "sim/csv/cell.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
+#include "sim/yaml/quoted.hpp"
 
 namespace armtune {
 namespace {
@@ -71,7 +72,8 @@ std::string excitation_yaml(const Excitation& e, const std::vector<std::string>&
     text += fmt::format("{}:\n", key);
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const Eigen::RowVectorXd row = matrix->row(static_cast<Eigen::Index>(j));
-      text += fmt::format("  {}: [{}]\n", joints[j], fmt::join(row.data(), row.data() + row.size(), ", "));
+      text += yaml::entry("  ", joints[j],
+                          fmt::format("[{}]", fmt::join(row.data(), row.data() + row.size(), ", ")));
     }
   }
   return text;

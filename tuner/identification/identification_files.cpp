@@ -16,9 +16,10 @@ namespace armtune {
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
                        const std::vector<std::string>& header) {
   std::string text;
-  for (const std::string& line : header) text += fmt::format("# {}\n", one_line(line));
+  for (const std::string& line : header) text += yaml::comment(line);
   Eigen::Index i = 0;
-  for (const std::string& name : theta_names(model)) text += fmt::format("{}: {}\n", name, theta[i++]);
+  for (const std::string& name : theta_names(model))
+    text += yaml::entry("", name, fmt::format("{}", theta[i++]));
   return text;
 }
 
@@ -62,8 +63,9 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
   return fmt::format(
       "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}\nviscous_friction: {}\n"
       "coulomb_friction: {}\n",
-      urdf, yaml::quoted(model.base_link), urdf_tool_link(model), list(model.chain.rotor_inertia),
-      list(model.chain.viscous_friction), list(model.chain.coulomb_friction));
+      yaml::word(urdf), yaml::quoted(model.base_link), yaml::word(urdf_tool_link(model)),
+      list(model.chain.rotor_inertia), list(model.chain.viscous_friction),
+      list(model.chain.coulomb_friction));
 }
 
 }  // namespace armtune

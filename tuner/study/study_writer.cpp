@@ -15,7 +15,7 @@ namespace {
 std::string subset_text(const std::vector<std::size_t>& subset, const std::vector<Scenario>& scenarios) {
   std::vector<std::string> names;
   names.reserve(subset.size());
-  for (const std::size_t s : subset) names.push_back(scenarios[s].name);
+  for (const std::size_t s : subset) names.push_back(yaml::word(scenarios[s].name));
   return fmt::format("[{}]", fmt::join(names, ", "));
 }
 
@@ -51,12 +51,13 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
     text += fmt::format("  - {}\n", yaml::quoted(portable_reference(scenario.source)));
   text += "parameters:\n";
   for (const Parameter& p : study.space.free) {
-    text += fmt::format("  - {{name: {}, start: {}, lower: {}, upper: {}, scale: {}}}\n", p.entry.name,
-                        p.start, p.lower, p.upper, p.scale == Scale::kLog ? "log" : "linear");
+    text += fmt::format("  - {{name: {}, start: {}, lower: {}, upper: {}, scale: {}}}\n",
+                        yaml::word(p.entry.name), p.start, p.lower, p.upper,
+                        p.scale == Scale::kLog ? "log" : "linear");
   }
   for (const Link& link : study.space.links) {
-    text += fmt::format("  - {{name: {}, link: {}, factor: {}}}\n", link.entry.name,
-                        study.space.free[link.parameter].entry.name, link.factor);
+    text += fmt::format("  - {{name: {}, link: {}, factor: {}}}\n", yaml::word(link.entry.name),
+                        yaml::word(study.space.free[link.parameter].entry.name), link.factor);
   }
   text += "objective:\n";
   for (const ObjectiveTerm& term : study.terms) {
@@ -74,7 +75,7 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
   if (!study.sweep.empty()) text += "sweep:\n";
   for (const SweepAxis& axis : study.sweep) {
     std::vector<std::string> names;
-    for (const std::size_t p : axis.parameters) names.push_back(study.space.free[p].entry.name);
+    for (const std::size_t p : axis.parameters) names.push_back(yaml::word(study.space.free[p].entry.name));
     text += fmt::format("  - {{parameters: [{}], factors: [{}]}}\n", fmt::join(names, ", "),
                         fmt::join(axis.factors, ", "));
   }
@@ -119,10 +120,12 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
           : fmt::format(", global: {}, global_share: {}", global_of(study), study.global_share));
   if (study.warm && !warm_file.empty()) {
     const WarmStart& warm = *study.warm;
-    text += fmt::format(
-        "warm_start: {{from: {}, box: {}{}{}}}\n", yaml::quoted(warm_file), warm.box,
-        warm.step ? fmt::format(", step: {}", *warm.step) : "",
-        warm.parameters.empty() ? "" : fmt::format(", parameters: [{}]", fmt::join(warm.parameters, ", ")));
+    std::vector<std::string> parameters;
+    for (const std::string& name : warm.parameters) parameters.push_back(yaml::word(name));
+    text +=
+        fmt::format("warm_start: {{from: {}, box: {}{}{}}}\n", yaml::quoted(warm_file), warm.box,
+                    warm.step ? fmt::format(", step: {}", *warm.step) : "",
+                    parameters.empty() ? "" : fmt::format(", parameters: [{}]", fmt::join(parameters, ", ")));
   }
   return text;
 }

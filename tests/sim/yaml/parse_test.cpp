@@ -159,9 +159,9 @@ TEST(ParseLimits, RefusesATextThatIsTooLarge) {
 TEST(ParseLimits, RefusesKeysAndPathsThatAreTooLong) {
   const auto key = [](std::size_t bytes) { return parse_error("? " + std::string(bytes, 'k') + "\n: 1\n"); };
   EXPECT_EQ(key(kMaxKeyBytes), "no error");
-  EXPECT_TRUE(contains(key(kMaxKeyBytes + 1), "has 1025 bytes; expected at most 1024"));
-  EXPECT_TRUE(contains(parse_error(repeat(fmt::format("{{{:k<150}: ", 'k'), 28) + "1" + repeat("}", 28)),
-                       "longer than 4096 bytes"));
+  EXPECT_TRUE(contains(key(kMaxKeyBytes + 1), "has 4097 bytes; expected at most 4096"));
+  EXPECT_TRUE(contains(parse_error(repeat(fmt::format("{{{:k<150}: ", 'k'), 56) + "1" + repeat("}", 56)),
+                       "longer than 8192 bytes"));
 }
 
 TEST(ParseLimits, RefusesLongPathsToManyValues) {

@@ -46,9 +46,9 @@ std::string end_velocity(const RobotModel& robot, const Trajectory& trajectory) 
 std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory, RosVersion version,
                            const std::vector<std::string>& header) {
   std::string text;
-  for (const std::string& line : header) text += "# " + one_line(line) + "\n";
+  for (const std::string& line : header) text += yaml::comment(line);
   if (const std::string moving = end_velocity(robot, trajectory); !moving.empty())
-    text += "# " + moving + "\n";
+    text += yaml::comment(moving);
   text += "joint_names:\n";
   for (const std::string& joint : joint_names(robot)) text += "  - " + yaml::quoted(joint) + "\n";
   text += "points:\n";
