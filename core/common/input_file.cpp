@@ -7,13 +7,27 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <mutex>
 #include <system_error>
 
 #include "core/common/error.hpp"
+#include "core/common/file_path.hpp"
+#include "core/common/utf8.hpp"
 
 namespace armtune {
+namespace {
 
-std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
+using Bytes = std::shared_ptr<const std::string>;
+
+/// By absolute path. Null: nothing is kept.
+std::unique_ptr<std::map<std::string, Bytes>>
+    record;               // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+std::mutex record_mutex;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
   const auto refuse = [&](const std::string& why) { throw InputError(fmt::format("{}: {}", path, why)); };
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
@@ -42,6 +56,48 @@ std::string read_input_file(const std::string& path, std::size_t max_bytes, cons
   if (file.bad()) refuse("cannot be read");
   if (text.size() > max_bytes) refuse_large();
   return text;
+}
+
+std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
+  if (!is_printable(path)) {
+    throw InputError(fmt::format(
+        "{}: the path holds a control character, a line separator or a byte that is not UTF-8, so "
+        "that no file of results could name it; rename it",
+        path));
+  }
+  if (Bytes bytes = recorded_input(path)) {
+    if (bytes->size() > max_bytes)
+      throw InputError(fmt::format("{}: larger than {} MB; expected a smaller file", path, max_bytes >> 20));
+    return *bytes;
+  }
+  std::string text = read_file(path, max_bytes, kind);
+  const std::lock_guard lock(record_mutex);
+  if (!record) return text;
+  // Another thread may have read it meanwhile: one of the two states counts.
+  return *record->try_emplace(absolute_path(path), std::make_shared<const std::string>(std::move(text)))
+              .first->second;
+}
+
+InputRecord::InputRecord() {
+  const std::lock_guard lock(record_mutex);
+  record = std::make_unique<std::map<std::string, Bytes>>();
+}
+
+InputRecord::~InputRecord() {
+  const std::lock_guard lock(record_mutex);
+  record.reset();
+}
+
+std::shared_ptr<const std::string> recorded_input(const std::string& path) {
+  const std::lock_guard lock(record_mutex);
+  if (!record) return nullptr;
+  const auto found = record->find(absolute_path(path));
+  return found == record->end() ? nullptr : found->second;
+}
+
+void forget_input(const std::string& path) {
+  const std::lock_guard lock(record_mutex);
+  if (record) record->erase(absolute_path(path));
 }
 
 }  // namespace armtune

@@ -48,7 +48,8 @@ std::size_t count_separators(std::string_view text) {
 }  // namespace
 
 CsvTable CsvTable::read(const std::string& path, CsvOrigin origin) {
-  return parse(read_input_file(path, max_bytes(origin), "a CSV file"), path, origin);
+  const auto read = origin == CsvOrigin::kUser ? read_input_file : read_file;
+  return parse(read(path, max_bytes(origin), "a CSV file"), path, origin);
 }
 
 CsvTable CsvTable::parse(std::string text, std::string name, CsvOrigin origin) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/common/error.hpp"
+#include "core/common/input_file.hpp"
 
 namespace armtune {
 namespace {
@@ -32,6 +33,7 @@ std::string partial_path(const std::string& path) {
 }
 
 int make_partial_file(const std::string& path, int flags) {
+  forget_input(path);
   const std::string partial = partial_path(path);
   ::unlink(partial.c_str());  // of a run that was killed; where it cannot be taken away, open() says so
   return ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC | flags, 0644);

@@ -110,10 +110,10 @@ RobotModel plant_model(const Scenario& scenario) {
 
 namespace {
 
-ParameterVector theta_from_file(const Scenario& scenario) {
-  const yaml::Node root = yaml::parse_file(scenario.theta.file);
+ParameterVector theta_from_file(const std::string& file, const RobotModel& robot) {
+  const yaml::Node root = yaml::parse_file(file);
   yaml::MapReader map(root);
-  const auto names = theta_names(*scenario.robot);
+  const auto names = theta_names(robot);
   ParameterVector theta(static_cast<Eigen::Index>(names.size()));
   Eigen::Index i = 0;
   for (const std::string& entry : names) theta[i++] = map.number(entry);
@@ -126,7 +126,7 @@ ParameterVector theta_from_file(const Scenario& scenario) {
 ParameterVector start_theta(const Scenario& scenario) {
   ParameterVector theta = scenario.theta.file.empty()
                               ? ParameterVector(scenario.theta.model_scale * theta_of(scenario.robot->chain))
-                              : theta_from_file(scenario);
+                              : scenario.theta.given;
   for (Eigen::Index i = 0; i < scenario.theta.factors.size(); ++i) {
     theta.segment<kLinkParameters>(i * kLinkParameters) *= scenario.theta.factors[i];
     theta.segment<kJointParameters>(joint_parameter_index(scenario.robot->n(), static_cast<int>(i))) *=
@@ -136,8 +136,7 @@ ParameterVector start_theta(const Scenario& scenario) {
 }
 
 void start_theta_from(const std::string& file, Scenario& scenario) {
-  scenario.theta = {0.0, file, {}};
-  start_theta(scenario);  // a mistake in it shows now rather than in the first rollout
+  scenario.theta = {0.0, file, {}, theta_from_file(file, *scenario.robot)};
   scenario.inputs.push_back(file);
 }
 

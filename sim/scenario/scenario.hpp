@@ -33,8 +33,9 @@ struct TargetTurn {
 /// What theta starts from: scale * the controller's model (0: nothing known, 1: the model), or given values.
 struct ThetaStart {
   double model_scale = 0.0;
-  std::string file;     ///< theta by name in YAML; empty: model_scale counts
-  JointVector factors;  ///< then on each link's and its joint's parameters; n or empty (all 1)
+  std::string file;         ///< theta by name in YAML, with its values in `given`; empty: model_scale counts
+  JointVector factors;      ///< then on each link's and its joint's parameters; n or empty (all 1)
+  ParameterVector given{};  ///< 13 n, or empty
 };
 
 /// How the plant differs from the controller's model, and what lies between them.

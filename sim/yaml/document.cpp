@@ -295,8 +295,12 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
   return std::move(*root);
 }
 
+Node parse_file(const std::string& path) {
+  return parse_text(read_input_file(path, kMaxBytes, "a YAML file"), path);
+}
+
 Node parse_file(const std::string& path, std::size_t max_bytes) {
-  return parse_text(read_input_file(path, max_bytes, "a YAML file"), path, max_bytes);
+  return parse_text(read_file(path, max_bytes, "a YAML file"), path, max_bytes);
 }
 
 }  // namespace armtune::yaml

@@ -14,8 +14,8 @@ namespace armtune::yaml {
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
 inline constexpr std::size_t kMaxItems =
     200'000;  ///< most values in a text of kMaxBytes, containers included; in a larger one as many times more
-inline constexpr std::size_t kMaxKeys = 100'000;  ///< most keys of one map
-inline constexpr std::size_t kMaxDepth = 64;      ///< most containers inside one another
+inline constexpr std::size_t kMaxKeys = 100'000;    ///< most keys of one map
+inline constexpr std::size_t kMaxDepth = 64;        ///< most containers inside one another
 inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]; run.yaml has paths as keys
 inline constexpr std::size_t kMaxPathBytes = 8192;  ///< longest key path [byte]
 inline constexpr std::size_t kMaxAllPathBytes =
@@ -89,8 +89,10 @@ class Node {
 /// control characters, UTF-16, a quote that is never closed, duplicate keys, keys that are not scalars,
 /// anchors and aliases, tags other than YAML's core ones, and a second document. A block-style file that was
 /// cut off between two entries is still valid YAML and cannot be told from a complete one.
-/// max_bytes: for files that armtune itself wrote.
-Node parse_file(const std::string& path, std::size_t max_bytes = kMaxBytes);
+Node parse_file(const std::string& path);
+
+/// The same for a file that armtune itself wrote, of at most so many bytes: read anew every time.
+Node parse_file(const std::string& path, std::size_t max_bytes);
 
 /// The same for a text in memory; `file_name` is only used in messages.
 Node parse_text(const std::string& text, const std::string& file_name, std::size_t max_bytes = kMaxBytes);

@@ -189,7 +189,7 @@ int run(const Arguments& args) {
     for (const std::string& set : args.sets) p.inputs.push_back(find_data_file("gains", gains_name(set)));
     add_inputs(scenarios, p.inputs);
     p.workers = args.workers;
-    write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    write_provenance(args.folder, p);
     write_verdict(args.folder, verdict);
     const std::string report = add_report(args.folder, [&] { return scene_of(scenarios, sets, args); });
     fmt::print("wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml, verdict.yaml{}\n",

@@ -121,7 +121,7 @@ int run(const Arguments& args) {
   if (!args.trajectory.empty()) p.inputs.push_back(args.trajectory);
   p.seed = args.design.seed;
   p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  write_text_file(args.folder + "/run.yaml", run_yaml(p));
+  write_provenance(args.folder, p);
   fmt::print("wrote {}: {}, run.yaml\n", args.folder, files);
   return stop_requested() ? kInterrupted : kDone;
 }

@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, std::string>> origin_of(const Arguments& args
   const bool of_other_arm = !std::all_of(of_robot.begin(), of_robot.end(), is_known);
   std::error_code ignored;
   const fs::path own = fs::path(folder) / "gains.yaml";  // a front has none
-  const bool of_other_gains = !fs::exists(own, ignored) || hash_of_file(path) != hash_of_file(own.string());
+  const bool of_other_gains = !fs::exists(own, ignored) || hash_of_input(path) != hash_of_input(own.string());
   if (!of_other_arm && !of_other_gains) return origin;
   origin = origin_of_run(folder, false);
   origin.insert(

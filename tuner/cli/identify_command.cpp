@@ -68,7 +68,7 @@ void write_files(const Arguments& args, const RobotModel& model, const Identific
   add("torque_not_explained/robot_file", found.fitted.by_file);
   if (found.comparison.mistake)
     p.extra.emplace_back("accepted_although", to_text(*found.comparison.mistake, model));
-  write_text_file(folder + "/run.yaml", run_yaml(p));
+  write_provenance(folder, p);
 }
 
 /// The folder is made before the logs, which can take minutes, are read.

@@ -71,7 +71,7 @@ int run(Arguments args) {
     p.workers = options.workers;
     p.wall_seconds = seconds();
     p.extra = {{"margins", fmt::format("{}", found.size())}, {"stepper", args.stepper}};
-    write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    write_provenance(args.folder, p);
     fmt::print("\nwrote {}: margins.csv, run.yaml\n", args.folder);
   }
   if (stop_requested()) return kInterrupted;

@@ -217,7 +217,7 @@ int run(Arguments args, Team& team) {
        {"points", fmt::format("{}", result.front.size())},
        {"verified", verified ? "true" : "false"},
        {"hypervolume", fmt::format("{}", result.hypervolume)}});
-  write_text_file(args.folder + "/run.yaml", run_yaml(p));
+  write_provenance(args.folder, p);
 
   fmt::print("{}", pareto_table(study, options, result));
   const std::string report = add_report(args.folder, [&] { return scene_of(study, result, args, verified); });

@@ -91,7 +91,7 @@ void write_files(const Arguments& args, const PlanTask& task, const PlanProblem&
   add_inputs({task.scenario}, p.inputs);
   p.wall_seconds = seconds;
   p.extra = plan_entries(task, problem, planned, uses);
-  write_text_file(args.folder + "/run.yaml", run_yaml(p));
+  write_provenance(args.folder, p);
 }
 
 /// The arm, the tool's path where the task has one, and the obstacles with the clearance that is kept.

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/common/error.hpp"
+#include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
@@ -39,6 +40,7 @@ int conclude_parsing(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int parse_and_run(int argc, char** argv) {
+  const InputRecord inputs;  // one run: it reads each of its inputs once
   program_name() = argv[0];
   command_words() = resumed_arguments({argv, argv + argc});
   command_line() = repeating_command(command_words());

@@ -128,7 +128,7 @@ int run(Arguments args, Team& team) {
   const GainSet set = load_gain_set(args.set, scenarios);
   RolloutPlan plan = monte_carlo_plan(scenarios, options);
   plan.deadline = args.deadline;
-  plan.facts = {{"gains", hash_of_file(set.path)}};
+  plan.facts = {{"gains", hash_of_input(set.path)}};
   if (!team.begin(std::move(plan), options.workers)) return kDone;
   const auto crew = team.crew();
   const bool resumed = !args.resume.empty();
@@ -211,7 +211,7 @@ int run(Arguments args, Team& team) {
     p.extra = {{"samples", fmt::format("{}", samples.size())},
                {"stepper", args.stepper},
                {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
-    write_text_file(args.folder + "/run.yaml", run_yaml(p));
+    write_provenance(args.folder, p);
     if (!verdict.checks.empty()) write_verdict(args.folder, verdict);
     const bool recorded = !stop_requested();
     const std::string report = add_report(args.folder, [&] {

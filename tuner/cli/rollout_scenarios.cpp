@@ -92,7 +92,7 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const Inpu
   for (const std::string& file : scenario.inputs) {
     const std::string shown = shown_path(file);
     for (const auto& [then, hash] : inputs) {
-      if (then != shown || hash == hash_of_file(file)) continue;
+      if (then != shown || hash == hash_of_input(file)) continue;
       throw InputError(
           fmt::format("{}: has changed since {} was made, which is of another {}; simulate that again, or "
                       "give the scenario that is meant: --scenarios {}",

@@ -67,7 +67,7 @@ int run(const Arguments& args, Team& team) {
   p.seed = study.solver.seed;
   p.workers = workers.count();
   p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  write_text_file(args.folder + "/run.yaml", run_yaml(p));
+  write_provenance(args.folder, p);
   fmt::print(
       "wrote {0}: sensitivity.csv, reduced_study.yaml, run.yaml\nnext: {1} tune {0}/reduced_study.yaml\n",
       args.folder, program_name());

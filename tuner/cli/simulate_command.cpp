@@ -69,7 +69,7 @@ void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
              {"engine", args.engine},
              {"gains_file", hash_of_file(folder + "/gains.yaml")}};
   p.seed = scenarios.front().seed;
-  write_text_file(folder + "/run.yaml", run_yaml(p));
+  write_provenance(folder, p);
 }
 
 /// Checks the scenarios that were simulated, and the extended ones if every one of them ended.

@@ -186,7 +186,7 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
                                          {"feasible", result.best.feasible ? "true" : "false"},
                                          {"objective", fmt::format("{}", result.best.objective)},
                                          {"gains_file", hash_of_file(folder + "/gains.yaml")}});
-  write_text_file(folder + "/run.yaml", run_yaml(p));
+  write_provenance(folder, p);
 }
 
 void print_gains(const Study& study, const TuneResult& result) {

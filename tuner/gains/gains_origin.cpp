@@ -111,7 +111,7 @@ Rows origin_of_run(const std::string& folder, bool with_figures) {
   const fs::path run = fs::path(folder) / "run.yaml";
   const Rows all = has(run) ? report::read_provenance(run.string()) : Rows{};
   const fs::path gains = fs::path(folder) / "gains.yaml";
-  const std::string hash = has(gains) ? hash_of_file(gains.string()) : std::string();
+  const std::string hash = has(gains) ? hash_of_input(gains.string()) : std::string();
   const auto is_changed = [&hash](const auto& entry) {
     return entry.first == "gains_file" && !hash.empty() && entry.second != hash;
   };

@@ -29,4 +29,7 @@ class Fnv1a {
 /// Of a file's bytes; of none where it cannot be read.
 std::string hash_of_file(const std::string& path);
 
+/// Hash of what was read of an input file (see InputRecord); of the file as it is where that was not kept.
+std::string hash_of_input(const std::string& path);
+
 }  // namespace armtune

@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <climits>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -16,8 +18,10 @@
 #include <thread>
 
 #include "core/common/error.hpp"
+#include "core/common/file_name.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/path_state.hpp"
+#include "core/common/utf8.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
@@ -43,6 +47,35 @@ std::string processor() {
   return "unknown";
 }
 
+/// A file's name in letters that every file system takes, its end kept where it is long.
+std::string copy_name(const std::string& path) {
+  constexpr std::size_t kLongest = 100;
+  std::string name = fs::path(path).filename().string();
+  if (name.size() > kLongest) name.erase(0, name.size() - kLongest);
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+  };
+  std::replace_if(
+      name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
+  return name;
+}
+
+/// What can be told before any work: that files could not be made in the folder, or not be told of.
+void refuse_unusable_path(const std::string& folder) {
+  // Below it stand "rollouts_<label>/rollout_<scenario>.csv.partial" and shorter ones.
+  constexpr std::size_t kBelow = 2 * kLongestName + 40;
+  if (folder.size() + kBelow > PATH_MAX) {
+    throw InputError(fmt::format("{}: the path has {} bytes, too many for the files in it: at most {}",
+                                 folder, folder.size(), PATH_MAX - kBelow));
+  }
+  if (!is_printable(folder)) {
+    throw InputError(fmt::format(
+        "{}: holds a control character, a line separator or a byte that is not UTF-8, which files "
+        "of results cannot name; choose another folder",
+        folder));
+  }
+}
+
 }  // namespace
 
 void refuse_used_folder(const std::string& folder) {
@@ -62,6 +95,7 @@ bool FolderLock::take() {
 FolderLock make_run_folder(const std::string& folder) {
   if (folder.empty()) return {};
   absolute_path(".");  // the run's provenance needs it: refused now, not when the folder is made
+  refuse_unusable_path(folder);
   refuse_used_folder(folder);
   const bool is_new = !is_there(folder);
   make_folder(folder);
@@ -122,7 +156,7 @@ void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>
 std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::string>& inputs) {
   std::vector<std::pair<std::string, std::string>> found;
   for (const std::string& file : std::set<std::string>(inputs.begin(), inputs.end())) {
-    found.emplace_back(shown_path(file), hash_of_file(file));
+    found.emplace_back(shown_path(file), hash_of_input(file));
   }
   return found;
 }
@@ -132,7 +166,7 @@ std::string add_columns(const std::string& folder, const FileColumns& columns) {
   constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return {};
-  std::istringstream file(read_input_file(path, kMaxBytes, "a run's columns.csv"));
+  std::istringstream file(read_file(path, kMaxBytes, "a run's columns.csv"));
   const std::string all = columns_csv({columns});
   const std::size_t header_end = all.find('\n') + 1;
   std::string text;
@@ -154,18 +188,31 @@ std::string run_yaml(const Provenance& p) {
   std::string text = fmt::format("command: {}\ndate: {}\nwall_seconds: {:.3f}\nseed: {}\nworkers: {}\n",
                                  yaml::quoted(p.command), yaml::quoted(utc("{:%Y-%m-%dT%H:%M:%SZ}")),
                                  p.wall_seconds, p.seed, p.workers);
-  for (const auto& [key, value] : p.extra) text += fmt::format("{}: {}\n", key, yaml::quoted(value));
+  for (const auto& [key, value] : p.extra) text += yaml::entry("", key, yaml::quoted(value));
   text += "versions:\n";
-  for (const auto& [library, version] : versions())
-    text += fmt::format("  {}: {}\n", library, yaml::quoted(version));
+  for (const auto& [library, version] : versions()) text += yaml::entry("  ", library, yaml::quoted(version));
   text += fmt::format("machine:\n  processor: {}\n  hardware_threads: {}\n", yaml::quoted(processor()),
                       std::thread::hardware_concurrency());
   text += fmt::format("arithmetic:\n  level: {}\n  fingerprint: {}\n", arithmetic().level,
                       arithmetic().fingerprint);
   text += "inputs:\n";
-  for (const auto& [file, hash] : hashes(p.inputs))
-    text += fmt::format("  {}: {}\n", yaml::quoted(file), hash);
+  for (const auto& [file, hash] : hashes(p.inputs)) text += yaml::entry("  ", file, hash);
+  if (!p.copies.empty()) text += "copies:\n";
+  for (const auto& [file, copy] : p.copies) text += yaml::entry("  ", file, copy);
   return text;
+}
+
+void write_provenance(const std::string& folder, Provenance p) {
+  p.copies.clear();
+  for (const std::string& file : std::set<std::string>(p.inputs.begin(), p.inputs.end())) {
+    const auto bytes = recorded_input(file);
+    if (!bytes) continue;
+    if (p.copies.empty()) make_folder(folder + "/inputs");
+    const std::string copy = fmt::format("inputs/{:02}_{}", p.copies.size() + 1, copy_name(file));
+    write_text_file(folder + "/" + copy, *bytes);
+    p.copies.emplace_back(shown_path(file), copy);
+  }
+  write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 
 }  // namespace armtune

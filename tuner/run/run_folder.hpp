@@ -51,16 +51,22 @@ struct Provenance {
   int workers = 1;
   double wall_seconds = 0.0;
   std::vector<std::pair<std::string, std::string>> extra;  ///< further keys: values
+  /// Names of inputs, as run.yaml shows them, and where in the run's folder their copies are.
+  std::vector<std::pair<std::string, std::string>> copies;
 };
 
 /// Adds the files of every scenario to `inputs`.
 void add_inputs(const std::vector<Scenario>& scenarios, std::vector<std::string>& inputs);
 
-/// Name and hash of each input file, as run.yaml shows them.
+/// Name and hash of each input file, as run.yaml shows them: of what was read, where that is known.
 std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::string>& inputs);
 
-/// Text of run.yaml: versions, machine, date, seed, hashes of every input file.
+/// Text of run.yaml: versions, machine, date, seed, hashes of every input file, copies.
 std::string run_yaml(const Provenance& p);
+
+/// Writes into the folder's inputs/ a copy of every input as it was read (see InputRecord), and run.yaml,
+/// which names them. Logs and recordings, which can be large, are hashed and not copied. Throws InputError.
+void write_provenance(const std::string& folder, Provenance p);
 
 /// Name and version of every library in use, one per line, as run.yaml and --version show them.
 std::vector<std::pair<std::string, std::string>> versions();

@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& pla
       // Folders may differ from machine to machine, contents may not.
       facts.emplace_back(
           fmt::format("{} of {}", std::filesystem::path(file).filename().string(), scenario.name),
-          hash_of_file(file));
+          hash_of_input(file));
     }
   }
   facts.emplace_back("program", hash_of_file("/proc/self/exe"));

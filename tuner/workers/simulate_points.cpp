@@ -7,7 +7,7 @@ namespace armtune {
 RolloutPlan plan_of(const Study& study, double deadline) {
   RolloutPlan plan = plan_of(simulated_scenarios(study), study.stepper, study.robust);
   plan.deadline = deadline;
-  plan.facts = {{"study", hash_of_file(study.source)}, {"start gains", hash_of_file(study.gains)}};
+  plan.facts = {{"study", hash_of_input(study.source)}, {"start gains", hash_of_input(study.gains)}};
   return plan;
 }
 

@@ -255,6 +255,28 @@ TEST_F(ScenarioFile, ThetaStartsAtAMultipleOfTheModelOrAtAFile) {
       AllOf(HasSubstr("theta.yaml"), HasSubstr("no_such_link/mass")));
 }
 
+TEST_F(ScenarioFile, ItsFilesAreReadWithItAndNotAgainWhenARolloutBegins) {
+  const auto names = theta_names(*load_scenario("moving_target").robot);
+  std::string text;
+  for (const std::string& name : names) text += name + ": 0.25\n";
+  folder_.write("theta.yaml", text);
+  const Scenario scenario = load("base: moving_target\ntheta_start: {file: theta.yaml}\n");
+  std::filesystem::remove(folder_ / "theta.yaml");
+  EXPECT_EQ(start_theta(scenario), ParameterVector::Constant(static_cast<Eigen::Index>(names.size()), 0.25));
+}
+
+TEST_F(ScenarioFile, AFileAboveASymbolicLinkIsTheOneThatTheSystemFinds) {
+  // from/scenario.yaml names ../theta.yaml; from is a link to real/from.
+  std::filesystem::create_directories(folder_ / "real/from");
+  std::filesystem::create_directory_symlink(folder_ / "real/from", folder_ / "from");
+  std::string text;
+  for (const std::string& name : theta_names(*load_scenario("moving_target").robot)) text += name + ": 0.5\n";
+  folder_.write("real/theta.yaml", text);
+  folder_.write("theta.yaml", "nobody: means this one\n");
+  folder_.write("from/scenario.yaml", "base: moving_target\ntheta_start: {file: ../theta.yaml}\n");
+  EXPECT_EQ(start_theta(load_scenario(folder_ / "from/scenario.yaml"))[0], 0.5);
+}
+
 TEST_F(ScenarioFile, FilesThatABaseNamesAreFoundFromThatBasesFolder) {
   std::filesystem::create_directory(folder_.path() + "/below");
   const auto names = theta_names(*load_scenario("moving_target").robot);

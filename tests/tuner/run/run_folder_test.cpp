@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <optional>
 
+#include "core/common/input_file.hpp"
+#include "sim/yaml/document.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/run/append_file.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune {
 namespace {
@@ -45,6 +49,48 @@ TEST(RunFolder, WhatAnotherRunHasLeftIsRefused) {
   folder.write("kept.txt", "precious\n");
   EXPECT_THAT(test::refusal([&] { (void)make_run_folder(folder.path()); }), HasSubstr("not empty"));
   EXPECT_EQ(test::read_text(folder / "kept.txt"), "precious\n");
+}
+
+TEST(RunFolder, APathThatLeavesNoRoomForFilesOrNoNameIsRefused) {
+  const test::TemporaryFolder folder;
+  std::string deep = folder.path();
+  while (deep.size() < 3900) deep += "/" + std::string(200, 'd');
+  for (const std::string& path : {deep, folder / "a\x1b[31m", folder / "caf\xE9"}) {
+    EXPECT_THAT(test::refusal([&] { (void)make_run_folder(path); }), HasSubstr(folder.path()));
+    EXPECT_FALSE(fs::exists(path));
+  }
+}
+
+TEST(Provenance, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder / "a");
+  fs::create_directories(folder / "b");
+  fs::create_directories(folder / "run");
+  const std::string odd = std::string(100, 'o') + "'s \xC3\xA9: #1.yaml";
+  const std::vector<std::string> files = {folder.write("a/x.yaml", "first\n"),
+                                          folder.write("b/x.yaml", "second"), folder.write(odd, "third\r\n")};
+  const std::string log = folder.write("log.csv", "not kept\n");
+  const std::vector<std::string> texts = {"first\n", "second", "third\r\n"};
+  std::vector<std::string> hashes;
+  for (const std::string& file : files) hashes.push_back(hash_of_file(file));
+
+  const InputRecord record;
+  for (const std::string& file : files) (void)read_input_file(file, 1000, "a text");
+  for (const std::string& file : files) std::ofstream(file) << "edited";
+  fs::remove(files[1]);
+  Provenance p;
+  p.inputs = {files[2], files[0], files[1], files[0], log};
+  write_provenance(folder / "run", p);
+
+  const yaml::Node run = yaml::parse_file(folder / "run/run.yaml");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(run.find("inputs")->find(files[i])->as_string(), hashes[i]);
+    const std::string copy = run.find("copies")->find(files[i])->as_string();
+    EXPECT_EQ(test::read_text(folder / ("run/" + copy)), texts[i]) << copy;
+  }
+  EXPECT_EQ(run.find("inputs")->find(log)->as_string(), hash_of_file(log));
+  EXPECT_EQ(run.find("copies")->find(log), nullptr);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "run/inputs"), {}), 3);
 }
 
 TEST(AppendFile, SaysAtOnceThatItsFileIsGone) {

@@ -1,0 +1,78 @@
+// Files that are edited while a run uses them.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "sim/yaml/document.hpp"
+#include "tests/cli/support/program.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/run/file_hash.hpp"
+
+namespace armtune {
+namespace {
+
+using test::Finished;
+using test::ShortStudy;
+using testing::HasSubstr;
+
+/// Waits for the journal's first record, or the end of the program.
+void wait_for_record(test::Program& program, const std::string& run) {
+  while (program.running() && test::read_text(run + "/journal.txt").find(" finished\t") == std::string::npos)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+TEST(Inputs, EditedDuringARunAreToldOfAndKeptAsTheyWereRead) {
+  const ShortStudy files;
+  const std::string run = files / "run";
+  const std::vector<std::string> inputs = {files / "short.yaml", files / "short_realistic.yaml",
+                                           files / "gains.yaml", files.path()};
+  std::vector<std::string> hashes;
+  std::vector<std::string> texts;
+  for (const std::string& file : inputs) {
+    hashes.push_back(hash_of_file(file));
+    texts.push_back(test::read_text(file));
+  }
+  test::Program program({"tune", files.path(), "--out", run, "--workers", "1", "--no-analysis"}, files / "");
+  wait_for_record(program, run);
+  ASSERT_TRUE(program.running());
+  files.write("short.yaml", "base: moving_target\nduration: 9\n");
+  files.write("short_realistic.yaml", "no longer a scenario\n");
+  files.write("gains.yaml", "nor gains\n");
+  files.write("study.yaml", "nor a study\n");
+  const Finished done = program.wait();
+  ASSERT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
+
+  const yaml::Node told = yaml::parse_file(run + "/run.yaml");
+  ASSERT_NE(told.find("copies"), nullptr);
+  const std::string journal = test::read_text(run + "/journal.txt");
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    EXPECT_EQ(told.find("inputs")->find(inputs[i])->as_string(), hashes[i]) << inputs[i];
+    const std::string copy = told.find("copies")->find(inputs[i])->as_string();
+    EXPECT_EQ(test::read_text(run + "/" + copy), texts[i]);
+  }
+  for (const std::size_t scenario : {0U, 1U}) EXPECT_THAT(journal, HasSubstr(hashes[scenario]));
+  // The robot's files are kept as well.
+  EXPECT_NE(told.find("copies")->find("bundled robots/ur10.urdf"), nullptr);
+  for (const auto& [file, copy] : told.find("copies")->entries()) {
+    EXPECT_EQ(hash_of_file(run + "/" + copy.as_string()), told.find("inputs")->find(file)->as_string())
+        << file;
+  }
+}
+
+TEST(Inputs, FromAPipeAreReadOnceAndHashed) {
+  const ShortStudy files;
+  const std::string from_pipe = "cat " + (files / "gains.yaml") + " | exec \"$@\" --gains /dev/stdin";
+  const Finished done = test::Program({"simulate", files / "short.yaml", "--out", files / "run"}, files / "",
+                                      {"/bin/sh", "-c", from_pipe, "sh"})
+                            .wait();
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const yaml::Node told = yaml::parse_file(files / "run/run.yaml");
+  EXPECT_EQ(told.find("inputs")->find("/dev/stdin")->as_string(), hash_of_file(files / "gains.yaml"));
+}
+
+}  // namespace
+}  // namespace armtune
