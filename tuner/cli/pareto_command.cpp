@@ -134,10 +134,11 @@ int run(Arguments args, Team& team) {
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder("pareto_" + study.name);
+  const RunHeader header = header_of(study, args, options);
   FolderLock lock;
   require_recording_memory(study.scenarios, SimulateOptions().record_stride, args.workers);
   if (!resumed) lock = make_run_folder(args.folder);
-  const auto journal = open_journal(args.folder, args.resume, header_of(study, args, options));
+  const auto journal = open_journal(args.folder, args.resume, header);
   if (journal->exit_code()) {
     fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
     return *journal->exit_code();

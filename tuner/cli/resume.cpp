@@ -55,6 +55,16 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
+/// Removes what stands in a run's folder before its journal, and the folder if nothing else is in it: a
+/// journal would be another run's.
+void discard_folder(const std::string& folder) {
+  std::error_code ignored;
+  const fs::path warm = fs::path(folder) / kWarmGains;
+  fs::remove(warm, ignored);
+  fs::remove(warm.parent_path(), ignored);
+  fs::remove(folder, ignored);
+}
+
 }  // namespace
 
 std::string quoted_command(const std::vector<std::string>& words) {
@@ -140,9 +150,7 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
     try {
       return Journal::begin(folder + kJournal, header);
     } catch (...) {
-      // An empty folder is not to be in the way of another try; what is in it may be another run's.
-      std::error_code ignored;
-      fs::remove(folder, ignored);
+      discard_folder(folder);  // it is not to be in the way of another try
       throw;
     }
   }
@@ -163,10 +171,7 @@ void tell_how_to_go_on(const std::string& command, const std::string& folder) {
 void discard_run(const std::string& folder) {
   std::error_code ignored;
   fs::remove(folder + kJournal, ignored);
-  const fs::path warm = fs::path(folder) / kWarmGains;
-  fs::remove(warm, ignored);
-  fs::remove(warm.parent_path(), ignored);  // where nothing else is in it
-  fs::remove(folder, ignored);
+  discard_folder(folder);
 }
 
 }  // namespace armtune::cli

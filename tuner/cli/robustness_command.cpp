@@ -137,8 +137,9 @@ int run(Arguments args, Team& team) {
   FolderLock lock;
   std::unique_ptr<Journal> journal;
   if (!args.folder.empty()) {
+    const RunHeader header = header_of(scenarios, set.gains, options);
     if (!resumed) lock = make_run_folder(args.folder);
-    journal = open_journal(args.folder, args.resume, header_of(scenarios, set.gains, options));
+    journal = open_journal(args.folder, args.resume, header);
     if (journal->exit_code()) {
       fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
       return *journal->exit_code();

@@ -146,13 +146,18 @@ int run(Arguments args, Team& team) {
   if (resumed) args.folder = args.resume;
   if (args.folder.empty()) args.folder = default_run_folder(study.name);
   require_recording_memory(study.scenarios, args.record_every, args.workers);
+  const RunHeader header = run_header(identity_of(study), inputs_of(study));
   FolderLock lock;
   if (!resumed) {
     lock = make_run_folder(args.folder);
-    if (study.warm) write_warm(study, args.folder);  // before the journal: a resumed run reads them here
+    try {
+      write_warm(study, args.folder);  // before the journal: a resumed run reads them here
+    } catch (...) {
+      discard_run(args.folder);
+      throw;
+    }
   }
-  const auto journal =
-      open_journal(args.folder, args.resume, run_header(identity_of(study), inputs_of(study)));
+  const auto journal = open_journal(args.folder, args.resume, header);
   if (journal->exit_code()) {
     fmt::print(
         "{}: this run is finished; there is nothing to resume. To search on from its best: {} tune {} "

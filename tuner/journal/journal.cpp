@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -185,7 +186,12 @@ std::unique_ptr<Journal> Journal::begin(const std::string& path, const RunHeader
   }
   text += line_of(kHeaderEnd);
   std::unique_ptr<Journal> journal(new Journal(path, AppendFile::Open::kNew, 0.0));
-  journal->file_.append(text);
+  try {
+    journal->file_.append(text);
+  } catch (...) {  // half a header would keep the folder from being used again
+    std::remove(path.c_str());
+    throw;
+  }
   journal->size_ = static_cast<long>(text.size());
   return journal;
 }

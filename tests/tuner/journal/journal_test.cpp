@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <csignal>
 #include <random>
 
 #include "tests/sim/support/files.hpp"
@@ -39,6 +41,27 @@ JournalRecord record_of(std::uint64_t number) {
   record.results[1].end_time = 3.002;
   return record;
 }
+
+/// While it lives, files of this process take so many bytes: a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small = {bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
 
 void expect_same(const JournalRecord& a, const JournalRecord& b) {
   EXPECT_EQ(a.number, b.number);
@@ -244,6 +267,18 @@ TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {
   const std::string path = folder_.write("damaged.txt", text);
   EXPECT_THAT(test::refusal([&] { resumed(path); }),
               AllOf(HasSubstr("damaged.txt:"), HasSubstr("record 2 "), HasSubstr("checksum")));
+}
+
+TEST(Journal, AHeaderThatTheDiskRefusesLeavesNoFile) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "journal.txt";
+  for (const rlim_t bytes : {rlim_t{0}, rlim_t{10}, rlim_t{60}}) {
+    const FullDisk disk(bytes);
+    EXPECT_THROW(Journal::begin(path, header_of_run()), std::runtime_error);
+    EXPECT_FALSE(std::filesystem::exists(path));
+  }
+  Journal::begin(path, header_of_run());
+  EXPECT_EQ(read_run_header(path).arguments, header_of_run().arguments);
 }
 
 }  // namespace
