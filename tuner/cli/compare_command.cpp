@@ -20,6 +20,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/set_labels.hpp"
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/gains/gains_difference.hpp"
@@ -100,13 +101,14 @@ int show_gains(const Arguments& args) {
                                    joints.size()));
     }
   }
-  fmt::print("{}", gains_difference(sets, joints));
+  say(gains_difference(sets, joints));
   return kDone;
 }
 
-/// Checks all gain sets together: each failure names the set that it belongs to.
+/// Checks all gain sets together: each failure names the set that it belongs to. told: gets what is to be
+/// printed of the extended scenarios.
 SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>& scenarios,
-                             const std::vector<ComparedSet>& sets) {
+                             const std::vector<ComparedSet>& sets, std::string& told) {
   SimulationVerdict verdict;
   bool extended = args.endurance > 0.0;
   for (std::size_t i = 0; i < sets.size(); ++i) {
@@ -120,8 +122,8 @@ SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>&
         scenarios,
         [&](const Scenario& s) { return load_gains(gains_name(args.sets[i]), joint_names(*s.robot)); },
         {args.endurance, stepper_from_name(args.stepper), args.workers, {}}, sets[i].name);
-    fmt::print("{}, every scenario extended to at least {:.4g} minutes:\n{}\n", sets[i].name, args.endurance,
-               endurance_table(endured));
+    told += fmt::format("{}, every scenario extended to at least {:.4g} minutes:\n{}\n", sets[i].name,
+                        args.endurance, endurance_table(endured));
     extended = endured.size() == scenarios.size();
     if (!extended) continue;
     add_endurance_checks(endured, VerdictThresholds(), sets[i].name, verdict);
@@ -175,10 +177,10 @@ int run(const Arguments& args) {
     }
   }
   line.clear();
-  const auto metrics = args.all_metrics ? all_metrics() : headline_metrics();
-  fmt::print("{}", comparison_table(sets, metrics));
-  const SimulationVerdict verdict = verdict_of(args, scenarios, sets);
+  std::string endured;
+  const SimulationVerdict verdict = verdict_of(args, scenarios, sets, endured);
   if (stop_requested()) return interrupted(args, sets);
+  std::string wrote;
   if (!args.folder.empty()) {
     write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
     for (const ComparedSet& set : sets) {
@@ -192,9 +194,11 @@ int run(const Arguments& args) {
     write_provenance(args.folder, p);
     write_verdict(args.folder, verdict);
     const std::string report = add_report(args.folder, [&] { return scene_of(scenarios, sets, args); });
-    fmt::print("wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml, verdict.yaml{}\n",
-               args.folder, report);
+    wrote = fmt::format(
+        "wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml, inputs/, verdict.yaml{}\n",
+        args.folder, report);
   }
+  say(comparison_table(sets, args.all_metrics ? all_metrics() : headline_metrics()) + endured + wrote);
   return conclude(verdict);
 }
 

@@ -4,6 +4,7 @@
 
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/say.hpp"
 
 namespace armtune::cli {
 
@@ -12,7 +13,7 @@ void write_verdict(const std::string& folder, const SimulationVerdict& verdict) 
 }
 
 int conclude(const SimulationVerdict& verdict) {
-  fmt::print("\n{}", to_text(verdict));
+  say(fmt::format("\n{}", to_text(verdict)));
   return verdict.passed() ? kDone : kChecksFailed;
 }
 

@@ -7,6 +7,7 @@
 
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/say.hpp"
 
 namespace armtune::cli {
 
@@ -33,7 +34,7 @@ std::vector<EnduranceResult> run_endurance(const std::vector<Scenario>& scenario
   line.clear();
   for (const Scenario& scenario : scenarios) {
     for (const std::string& sentence : how_extended(scenario)) {
-      fmt::print("{}, extended: {}\n", scenario.name, sentence);
+      say(fmt::format("{}, extended: {}\n", scenario.name, sentence));
     }
   }
   return results;

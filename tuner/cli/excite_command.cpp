@@ -15,6 +15,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/readable_file.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/identification/excitation_design.hpp"
 #include "tuner/identification/excitation_log.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -49,11 +50,11 @@ JointVector center_in_si(const RobotModel& model, const std::vector<double>& deg
 }
 
 void show(const ExcitationUse& use) {
-  fmt::print(
+  say(fmt::format(
       "condition number {:.4g}; largest velocity {:.3g} and effort {:.3g} of their limits, {:.3g} rad or m "
       "from "
       "the nearest position limit, lowest point {:.3g} m\n",
-      use.condition, use.velocity_ratio, use.effort_ratio, use.position_margin, use.lowest);
+      use.condition, use.velocity_ratio, use.effort_ratio, use.position_margin, use.lowest));
 }
 
 Excitation designed(const Arguments& args, const RobotModel& model) {
@@ -70,8 +71,8 @@ Excitation designed(const Arguments& args, const RobotModel& model) {
   };
   const ExcitationDesign design = design_excitation(model, options, stop_requested());
   line.clear();
-  fmt::print("{} evaluations; the best of 50 random series has condition number {:.4g}\n", design.evaluations,
-             design.random_condition);
+  say(fmt::format("{} evaluations; the best of 50 random series has condition number {:.4g}\n",
+                  design.evaluations, design.random_condition));
   show(design.use);
   return design.excitation;
 }
@@ -105,12 +106,12 @@ int run(const Arguments& args) {
     if (stop_requested()) break;
     const ExcitationLog log = simulate_excitation(scenario, excitation, args.log, stop_requested());
     if (log.interrupted) break;
-    fmt::print(
+    say(fmt::format(
         "{}: {} samples, the arm stays within {:.3g} rad or m of the trajectory, largest velocity {:.3g} of "
         "its "
         "limit{}\n",
         scenario.name, log.samples.size(), log.tracking_error, log.velocity_ratio,
-        log.saturated ? ", torques saturate" : "");
+        log.saturated ? ", torques saturate" : ""));
     write_text_file(args.folder + "/log_" + scenario.name + ".csv", log_csv(*model, log));
     files += ", log_" + scenario.name + ".csv";
   }
@@ -122,7 +123,7 @@ int run(const Arguments& args) {
   p.seed = args.design.seed;
   p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   write_provenance(args.folder, p);
-  fmt::print("wrote {}: {}, run.yaml\n", args.folder, files);
+  say(fmt::format("wrote {}: {}, run.yaml\n", args.folder, files));
   return stop_requested() ? kInterrupted : kDone;
 }
 

@@ -14,6 +14,7 @@
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -58,10 +59,6 @@ int run(Arguments args) {
   }
   const auto found = margins(scenarios, set.gains, options, stop_requested());
   line.clear();
-  if (!found.empty()) {
-    fmt::print("{}\n{}", margins_by_scenario(scenarios, found),
-               margins_table(scenarios, {{args.set, found}}));
-  }
   if (!args.folder.empty()) {
     write_text_file(args.folder + "/margins.csv", margins_csv(scenarios, found));
     Provenance p;
@@ -72,8 +69,12 @@ int run(Arguments args) {
     p.wall_seconds = seconds();
     p.extra = {{"margins", fmt::format("{}", found.size())}, {"stepper", args.stepper}};
     write_provenance(args.folder, p);
-    fmt::print("\nwrote {}: margins.csv, run.yaml\n", args.folder);
   }
+  if (!found.empty()) {
+    say(fmt::format("{}\n{}", margins_by_scenario(scenarios, found),
+                    margins_table(scenarios, {{args.set, found}})));
+  }
+  if (!args.folder.empty()) say(fmt::format("\nwrote {}: margins.csv, run.yaml, inputs/\n", args.folder));
   if (stop_requested()) return kInterrupted;
   const bool nominal =
       std::all_of(found.begin(), found.end(), [](const Margin& m) { return m.stands.has_value(); });

@@ -19,6 +19,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
@@ -140,7 +141,7 @@ int run(Arguments args, Team& team) {
   if (!resumed) lock = make_run_folder(args.folder);
   const auto journal = open_journal(args.folder, args.resume, header);
   if (journal->exit_code()) {
-    fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
+    say(fmt::format("{}: this run is finished; there is nothing to resume\n", args.folder));
     return *journal->exit_code();
   }
   const double before = journal->seconds();  // of the sessions of a run that goes on
@@ -153,10 +154,10 @@ int run(Arguments args, Team& team) {
   double last_seconds = 0.0;
   callbacks.begin = [&](const Objective& o) {
     objective = o;
-    fmt::print("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
-               fmt::join(args.criteria, " against "), study.space.free.size(), study.scenarios.size(),
-               budget_text(options.max_evaluations, study.max_minutes), args.folder);
-    if (resumed) fmt::print("goes on after {} finished evaluations\n", journal->records());
+    say(fmt::format("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
+                    fmt::join(args.criteria, " against "), study.space.free.size(), study.scenarios.size(),
+                    budget_text(options.max_evaluations, study.max_minutes), args.folder));
+    if (resumed) say(fmt::format("goes on after {} finished evaluations\n", journal->records()));
     std::fflush(stdout);
     make_folder(args.folder + "/start");
     write_text_file(args.folder + "/start/gains.yaml",
@@ -220,9 +221,9 @@ int run(Arguments args, Team& team) {
        {"hypervolume", fmt::format("{}", result.hypervolume)}});
   write_provenance(args.folder, p);
 
-  fmt::print("{}", pareto_table(study, options, result));
+  say(pareto_table(study, options, result));
   const std::string report = add_report(args.folder, [&] { return scene_of(study, result, args, verified); });
-  fmt::print(
+  say(fmt::format(
       "{}{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, "
       "run.yaml{}{}\n",
       result.out_of_time
@@ -234,9 +235,9 @@ int run(Arguments args, Team& team) {
       : study.engine == Engine::kSimbody
           ? "every point was simulated again, with the same figures"
           : "every point was simulated again, by simbody: these are its figures",
-      args.folder, seconds(), verified ? "; recordings for the report in start/ and shown/" : "", report);
+      args.folder, seconds(), verified ? "; recordings for the report in start/ and shown/" : "", report));
   if (!verified) {
-    fmt::print("to go on: {} pareto --resume {}\n", program_name(), args.folder);
+    say(fmt::format("to go on: {} pareto --resume {}\n", program_name(), args.folder));
     return kInterrupted;
   }
   const int exit_code = result.front.empty() ? kChecksFailed : kDone;

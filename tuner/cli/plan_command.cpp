@@ -15,6 +15,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
@@ -54,14 +55,14 @@ std::string value_words(const BindingLimit& limit) {
 }
 
 void show_limits(const std::vector<BindingLimit>& limits, const char* title) {
-  fmt::print("{}{}\n", title, limits.empty() ? " nothing" : "");
+  say(fmt::format("{}{}\n", title, limits.empty() ? " nothing" : ""));
   for (std::size_t i = 0; i < std::min(limits.size(), kShownLimits); ++i) {
     const BindingLimit& limit = limits[i];
-    fmt::print("  {}: {}, {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
-               report::limit_words(limit.limit, limit.part), value_words(limit), 100.0 * limit.share,
-               limit.first, limit.last);
+    say(fmt::format("  {}: {}, {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
+                    report::limit_words(limit.limit, limit.part), value_words(limit), 100.0 * limit.share,
+                    limit.first, limit.last));
   }
-  if (limits.size() > kShownLimits) fmt::print("  and {} more\n", limits.size() - kShownLimits);
+  if (limits.size() > kShownLimits) say(fmt::format("  and {} more\n", limits.size() - kShownLimits));
 }
 
 /// Beside the knots' own file: what is looked at, even in time and fine enough for smooth plots.
@@ -105,15 +106,15 @@ report::Scene scene_of_plan(const PlanTask& task) {
 
 [[nodiscard]] int infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
   if (planned.too_short)
-    fmt::print("{}: infeasible: it takes {:.6g} s at least within the limits, and was given {:.6g} s\n",
-               task.name, planned.trajectory.durations.front(), *task.duration);
+    say(fmt::format("{}: infeasible: it takes {:.6g} s at least within the limits, and was given {:.6g} s\n",
+                    task.name, planned.trajectory.durations.front(), *task.duration));
   else
-    fmt::print("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned)));
+    say(fmt::format("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned))));
   show_limits(binding_limits(planned), planned.too_short ? "the least time is held back by:" : "in the way:");
-  fmt::print("Give it {}, or, where little is missing, --knots above {};\nno trajectory was written.\n",
-             planned.too_short ? "more time, wider limits or tolerances"
-                               : "wider limits or tolerances, another start",
-             planned.trajectory.time.size() - 1);
+  say(fmt::format("Give it {}, or, where little is missing, --knots above {};\nno trajectory was written.\n",
+                  planned.too_short ? "more time, wider limits or tolerances"
+                                    : "wider limits or tolerances, another start",
+                  planned.trajectory.time.size() - 1));
   return kChecksFailed;
 }
 
@@ -138,7 +139,7 @@ int run(const Arguments& args) {
   const SequentialQuadraticProgress& last = planned.result.last;
   switch (planned.result.status) {
     case PlanStatus::kInterrupted:
-      fmt::print("{}: interrupted; no trajectory was written\n", task.name);
+      say(fmt::format("{}: interrupted; no trajectory was written\n", task.name));
       return kInterrupted;
     case PlanStatus::kInfeasible:
       return infeasible(task, planned);
@@ -155,27 +156,27 @@ int run(const Arguments& args) {
       break;
   }
   const std::vector<LimitUse> uses = limit_uses(task, problem, planned);
-  fmt::print("{}: {}\n", task.name, plan_headline(task, problem, planned));
-  for (const std::string& note : plan_notes(task, problem, planned)) fmt::print("{}\n", note);
+  say(fmt::format("{}: {}\n", task.name, plan_headline(task, problem, planned)));
+  for (const std::string& note : plan_notes(task, problem, planned)) say(fmt::format("{}\n", note));
   show_limits(binding_limits(planned), "held back by:");
-  if (const std::string between = between_words(uses); !between.empty()) fmt::print("{}\n", between);
-  fmt::print(
+  if (const std::string between = between_words(uses); !between.empty()) say(fmt::format("{}\n", between));
+  say(fmt::format(
       "{} intervals between knots, {} interior point steps on all grids, {:.2f} s; constraint violation "
       "{:.1e} of the limit, "
       "KKT "
       "residual {:.1e}\n",
       planned.trajectory.time.size() - 1, planned.interior_iterations, seconds, last.violation,
-      std::max(last.stationarity, last.complementarity));
+      std::max(last.stationarity, last.complementarity)));
   Arguments out = args;
   out.folder = folder;
   const FolderLock lock = make_run_folder(folder);
   write_files(out, task, problem, planned, uses, seconds);
   const std::string report = add_report(folder, [&task] { return scene_of_plan(task); });
-  fmt::print(
+  say(fmt::format(
       "wrote {}: trajectory.csv, motion.csv, limits.csv, joint_trajectory.yaml, task.yaml, columns.csv, "
       "run.yaml, {}{}\n",
-      folder, planned_scenario_name(task), report);
-  fmt::print("armtune simulate {}/{} follows it\n", folder, planned_scenario_name(task));
+      folder, planned_scenario_name(task), report));
+  say(fmt::format("armtune simulate {}/{} follows it\n", folder, planned_scenario_name(task)));
   return kDone;
 }
 

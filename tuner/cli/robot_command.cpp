@@ -13,6 +13,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/task_files.hpp"
 
 namespace armtune::cli {
@@ -21,27 +22,29 @@ namespace {
 void show(const RobotModel& model) {
   double mass = 0.0;
   for (int i = 0; i < model.n(); ++i) mass += model.chain.link[static_cast<std::size_t>(i)].mass;
-  fmt::print("{} from {}\n{} joints, base {}, tool frame on {}, moving mass {:.4g} kg, reach {:.4g} m\n\n",
-             model.name, model.source, model.n(), model.base_link, model.tip_link, mass, reach(model));
-  fmt::print("{:<24}{:<10}{:>10}{:>10}{:>11}{:>9}{:>9}{:>9}{:>9}  {}\n", "joint", "type", "lower", "upper",
-             "velocity", "effort", "rotor", "viscous", "coulomb", "link, mass [kg]");
+  say(fmt::format(
+      "{} from {}\n{} joints, base {}, tool frame on {}, moving mass {:.4g} kg, reach {:.4g} m\n\n",
+      model.name, model.source, model.n(), model.base_link, model.tip_link, mass, reach(model)));
+  say(fmt::format("{:<24}{:<10}{:>10}{:>10}{:>11}{:>9}{:>9}{:>9}{:>9}  {}\n", "joint", "type", "lower",
+                  "upper", "velocity", "effort", "rotor", "viscous", "coulomb", "link, mass [kg]"));
   for (int i = 0; i < model.n(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const JointInfo& joint = model.joints[k];
     const auto bound = [&](double v) { return joint.limits.has_position ? fmt::format("{:.4g}", v) : "-"; };
-    fmt::print("{:<24}{:<10}{:>10}{:>10}{:>11.4g}{:>9.4g}{:>9.3g}{:>9.3g}{:>9.3g}  {}, {:.4g}\n", joint.name,
-               model.chain.motion[k] == JointMotion::kPrismatic
-                   ? "prismatic"
-                   : (joint.limits.has_position ? "revolute" : "continuous"),
-               bound(joint.limits.lower), bound(joint.limits.upper), joint.limits.velocity,
-               joint.limits.effort, model.chain.rotor_inertia[i], model.chain.viscous_friction[i],
-               model.chain.coulomb_friction[i], joint.link, model.chain.link[k].mass);
+    say(fmt::format("{:<24}{:<10}{:>10}{:>10}{:>11.4g}{:>9.4g}{:>9.3g}{:>9.3g}{:>9.3g}  {}, {:.4g}\n",
+                    joint.name,
+                    model.chain.motion[k] == JointMotion::kPrismatic
+                        ? "prismatic"
+                        : (joint.limits.has_position ? "revolute" : "continuous"),
+                    bound(joint.limits.lower), bound(joint.limits.upper), joint.limits.velocity,
+                    joint.limits.effort, model.chain.rotor_inertia[i], model.chain.viscous_friction[i],
+                    model.chain.coulomb_friction[i], joint.link, model.chain.link[k].mass));
   }
-  fmt::print("\nSI units: rad, m, rad/s, m/s, N m, N, kg m^2.\n");
+  say(fmt::format("\nSI units: rad, m, rad/s, m/s, N m, N, kg m^2.\n"));
   if (model.chain.rotor_inertia.isZero(0.0)) {
-    fmt::print(
+    say(fmt::format(
         "No rotor inertia is given. Geared joints have some, and without it light wrists do not bear the\n"
-        "gains that the real arm does: write a robot YAML with 'urdf:' and 'rotor_inertia:'.\n");
+        "gains that the real arm does: write a robot YAML with 'urdf:' and 'rotor_inertia:'.\n"));
   }
 }
 
@@ -60,14 +63,14 @@ std::string named(const MissingData& missing) {
 
 void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {
   if (missing.empty()) {
-    fmt::print("{} lacks nothing; {} is not written\n", file.path, path);
+    say(fmt::format("{} lacks nothing; {} is not written\n", file.path, path));
     return;
   }
   refuse_existing(path);
   const std::string urdf = file.root ? "" : absolute_path(file.urdf);
   write_text_file(path, missing_yaml(urdf, missing));
-  fmt::print("{}: fill in {}{}\n", path, named(missing),
-             file.root ? fmt::format(", and add it to {}", file.path) : "; then give it as the robot");
+  say(fmt::format("{}: fill in {}{}\n", path, named(missing),
+                  file.root ? fmt::format(", and add it to {}", file.path) : "; then give it as the robot"));
 }
 
 /// Loads and shows it, or says all that it lacks.

@@ -21,6 +21,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/robustness/statistics.hpp"
 #include "tuner/run/append_file.hpp"
@@ -51,11 +52,11 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   const auto kept = static_cast<std::size_t>(
       std::count_if(samples.begin(), samples.end(), [](const MonteCarloSample& s) { return s.keeps_all(); }));
   const auto [low, high] = wilson_interval(kept, samples.size());
-  fmt::print("{:.1f} % of {} arms keep every limit (95 % confidence: {:.1f} .. {:.1f} %):\n",
-             100.0 * static_cast<double>(kept) / static_cast<double>(samples.size()), samples.size(),
-             100.0 * low, 100.0 * high);
-  for (const MetricLimit& limit : limits) fmt::print("  {}\n", to_string(limit));
-  fmt::print("  torque saturated in at most {:.0f} % of the periods\n", 100.0 * kSaturatedShare);
+  say(fmt::format("{:.1f} % of {} arms keep every limit (95 % confidence: {:.1f} .. {:.1f} %):\n",
+                  100.0 * static_cast<double>(kept) / static_cast<double>(samples.size()), samples.size(),
+                  100.0 * low, 100.0 * high));
+  for (const MetricLimit& limit : limits) say(fmt::format("  {}\n", to_string(limit)));
+  say(fmt::format("  torque saturated in at most {:.0f} % of the periods\n", 100.0 * kSaturatedShare));
   std::map<std::pair<std::string, std::string>, std::vector<std::uint64_t>> breaks;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {
@@ -64,25 +65,25 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   }
   constexpr std::size_t kShown = 8;
   for (const auto& [what, numbers] : breaks) {
-    fmt::print(
+    say(fmt::format(
         "{}: {} of {} break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(), what.second,
         fmt::join(numbers.begin(),
                   numbers.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, numbers.size())), " "),
-        numbers.size() > kShown ? " ..." : "");
+        numbers.size() > kShown ? " ..." : ""));
   }
 }
 
 void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples) {
   const auto& headline = headline_metrics();
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
-    fmt::print("\n{:<36}{:>12}{:>12}{:>12}{:>12}{:>10}\n", scenarios[s].name, "median", "95 %", "99 %",
-               "worst", "sample");
+    say(fmt::format("\n{:<36}{:>12}{:>12}{:>12}{:>12}{:>10}\n", scenarios[s].name, "median", "95 %", "99 %",
+                    "worst", "sample"));
     for (const MetricSpread& spread : spreads(samples, s)) {
       if (std::find(headline.begin(), headline.end(), spread.metric) == headline.end()) continue;
       const MetricField& f = field(spread.metric);
-      fmt::print("{:<36}{:>12.4g}{:>12.4g}{:>12.4g}{:>12.4g}{:>10}\n",
-                 fmt::format("  {} [{}]", f.name, f.unit), spread.median, spread.p95, spread.p99,
-                 spread.worst, spread.worst_sample);
+      say(fmt::format("{:<36}{:>12.4g}{:>12.4g}{:>12.4g}{:>12.4g}{:>10}\n",
+                      fmt::format("  {} [{}]", f.name, f.unit), spread.median, spread.p95, spread.p99,
+                      spread.worst, spread.worst_sample));
     }
   }
 }
@@ -141,10 +142,10 @@ int run(Arguments args, Team& team) {
     if (!resumed) lock = make_run_folder(args.folder);
     journal = open_journal(args.folder, args.resume, header);
     if (journal->exit_code()) {
-      fmt::print("{}: this run is finished; there is nothing to resume\n", args.folder);
+      say(fmt::format("{}: this run is finished; there is nothing to resume\n", args.folder));
       return *journal->exit_code();
     }
-    if (resumed) fmt::print("goes on after {} finished samples\n", journal->records());
+    if (resumed) say(fmt::format("goes on after {} finished samples\n", journal->records()));
     options.known = [&journal](std::uint64_t number) {
       auto record = journal->find(number);
       return record ? std::optional(std::move(record->results)) : std::nullopt;
@@ -193,11 +194,8 @@ int run(Arguments args, Team& team) {
     rows->sync();
   }
   SimulationVerdict verdict;
-  if (!samples.empty()) {
-    if (!stop_requested()) verdict = yield_verdict(scenarios, samples, options);
-    print_yield(scenarios, samples, options.limits);
-    print_spreads(scenarios, samples);
-  }
+  if (!samples.empty() && !stop_requested()) verdict = yield_verdict(scenarios, samples, options);
+  std::string wrote;
   if (!args.folder.empty()) {
     write_text_file(args.folder + "/summary.csv", summary_csv(scenarios, samples));
     Provenance p;
@@ -224,13 +222,18 @@ int run(Arguments args, Team& team) {
       }
       return report::scene_of(scenarios, {nominal}, set.gains.obstacleInfluenceRadius);
     });
-    fmt::print("\nwrote {}: samples.csv, summary.csv, run.yaml{}{}{}\n", args.folder,
-               verdict.checks.empty() ? "" : ", verdict.yaml", report,
-               recorded ? "; the arm of the scenarios itself in nominal/" : "");
+    wrote = fmt::format("\nwrote {}: samples.csv, summary.csv, run.yaml, inputs/{}{}{}\n", args.folder,
+                        verdict.checks.empty() ? "" : ", verdict.yaml", report,
+                        recorded ? "; the arm of the scenarios itself in nominal/" : "");
   }
+  if (!samples.empty()) {
+    print_yield(scenarios, samples, options.limits);
+    print_spreads(scenarios, samples);
+  }
+  say(wrote);
   if (stop_requested()) {
     if (!args.folder.empty())
-      fmt::print("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder);
+      say(fmt::format("interrupted; to go on: {} robustness --resume {}\n", program_name(), args.folder));
     return kInterrupted;
   }
   const int exit_code = conclude(verdict);

@@ -13,6 +13,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/workers/simulate_points.hpp"
@@ -27,14 +28,38 @@ struct Arguments {
   double deadline = 0.0;
 };
 
+std::string gains_of(const Arguments& args) {
+  return args.run + "/gains.yaml";
+}
+
+std::string journal_of(const Arguments& args) {
+  return args.run + "/evaluations.csv";
+}
+
+void write_files(const Study& study, const Sensitivity& result, const Arguments& args, int workers,
+                 double seconds) {
+  make_folder(args.folder + "/start");
+  write_text_file(args.folder + "/start/gains.yaml",
+                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
+  write_sensitivity(study, result, args.folder);
+  Provenance p;
+  p.command = command_line();
+  p.inputs = {study.source, study.gains, gains_of(args), journal_of(args)};
+  add_inputs(study.scenarios, p.inputs);
+  p.seed = study.solver.seed;
+  p.workers = workers;
+  p.wall_seconds = seconds;
+  write_provenance(args.folder, p);
+}
+
 int run(const Arguments& args, Team& team) {
-  const auto began = std::chrono::steady_clock::now();
+  const auto seconds = [began = std::chrono::steady_clock::now()] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
   const Study study = load_study(args.run + "/study.yaml");
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
-  const std::string gains_path = args.run + "/gains.yaml";
-  const Gains best = load_gains(gains_path, joint_names(*study.scenarios.front().robot));
-  const std::string journal_path = args.run + "/evaluations.csv";
-  const auto journal = read_evaluations(journal_path, study);
+  const Gains best = load_gains(gains_of(args), joint_names(*study.scenarios.front().robot));
+  const auto journal = read_evaluations(journal_of(args), study);
   const FolderLock lock = make_run_folder(args.folder);
 
   Workers workers(team.crew(), study.robust);
@@ -53,24 +78,14 @@ int run(const Arguments& args, Team& team) {
     fmt::print(stderr, "interrupted; nothing was written\n");
     return kInterrupted;
   }
+  if (!args.folder.empty()) write_files(study, *result, args, workers.count(), seconds());
   print_sensitivity(study, *result, study.space.free.size());
   print_advice(study, *result);
   if (args.folder.empty()) return kDone;
-  make_folder(args.folder + "/start");
-  write_text_file(args.folder + "/start/gains.yaml",
-                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
-  write_sensitivity(study, *result, args.folder);
-  Provenance p;
-  p.command = command_line();
-  p.inputs = {study.source, study.gains, gains_path, journal_path};
-  add_inputs(study.scenarios, p.inputs);
-  p.seed = study.solver.seed;
-  p.workers = workers.count();
-  p.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  write_provenance(args.folder, p);
-  fmt::print(
-      "wrote {0}: sensitivity.csv, reduced_study.yaml, run.yaml\nnext: {1} tune {0}/reduced_study.yaml\n",
-      args.folder, program_name());
+  say(
+      fmt::format("wrote {0}: sensitivity.csv, reduced_study.yaml, run.yaml, inputs/\nnext: {1} tune "
+                  "{0}/reduced_study.yaml\n",
+                  args.folder, program_name()));
   return kDone;
 }
 

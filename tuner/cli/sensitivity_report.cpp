@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/csv/text_file.hpp"
+#include "tuner/cli/say.hpp"
 
 namespace armtune::cli {
 
@@ -17,26 +18,26 @@ void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const
 
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most) {
   const auto number = [](double v) { return std::isnan(v) ? std::string("-") : fmt::format("{:.3f}", v); };
-  fmt::print("{:<40}{:>11}{:>11}{:>12}{:>10}{:>12}{:>10}\n", "gain, most important first", "start", "best",
-             "importance", "local", "elasticity", "global");
+  say(fmt::format("{:<40}{:>11}{:>11}{:>12}{:>10}{:>12}{:>10}\n", "gain, most important first", "start",
+                  "best", "importance", "local", "elasticity", "global"));
   const std::size_t shown = std::min(most, sensitivity.parameters.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const ParameterSensitivity& s = sensitivity.parameters[i];
     const Parameter& p = study.space.free[s.parameter];
-    fmt::print("{:<40}{:>11.4g}{:>11.4g}{:>12.4f}{:>10}{:>12}{:>10}\n", p.entry.name, p.start, s.best,
-               s.importance, fmt::format("{:.2f} %", 100.0 * s.local), number(s.elasticity),
-               number(s.rank_correlation));
+    say(fmt::format("{:<40}{:>11.4g}{:>11.4g}{:>12.4f}{:>10}{:>12}{:>10}\n", p.entry.name, p.start, s.best,
+                    s.importance, fmt::format("{:.2f} %", 100.0 * s.local), number(s.elasticity),
+                    number(s.rank_correlation)));
   }
   if (shown < sensitivity.parameters.size()) {
-    fmt::print("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - shown);
+    say(fmt::format("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - shown));
   }
-  fmt::print(
+  say(fmt::format(
       "importance: what the merit (objective and violations) loses when this gain alone goes back to its "
-      "start\n\n");
+      "start\n\n"));
 }
 
 void print_advice(const Study& study, const Sensitivity& sensitivity) {
-  for (const std::string& line : advice(study, sensitivity)) fmt::print("note: {}\n", line);
+  for (const std::string& line : advice(study, sensitivity)) say(fmt::format("note: {}\n", line));
 }
 
 }  // namespace armtune::cli

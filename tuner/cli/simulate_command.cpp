@@ -19,6 +19,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/run/comparison.hpp"
@@ -118,18 +119,18 @@ int run(const Arguments& args) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
   line.clear();
 
-  fmt::print("{}", comparison_table({{args.gains, results}}, all_metrics()));
   double simulated = 0.0;
   for (const ScenarioResult& r : results) simulated += r.result.end_time;
-  fmt::print("{:.4g} s simulated in {:.3g} s: {:.3g} times real time on {} workers\n", simulated,
-             elapsed.count(), simulated / elapsed.count(), args.workers);
+  std::string told = comparison_table({{args.gains, results}}, all_metrics()) +
+                     fmt::format("{:.4g} s simulated in {:.3g} s: {:.3g} times real time on {} workers\n",
+                                 simulated, elapsed.count(), simulated / elapsed.count(), args.workers);
   std::vector<EnduranceResult> endured;
   if (args.endurance > 0.0 && !stop_requested()) {
     endured = run_endurance(
         scenarios, [&](const Scenario& s) { return load_gains(args.gains, joint_names(*s.robot)); },
         {args.endurance, options.stepper, args.workers, {}}, args.gains);
-    fmt::print("\nEvery scenario extended to at least {:.4g} minutes:\n{}", args.endurance,
-               endurance_table(endured));
+    told += fmt::format("\nEvery scenario extended to at least {:.4g} minutes:\n{}", args.endurance,
+                        endurance_table(endured));
   }
   const SimulationVerdict verdict = verdict_of(scenarios, results, endured, options.stepper);
   if (!args.folder.empty()) {
@@ -146,10 +147,12 @@ int run(const Arguments& args) {
       return report::scene_of(scenarios, {{stem(args.gains), ".", "errors.csv"}},
                               gains.obstacleInfluenceRadius);
     });
-    fmt::print(
-        "wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml, verdict.yaml{}{}\n",
+    told += fmt::format(
+        "wrote {}: errors.csv, rollout_<scenario>.csv, columns.csv, gains.yaml, run.yaml, inputs/, "
+        "verdict.yaml{}{}\n",
         args.folder, yardstick.written, report);
   }
+  say(told);
   if (stop_requested()) return kInterrupted;
   return conclude(verdict);
 }

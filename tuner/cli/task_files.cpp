@@ -8,6 +8,7 @@
 #include "sim/scenario/default_task.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -63,10 +64,10 @@ void write_task_files(const std::shared_ptr<const RobotModel>& robot, const std:
                   gains_yaml(gains, {fmt::format("from the inertia and the limits of {}; a start, not tuned",
                                                  robot->name)}));
   write_text_file(folder + "/study.yaml", study_text(*robot, tracks_orientation(task.scenario.mask)));
-  fmt::print(
-      "wrote {0}: task.yaml (a circle of {1:.3g} m), gains.yaml, study.yaml\nnext: armtune tune "
-      "{0}/study.yaml\n",
-      folder, task.scenario.path.terms[0].cosine.norm());
+  say(
+      fmt::format("wrote {0}: task.yaml (a circle of {1:.3g} m), gains.yaml, study.yaml\nnext: armtune tune "
+                  "{0}/study.yaml\n",
+                  folder, task.scenario.path.terms[0].cosine.norm()));
 }
 
 }  // namespace armtune::cli

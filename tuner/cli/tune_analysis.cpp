@@ -5,6 +5,7 @@
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
 #include "tuner/journal/evaluations_reader.hpp"
 #include "tuner/robustness/margin_report.hpp"
@@ -34,7 +35,7 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
                     margins_csv(study.scenarios, set.margins));
   }
   line.clear();
-  fmt::print("{}\n", margins_table(study.scenarios, sets));
+  say(fmt::format("{}\n", margins_table(study.scenarios, sets)));
 
   const auto found = sensitivity(study, objective, result.best.gains,
                                  read_evaluations(how.folder + "/evaluations.csv", study), workers,

@@ -5,6 +5,7 @@
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
@@ -36,8 +37,8 @@ void add_deep_checks(const Study& study, const Gains& gains, int workers, Simula
     verdict.not_checked.emplace_back("endurance (interrupted)");
     return;
   }
-  fmt::print("Every scenario extended to at least {:.4g} minutes:\n{}\n", study.thresholds.minutes,
-             endurance_table(endured));
+  say(fmt::format("Every scenario extended to at least {:.4g} minutes:\n{}\n", study.thresholds.minutes,
+                  endurance_table(endured)));
   add_endurance_checks(endured, study.thresholds, "", verdict);
 }
 
@@ -68,7 +69,7 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
   const SearchOutcome outcome = outcome_of(result);
   if (outcome == SearchOutcome::kTuned) return;
   if (outcome == SearchOutcome::kStart) {
-    fmt::print(
+    say(fmt::format(
         "The search found nothing better than the start gains, so {0}/gains.yaml holds the start gains.\n"
         "{1}Allow more evaluations, or give the parameters other bounds.\n",
         folder,
@@ -76,21 +77,21 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
             ? ""
             : fmt::format("They break a constraint: do not load them on the robot. In the way: {}.\n"
                           "Recommended for a further search: the start gains. ",
-                          to_text(constraints)));
+                          to_text(constraints))));
     return;
   }
-  fmt::print("Nothing feasible was found. In the way: {}.\n", to_text(constraints));
+  say(fmt::format("Nothing feasible was found. In the way: {}.\n", to_text(constraints)));
   if (result.best.objective <= 1.0) {
-    fmt::print(
+    say(fmt::format(
         "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "
         "on the robot. Recommended for a further search: the least violation (--warm-start {0}).\n",
-        folder);
+        folder));
   } else {
-    fmt::print(
+    say(fmt::format(
         "{0}/gains.yaml holds the point with the least violation, whose objective is {1:.3g} times the "
         "start's. The start gains ({0}/start/gains.yaml) break a constraint too: load neither on the robot. "
         "Recommended for a further search, with more evaluations: the start gains.\n",
-        folder, result.best.objective);
+        folder, result.best.objective));
   }
 }
 

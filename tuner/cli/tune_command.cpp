@@ -17,6 +17,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/task_notes.hpp"
 #include "tuner/cli/tune_analysis.hpp"
 #include "tuner/cli/tune_checks.hpp"
@@ -77,21 +78,22 @@ std::string progress_text(const Study& study, const TuneProgress& p, const Worke
 }
 
 void announce(const Study& study, const Arguments& args, const Journal& journal) {
-  if (args.live) fmt::print("watch it: open {}/report.html in a browser\n", args.folder);
-  fmt::print(
+  if (args.live) say(fmt::format("watch it: open {}/report.html in a browser\n", args.folder));
+  say(fmt::format(
       "study {}: {} gains over {} scenarios{}{}, {} in {} and {} at most, {} rollouts each; results go to "
       "{}\n",
       study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
       study.margins.empty() ? "" : fmt::format(" and {} margins as corners", study.margins.size()),
       search_text(study), engine_text(study), budget_text(study.max_evaluations, study.max_minutes),
-      rollouts_per_evaluation(study), args.folder);
+      rollouts_per_evaluation(study), args.folder));
   const auto swept = static_cast<long>(sweep_points(study).size());
   const long room = evaluations_to_search(study);
   if (swept > 0 && swept >= room) {
-    fmt::print("the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
-               swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched");
+    say(fmt::format(
+        "the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
+        swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched"));
   }
-  if (!args.resume.empty()) fmt::print("goes on after {} finished evaluations\n", journal.records());
+  if (!args.resume.empty()) say(fmt::format("goes on after {} finished evaluations\n", journal.records()));
   std::fflush(stdout);
 }
 
@@ -159,10 +161,10 @@ int run(Arguments args, Team& team) {
   }
   const auto journal = open_journal(args.folder, args.resume, header);
   if (journal->exit_code()) {
-    fmt::print(
+    say(fmt::format(
         "{}: this run is finished; there is nothing to resume. To search on from its best: {} tune {} "
         "--warm-start {}\n",
-        args.folder, program_name(), args.study, args.folder);
+        args.folder, program_name(), args.study, args.folder));
     return *journal->exit_code();
   }
   const double before = journal->seconds();  // of the sessions of a run that goes on
@@ -186,8 +188,8 @@ int run(Arguments args, Team& team) {
   }
   write_gains(study, result, args.folder);
   if (result.interrupted && team.several()) {  // launchers that pass on a signal kill soon after
-    fmt::print("interrupted: the search was not finished; to go on: {} tune --resume {}\n", program_name(),
-               args.folder);
+    say(fmt::format("interrupted: the search was not finished; to go on: {} tune --resume {}\n",
+                    program_name(), args.folder));
     return kInterrupted;
   }
   const ReportOptions options = {args.folder, args.workers, args.record_every};
@@ -206,10 +208,10 @@ int run(Arguments args, Team& team) {
   write_reports(study, result, sets, yardsticks, options, workers.count(), before + seconds_since(began));
 
   if (study.robust) {
-    fmt::print("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
-               robust_text(study), comparison_table(robust, headline_metrics()));
+    say(fmt::format("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
+                    robust_text(study), comparison_table(robust, headline_metrics())));
   }
-  fmt::print("{}", comparison_table(sets, headline_metrics()));
+  say(comparison_table(sets, headline_metrics()));
   print_gains(study, result);
   const bool analysed = args.analysis && !result.interrupted &&
                         analyse(study, result, *objective, workers, {args.folder, args.workers});
@@ -225,19 +227,19 @@ int run(Arguments args, Team& team) {
         study.space.start.obstacleInfluenceRadius);
   });
   const bool seen = report.find("report.html") != std::string::npos;
-  fmt::print(
+  say(fmt::format(
       "wrote {} in {:.0f} s: gains.yaml, errors.csv, rollout_<scenario>.csv, evaluations.csv, columns.csv, "
       "study.yaml, run.yaml{}{}{}{}; the start's in start/\n"
       "next: {}{} compare {}/start {}\n",
       args.folder, seconds_since(began), interrupted ? "" : ", verdict.yaml",
       analysed ? ", margins.csv, sensitivity.csv, reduced_study.yaml" : "", yardsticks.back().written, report,
       seen ? fmt::format("open {}/report.html in a browser; or ", args.folder) : "", program_name(),
-      args.folder, args.folder);
+      args.folder, args.folder));
   if (interrupted) {
-    fmt::print("interrupted: {}; to go on: {} tune --resume {}\n",
-               result.interrupted ? "the search was not finished"
-                                  : "the search was finished, the analysis after it was not",
-               program_name(), args.folder);
+    say(fmt::format("interrupted: {}; to go on: {} tune --resume {}\n",
+                    result.interrupted ? "the search was not finished"
+                                       : "the search was finished, the analysis after it was not",
+                    program_name(), args.folder));
     return kInterrupted;
   }
   const int exit_code = conclude(verdict);

@@ -12,6 +12,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/journal/evaluations_file.hpp"
 #include "tuner/run/file_hash.hpp"
@@ -192,30 +193,32 @@ void write_reports(const Study& study, const TuneResult& result, const std::vect
 void print_gains(const Study& study, const TuneResult& result) {
   const Gains& gains = result.best.gains;
   const std::string found = name(outcome_of(result));
-  fmt::print("{:<44}{:>12}{:>17}{:>11}\n", "gain", "start", found, "ratio");
+  say(fmt::format("{:<44}{:>12}{:>17}{:>11}\n", "gain", "start", found, "ratio"));
   for (const Parameter& p : study.space.free) {
     const double tuned = value(gains, p.entry);
-    fmt::print("{:<44}{:>12.5g}{:>17.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
-               p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
-               on_bound(p, tuned) ? "  at its bound" : "");
+    say(fmt::format("{:<44}{:>12.5g}{:>17.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
+                    p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
+                    on_bound(p, tuned) ? "  at its bound" : ""));
   }
-  fmt::print("\n");
+  say(fmt::format("\n"));
 }
 
 void print_search(const Study& study, const TuneResult& result, const Objective& objective) {
-  fmt::print("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study.name, result.best.objective,
-             result.best_of_sweep
-                 ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,
-                               result.best_of_sweep->feasible ? "" : ", not feasible")
-                 : "",
-             result.evaluations, result.reason);
-  fmt::print("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(study, result.best),
-             robust_text(study), result.best.feasible ? "every constraint holds" : "NOT feasible:");
+  say(fmt::format("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study.name,
+                  result.best.objective,
+                  result.best_of_sweep
+                      ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,
+                                    result.best_of_sweep->feasible ? "" : ", not feasible")
+                      : "",
+                  result.evaluations, result.reason));
+  say(fmt::format("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(study, result.best),
+                  robust_text(study), result.best.feasible ? "every constraint holds" : "NOT feasible:"));
   if (result.best.feasible) return;
-  if (result.best.status != "completed") fmt::print("  {}\n", result.best.status);
+  if (result.best.status != "completed") say(fmt::format("  {}\n", result.best.status));
   for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
     if (result.best.constraints[c] > 0.0) {
-      fmt::print("  {} is missed by {:.4g}\n", objective.constraint_name(c), result.best.constraints[c]);
+      say(fmt::format("  {} is missed by {:.4g}\n", objective.constraint_name(c),
+                      result.best.constraints[c]));
     }
   }
 }

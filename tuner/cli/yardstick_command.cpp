@@ -17,6 +17,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/report_file.hpp"
 #include "tuner/cli/rollout_scenarios.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/yardstick_measures.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -93,7 +94,7 @@ int run(const Arguments& args) {
     const std::string run_folder = run_of(args.folder);
     more = add_columns(run_folder, {"yardstick.csv", yardstick_columns()}) + report_again(run_folder);
   }
-  fmt::print("wrote {}, {}{}\n", csv, provenance_path(csv), more);
+  say(fmt::format("wrote {}, {}{}\n", csv, provenance_path(csv), more));
   return stop_requested() ? kInterrupted : kDone;
 }
 

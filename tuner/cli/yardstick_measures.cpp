@@ -6,6 +6,7 @@
 
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 #include "tuner/report/yardstick_rows.hpp"
 
@@ -24,27 +25,28 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
   std::vector<Pending> pending;
   for (const Scenario& scenario : scenarios) {
     if (scenario.stimulus) {
-      fmt::print("{}: left out: it has a stimulus, of which no plan knows\n", scenario.name);
+      say(fmt::format("{}: left out: it has a stimulus, of which no plan knows\n", scenario.name));
       continue;
     }
     if (scenario.orientation) {
-      fmt::print("{}: left out: it gives the tool's orientation, and plans know gaze targets only\n",
-                 scenario.name);
+      say(fmt::format("{}: left out: it gives the tool's orientation, and plans know gaze targets only\n",
+                      scenario.name));
       continue;
     }
     if (!tracks_orientation(scenario.mask)) {
-      fmt::print("{}: left out: its task is the position alone, and plans keep the gaze as well\n",
-                 scenario.name);
+      say(fmt::format("{}: left out: its task is the position alone, and plans keep the gaze as well\n",
+                      scenario.name));
       continue;
     }
     if (scenario.robot->chain.link_radius.size() > 0 && !scenario.obstacles.empty())
-      fmt::print("{}: plans keep joint origins and tool clear of obstacles, not links\n", scenario.name);
+      say(fmt::format("{}: plans keep joint origins and tool clear of obstacles, not links\n",
+                      scenario.name));
     const Gains set = gains(scenario);
     options.gaze_threshold = set.slerpAngularErrorThreshold;
     options.clearance = scenario.obstacles.empty() ? 0.0 : set.obstacleInfluenceRadius;
     const auto rollout = CsvTable::read(folder + "/rollout_" + scenario.name + ".csv");
     const std::vector<Event> events = events_of(rollout, scenario, options.gaze_threshold);
-    if (events.empty()) fmt::print("{}: no switch, return or whole lap\n", scenario.name);
+    if (events.empty()) say(fmt::format("{}: no switch, return or whole lap\n", scenario.name));
     for (const Event& event : events) pending.push_back({&scenario, event, options});
   }
   return pending;
@@ -53,7 +55,7 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
 /// As the report has it.
 void tell(const Measure& measure) {
   const auto rows = report::yardstick_of({CsvTable::parse(yardstick_csv({measure}), "yardstick.csv")});
-  fmt::print("  {} at {:.4g} s: {}\n", rows.front().event, rows.front().time, rows.front().words);
+  say(fmt::format("  {} at {:.4g} s: {}\n", rows.front().event, rows.front().time, rows.front().words));
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ std::vector<Measure> measure_rollouts(const std::string& folder, const std::vect
         });
     line.clear();
     if (found.status == MeasureStatus::kInterrupted) break;
-    if (told != next.scenario) fmt::print("{}:\n", next.scenario->name);
+    if (told != next.scenario) say(fmt::format("{}:\n", next.scenario->name));
     told = next.scenario;
     tell(found);
     std::fflush(stdout);

@@ -7,6 +7,7 @@
 
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/yardstick_measures.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 
@@ -40,7 +41,7 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
                                const std::function<Gains(const Scenario&)>& gains) {
   YardstickFiles files;
   try {
-    fmt::print("against the best that the arm's limits allow ({}):\n", folder);
+    say(fmt::format("against the best that the arm's limits allow ({}):\n", folder));
     const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {});
     write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
     files.written = ", yardstick.csv";

@@ -1,0 +1,130 @@
+// Names of scenarios and gain sets, and the files that are called after them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/common/file_name.hpp"
+#include "core/common/utf8.hpp"
+#include "sim/csv/csv_table.hpp"
+#include "sim/yaml/document.hpp"
+#include "tests/cli/support/program.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tuner/cli/set_labels.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Finished;
+using test::run_program;
+using test::ShortStudy;
+using testing::HasSubstr;
+
+/// True if no line commands a terminal.
+bool is_harmless(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return is_printable(text);
+}
+
+TEST(Names, ThatNoFileOfResultsCouldHaveAreRefusedBeforeAnythingIsSimulated) {
+  const ShortStudy files;
+  const std::string run = files / "run";
+  for (const std::string& name :
+       {std::string(kLongestName + 1, 'n'), std::string(240, 'n'), std::string("a\x1b[31mred"),
+        std::string("a\x7f"), std::string("a\rb"), std::string("a\xC2\x85 x: 1"),
+        std::string("a\xE2\x80\xA8x: 1"), std::string("caf\xE9")}) {
+    const std::string scenario = files / (name + ".yaml");
+    const std::string gains = files / ("g" + name + ".yaml");
+    fs::copy_file(files / "short.yaml", scenario);
+    fs::copy_file(files / "gains.yaml", gains);
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"simulate", scenario, "--gains", files / "gains.yaml", "--out", run},
+          {"compare", gains, files / "gains.yaml", "--scenarios", files / "short.yaml", "--out", run},
+          {"robustness", files / "gains.yaml", "--samples", "1", "--scenarios", scenario, "--out", run}}) {
+      const Finished done = run_program(command);
+      EXPECT_EQ(done.exit_code, 2) << command.front() << testing::PrintToString(name) << done.err;
+      EXPECT_THAT(done.err, HasSubstr("rename"));
+      EXPECT_TRUE(is_harmless(done.err)) << testing::PrintToString(done.err);
+      EXPECT_FALSE(fs::exists(run));
+    }
+  }
+}
+
+TEST(Names, TheLongestThatIsAcceptedServesForEveryFile) {
+  const ShortStudy files;
+  const std::string scenario = files / (std::string(kLongestName, 's') + ".yaml");
+  const std::string gains = files / (std::string(kLongestName, 'g') + ".yaml");
+  fs::copy_file(files / "short.yaml", scenario);
+  fs::copy_file(files / "gains.yaml", gains);
+  const std::string study = files / (std::string(kLongestName, 't') + ".yaml");
+  std::string text = test::read_text(files.path());
+  const std::string named = "scenarios: [short.yaml, short_realistic.yaml]";
+  text.replace(text.find(named), named.size(), "scenarios: [" + scenario + ", short_realistic.yaml]");
+  const std::string of_one = "scenarios: [short]";
+  text.replace(text.find(of_one), of_one.size(), "scenarios: [" + std::string(kLongestName, 's') + "]");
+  files.write(fs::path(study).filename().string(), text);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"simulate", scenario, "--gains", gains, "--out", files / "simulated"},
+        {"compare", gains, files / "gains.yaml", "--scenarios", scenario, "--out", files / "compared"},
+        {"robustness", gains, "--samples", "1", "--scenarios", scenario, "--out", files / "robust"},
+        {"tune", study, "--no-analysis"}}) {
+    const Finished done = test::Program(command, files / "").wait();
+    EXPECT_THAT(done.exit_code, testing::AnyOf(0, 3)) << command.front() << done.err;
+    EXPECT_THAT(done.err, testing::Not(HasSubstr("too long")));
+  }
+}
+
+TEST(Names, OfComparedSetsAreAllDifferent) {
+  EXPECT_THAT(cli::set_labels({"p/a", "p/a_3", "q/a"}), testing::ElementsAre("a", "a_3", "a_2"));
+  EXPECT_THAT(cli::set_labels({"p/a_2", "p/a", "q/a/", "r/a.yaml"}),
+              testing::ElementsAre("a_2", "a", "a_3", "a_4"));
+  std::vector<std::string> sets;
+  for (int i = 0; i < 40; ++i)
+    sets.push_back(std::to_string(i) + "/a" + (i % 3 == 0 ? "" : "_" + std::to_string(i)));
+  auto labels = cli::set_labels(sets);
+  std::sort(labels.begin(), labels.end());
+  EXPECT_EQ(std::adjacent_find(labels.begin(), labels.end()), labels.end());
+}
+
+TEST(Names, OfComparedSetsGiveEachItsOwnFilesAndColumns) {
+  const ShortStudy files;
+  for (const char* folder : {"p", "q"}) fs::create_directory(files / folder);
+  for (const char* set : {"p/a.yaml", "p/a_3.yaml", "q/a.yaml"})
+    fs::copy_file(files / "gains.yaml", files / set);
+  const Finished done = run_program({"compare", files / "p/a.yaml", files / "p/a_3.yaml", files / "q/a.yaml",
+                                     "--scenarios", files / "short.yaml", "--out", files / "run"});
+  EXPECT_THAT(done.exit_code, testing::AnyOf(0, 3)) << done.err;
+  const CsvTable table = CsvTable::read(files / "run/comparison.csv");  // refuses two columns of one name
+  EXPECT_THAT(table.header(), testing::IsSupersetOf({"a", "a_3", "a_2"}));
+  for (const char* set : {"a", "a_3", "a_2"}) {
+    EXPECT_TRUE(fs::exists(files / "run/rollouts_" + set + "/rollout_short.csv")) << set;
+    EXPECT_TRUE(fs::exists(files / "run/errors_" + set + ".csv")) << set;
+  }
+}
+
+TEST(Names, InAHostileRunYamlStayInTheCommentsOfWhatIsExported) {
+  const ShortStudy files;
+  ASSERT_EQ(
+      run_program({"simulate", files / "short.yaml", "--gains", files / "gains.yaml", "--out", files / "run"})
+          .exit_code,
+      0);
+  std::string run = test::read_text(files / "run/run.yaml");
+  run += "study: \"x\\u2028injected: 1\\u0085injected: 2\\r\\n\\ninjected: 3\\e[31m\\0\"\n";
+  run.replace(run.find("inputs:\n"), 8, "inputs:\n  \"a\\u2029injected: 4\": \"b\\rinjected: 5\"\n");
+  files.write("run/run.yaml", run);
+  const std::vector<std::string> robot = {"--robot", "ur10"};
+  for (const char* format : {"yaml", "ros1", "ros2", "csv"}) {
+    const Finished done = run_program({"export", files / "run", "--robot", "ur10", "--format", format});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_THAT(done.out, HasSubstr("injected"));
+    if (std::string_view(format) == "csv") continue;
+    EXPECT_TRUE(is_harmless(done.out)) << done.out;
+    EXPECT_THAT(done.out, testing::Not(testing::ContainsRegex("\ninjected")));
+  }
+}
+
+}  // namespace
+}  // namespace armtune
