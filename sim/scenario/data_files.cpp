@@ -48,7 +48,7 @@ std::string shown_path(const std::string& path) {
 std::string portable_reference(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   const bool bundled = path.ends_with(kExtension) && folder.parent_path() == fs::path(data_folder());
-  const std::string reference = bundled ? stem(path) : absolute_path(path);
+  std::string reference = bundled ? stem(path) : absolute_path(path);
   if (!is_utf8(reference)) {
     throw InputError(fmt::format(
         "{}: the path is not UTF-8, so that no file could name it; rename the folder", reference));

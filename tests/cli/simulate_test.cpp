@@ -38,7 +38,7 @@ TEST(Simulate, WritesTheFilesItNames) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(done.err, "") << "quiet where there is no terminal";
   std::vector<std::string> expected = {"errors.csv", "rollout_short.csv", "columns.csv", "gains.yaml",
-                                       "run.yaml",   "verdict.yaml",      "scene.json"};
+                                       "run.yaml",   "verdict.yaml",      "scene.json",  "inputs"};
   if (report::available()) expected.emplace_back("report.html");
   EXPECT_THAT(files_in(files / "run"), testing::UnorderedElementsAreArray(expected));
   for (const std::string& file : expected) {

@@ -209,7 +209,7 @@ void write_provenance(const std::string& folder, Provenance p) {
     if (!bytes) continue;
     if (p.copies.empty()) make_folder(folder + "/inputs");
     const std::string copy = fmt::format("inputs/{:02}_{}", p.copies.size() + 1, copy_name(file));
-    write_text_file(folder + "/" + copy, *bytes);
+    write_text_file((fs::path(folder) / copy).string(), *bytes);
     p.copies.emplace_back(shown_path(file), copy);
   }
   write_text_file(folder + "/run.yaml", run_yaml(p));
