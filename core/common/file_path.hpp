@@ -9,8 +9,8 @@ namespace armtune {
 /// folder above what the link names, not the one that the link is in. "." for an empty path.
 std::string without_dots(const std::string& path);
 
-/// The same, from the root of the file system. Throws InputError if the current folder, where relative paths begin,
-/// was deleted or may not be looked at.
+/// The same, from the root of the file system. Throws InputError if the current folder, where relative paths
+/// begin, was deleted or may not be looked at.
 std::string absolute_path(const std::string& path);
 
 }  // namespace armtune

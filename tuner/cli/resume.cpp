@@ -9,7 +9,6 @@
 
 #include "core/common/error.hpp"
 #include "core/common/file_path.hpp"
-#include "core/common/path_state.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/warm_arguments.hpp"

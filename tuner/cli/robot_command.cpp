@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/common/error.hpp"
+#include "core/common/file_path.hpp"
 #include "core/common/path_state.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "sim/csv/text_file.hpp"

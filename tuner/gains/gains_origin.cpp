@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "core/common/file_path.hpp"
-#include "core/common/path_state.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/metrics/metric.hpp"
 #include "tuner/report/provenance.hpp"

@@ -19,6 +19,7 @@
 
 #include "core/common/error.hpp"
 #include "core/common/file_name.hpp"
+#include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/path_state.hpp"
 #include "core/common/utf8.hpp"
