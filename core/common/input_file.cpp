@@ -37,11 +37,12 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
     refuse(fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
   };
   constexpr std::size_t kBlock = 1U << 20;
+  std::size_t block = kBlock;
   std::string text;
   if (status.type() == std::filesystem::file_type::regular) {
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
     if (!ignored && size > max_bytes) refuse_large();
-    if (!ignored) text.reserve(static_cast<std::size_t>(size) + kBlock);
+    if (!ignored) block = static_cast<std::size_t>(size) + 1;  // with one more, its end is seen at once
   }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -49,9 +50,10 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
   // Block by block, and not by its size: a pipe has none, and a file may grow.
   while (file && text.size() <= max_bytes) {
     const std::size_t before = text.size();
-    text.resize(before + std::min(kBlock, max_bytes + 1 - before));
+    text.resize(before + std::min(block, max_bytes + 1 - before));
     file.read(&text[before], static_cast<std::streamsize>(text.size() - before));
     text.resize(before + static_cast<std::size_t>(file.gcount()));
+    block = kBlock;
   }
   if (file.bad()) refuse("cannot be read");
   if (text.size() > max_bytes) refuse_large();

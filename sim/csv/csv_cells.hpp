@@ -1,5 +1,5 @@
 #pragma once
-// Private to csv_table.cpp: the cells of a CSV text, one after another (RFC 4180, any line end).
+// Private to sim/csv: the cells of a CSV text, one after another (RFC 4180, any line end).
 
 #include <cstddef>
 #include <string>

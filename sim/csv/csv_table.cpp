@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <unordered_set>
 
 #include "core/common/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/nearest.hpp"
-#include "sim/csv/csv_cells.hpp"
+#include "sim/csv/csv_parts.hpp"
 
 namespace armtune {
 namespace {
-
-constexpr std::size_t kMaxColumns = 10'000;
 
 /// Two places of four bytes each: with the largest of files they stay below 500 MB. A user's file has no more
 /// of them where there is a digit in each.
@@ -23,20 +19,6 @@ constexpr std::size_t kMaxCells = 24'000'000;
 
 std::size_t max_bytes(CsvOrigin origin) {
   return (origin == CsvOrigin::kUser ? std::size_t{48} : std::size_t{256}) << 20;
-}
-
-void refuse_two_of_one_name(const std::vector<std::string>& header, const std::string& file) {
-  std::unordered_set<std::string_view> seen;
-  for (const std::string& name : header) {
-    if (seen.insert(name).second) continue;
-    throw InputError(fmt::format("{}:1: two columns are called {}; remove or rename one", file, shown(name)));
-  }
-}
-
-[[noreturn]] void refuse_open_quote(const CsvCells& cells, const std::string& file) {
-  throw InputError(fmt::format(
-      "{}:{}: the quote opened here is never closed; close it, or double it where it belongs to the text",
-      file, cells.open_quote_line()));
 }
 
 /// At most as many as there are cells behind the header: what to reserve.
@@ -59,18 +41,7 @@ CsvTable CsvTable::parse(std::string text, std::string name, CsvOrigin origin) {
   table.name_ = std::move(name);
   table.text_ = std::move(text);
   CsvCells cells(table.text_);
-  CsvCell cell;
-  while (cells.next(cell)) {
-    table.header_.emplace_back(table.text_, cell.begin, cell.end - cell.begin);
-    if (table.header_.size() > kMaxColumns) {
-      throw InputError(
-          fmt::format("{}:1: more than {} columns; is it a CSV file?", table.name_, kMaxColumns));
-    }
-    if (cell.last_of_row) break;
-  }
-  if (cells.open_quote_line() > 0) refuse_open_quote(cells, table.name_);
-  if (table.header_.empty() || !cell.has_line_end) throw InputError(table.name_ + ": has no header row");
-  refuse_two_of_one_name(table.header_, table.name_);
+  table.header_ = read_csv_header(cells, table.text_, table.name_);
   table.read_rows(cells, origin);
   return table;
 }
@@ -92,10 +63,7 @@ void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
     if (!cell.last_of_row) continue;
     if (origin == CsvOrigin::kArmtune && !cell.has_line_end) break;
     if (cells.open_quote_line() > 0) refuse_open_quote(cells, name_);
-    if (in_row != width) {
-      throw InputError(fmt::format("{}:{}: {} cells where the header has {}; every row needs as many", name_,
-                                   rows_ + 2, in_row, width));
-    }
+    if (in_row != width) refuse_csv_row(name_, rows_ + 2, in_row, width);
     ++rows_;
     in_row = 0;
   }
@@ -123,16 +91,7 @@ std::string CsvTable::text(std::size_t row, std::size_t column) const {
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
-  const std::string_view text = cell(row, column);
-  double value = NAN;
-  if (text.empty()) return value;
-  const char* end = text.data() + text.size();
-  const auto [read, error] = std::from_chars(text.data(), end, value);
-  if (read != end || error != std::errc()) {
-    throw InputError(
-        fmt::format("{}:{}: {} in column {} is no number", name_, row + 2, shown(text), header_[column]));
-  }
-  return value;
+  return csv_number(cell(row, column), name_, row + 2, header_[column]);
 }
 
 std::vector<double> CsvTable::numbers(std::size_t column) const {

@@ -25,6 +25,8 @@ class CsvTable {
   static CsvTable read(const std::string& path, CsvOrigin origin = CsvOrigin::kArmtune);
   static CsvTable parse(std::string text, std::string name, CsvOrigin origin = CsvOrigin::kArmtune);
 
+  /// The file, as messages name it.
+  const std::string& name() const { return name_; }
   std::size_t rows() const { return rows_; }
   const std::vector<std::string>& header() const { return header_; }
   std::optional<std::size_t> find(std::string_view column) const;

@@ -1,0 +1,64 @@
+#include "sim/csv/csv_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <unordered_set>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr std::size_t kMaxColumns = 10'000;
+
+void refuse_two_of_one_name(const std::vector<std::string>& header, const std::string& file) {
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& name : header) {
+    if (seen.insert(name).second) continue;
+    throw InputError(fmt::format("{}:1: two columns are called {}; remove or rename one", file, shown(name)));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& text, const std::string& file) {
+  std::vector<std::string> header;
+  CsvCell cell;
+  while (cells.next(cell)) {
+    header.emplace_back(text, cell.begin, cell.end - cell.begin);
+    if (header.size() > kMaxColumns) {
+      throw InputError(fmt::format("{}:1: more than {} columns; is it a CSV file?", file, kMaxColumns));
+    }
+    if (cell.last_of_row) break;
+  }
+  if (cells.open_quote_line() > 0) refuse_open_quote(cells, file);
+  if (header.empty() || !cell.has_line_end) throw InputError(file + ": has no header row");
+  refuse_two_of_one_name(header, file);
+  return header;
+}
+
+double csv_number(std::string_view cell, const std::string& file, std::size_t line,
+                  const std::string& column) {
+  double value = NAN;
+  if (cell.empty()) return value;
+  const char* end = cell.data() + cell.size();
+  const auto [read, error] = std::from_chars(cell.data(), end, value);
+  if (read != end || error != std::errc())
+    throw InputError(fmt::format("{}:{}: {} in column {} is no number", file, line, shown(cell), column));
+  return value;
+}
+
+void refuse_csv_row(const std::string& file, std::size_t line, std::size_t cells, std::size_t header) {
+  throw InputError(fmt::format("{}:{}: {} cells where the header has {}; every row needs as many", file, line,
+                               cells, header));
+}
+
+void refuse_open_quote(const CsvCells& cells, const std::string& file) {
+  throw InputError(fmt::format(
+      "{}:{}: the quote opened here is never closed; close it, or double it where it belongs to the text",
+      file, cells.open_quote_line()));
+}
+
+}  // namespace armtune

@@ -1,0 +1,50 @@
+#pragma once
+// The numbers of a long CSV file that armtune wrote, such as the recording of an hour: read block by block,
+// of which the wanted columns alone are kept.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/csv/csv_table.hpp"
+
+namespace armtune {
+
+class NumberTable {
+ public:
+  /// Keeps the columns whose names `wanted` returns true for. A last row without its line end was being
+  /// written when the run was killed, and is left out. Throws InputError with file and line for a file that
+  /// cannot be read, as CsvTable does, and for a wanted cell that is neither empty nor a number; with the
+  /// file for more than 40 million wanted cells.
+  static NumberTable read(const std::string& path, const std::function<bool(std::string_view)>& wanted);
+  /// All columns of a table that was read already. Throws InputError where a cell is neither empty nor a
+  /// number.
+  NumberTable(const CsvTable& table);  // NOLINT(google-explicit-constructor): a table of numbers is one
+
+  std::size_t rows() const { return rows_; }
+  /// Names of the columns that were kept, in the file's order.
+  const std::vector<std::string>& header() const { return header_; }
+  /// Index of a column that was kept.
+  std::optional<std::size_t> find(std::string_view column) const;
+  /// The same; throws InputError naming file and column where there is none.
+  std::size_t column(std::string_view name) const;
+  /// One per row; NaN where the cell is empty.
+  const std::vector<double>& numbers(std::size_t column) const { return values_[column]; }
+  double number(std::size_t row, std::size_t column) const { return values_[column][row]; }
+  /// The file.
+  const std::string& name() const { return name_; }
+
+ private:
+  explicit NumberTable(std::string name) : name_(std::move(name)) {}
+  void take(std::string rows, const std::function<bool(std::string_view)>& wanted);
+
+  std::string name_;
+  std::vector<std::string> header_;
+  std::vector<std::vector<double>> values_;  ///< one per column that was kept
+  std::vector<long> place_;                  ///< of each of the file's columns in values_; -1: not kept
+  std::size_t rows_ = 0;
+};
+
+}  // namespace armtune
