@@ -8,6 +8,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/task_notes.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::cli {
@@ -23,15 +24,13 @@ bool is_folder(const std::string& path) {
 }  // namespace
 
 std::string gains_name(const std::string& set) {
-  return is_folder(set) ? (fs::path(set) / "gains.yaml").string() : set;
+  return is_folder(set) ? run_file(set, "gains.yaml") : set;
 }
 
 std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std::string>& names,
                                    const std::vector<std::string>& otherwise) {
-  if (names.empty()) {
-    std::error_code ignored;
-    const fs::path study = fs::path(set) / "study.yaml";
-    if (is_folder(set) && fs::exists(study, ignored)) return load_study(study.string()).scenarios;
+  if (names.empty() && is_folder(set)) {
+    if (const auto study = find_run_file(set, "study.yaml")) return load_study(*study).scenarios;
   }
   std::vector<Scenario> scenarios;
   for (const std::string& name : names.empty() ? otherwise : names) {

@@ -14,6 +14,7 @@
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/workers/transport.hpp"
 
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kResume = "--resume";
-constexpr const char* kJournal = "/journal.txt";
+constexpr const char* kJournal = "journal.txt";
 /// Options that results do not depend on, and that a resumed run may be given anew.
 constexpr const char* kFree[] = {"--workers", "--rollout-deadline"};
 constexpr const char* kLive = "--live";  ///< another one, without a value
@@ -64,6 +65,11 @@ void discard_folder(const std::string& folder) {
   fs::remove(folder, ignored);
 }
 
+/// Path of a run's journal; where there is none, the name that it would have.
+std::string journal_in(const std::string& folder) {
+  return find_run_file(folder, kJournal).value_or(folder + "/" + kJournal);
+}
+
 }  // namespace
 
 std::string quoted_command(const std::vector<std::string>& words) {
@@ -80,7 +86,7 @@ std::string repeating_command(std::vector<std::string> words) {
 std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   const auto folder = cut(words, kResume);
   if (!folder) return words;
-  const RunHeader begun = read_run_header(*folder + kJournal);
+  const RunHeader begun = read_run_header(journal_in(*folder));
   std::vector<std::string> all = {words.front()};
   all.insert(all.end(), begun.arguments.begin(), begun.arguments.end());
   all.insert(all.end(), {kResume, absolute_path(*folder)});
@@ -147,7 +153,7 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
                                       const RunHeader& header) {
   if (resume.empty()) {
     try {
-      return Journal::begin(folder + kJournal, header);
+      return Journal::begin(folder + "/" + kJournal, header);
     } catch (...) {
       discard_folder(folder);  // it is not to be in the way of another try
       throw;
@@ -155,21 +161,21 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
   }
   std::string warning;
   constexpr double kPatience = 10.0;  // ranks of a killed run are gone by then
-  auto journal = Journal::resume(folder + kJournal, header, warning, kPatience);
+  auto journal = Journal::resume(journal_in(folder), header, warning, kPatience);
   if (!warning.empty()) fmt::print(stderr, "armtune: warning: {}\n", warning);
   return journal;
 }
 
 void tell_how_to_go_on(const std::string& command, const std::string& folder) {
   std::error_code ignored;
-  if (!std::filesystem::exists(folder + kJournal, ignored)) return;
+  if (!std::filesystem::exists(folder + "/" + kJournal, ignored)) return;
   fmt::print(stderr, "what was finished is in {}; once the cause is gone, go on: {} {} --resume {}\n", folder,
              program_name(), command, folder);
 }
 
 void discard_run(const std::string& folder) {
   std::error_code ignored;
-  fs::remove(folder + kJournal, ignored);
+  fs::remove(folder + "/" + kJournal, ignored);
   discard_folder(folder);
 }
 

@@ -11,6 +11,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "tuner/report/provenance.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::cli {
@@ -58,8 +59,9 @@ using Inputs = std::vector<std::pair<std::string, std::string>>;
 
 Inputs inputs_of(const std::string& run) {
   Inputs inputs;
-  if (!exists(run + "/run.yaml")) return inputs;
-  for (const auto& [key, value] : report::read_provenance(run + "/run.yaml")) {
+  const auto path = find_run_file(run, "run.yaml");
+  if (!path) return inputs;
+  for (const auto& [key, value] : report::read_provenance(*path)) {
     if (key.starts_with(kInput)) inputs.emplace_back(key.substr(kInput.size()), value);
   }
   return inputs;
@@ -67,9 +69,10 @@ Inputs inputs_of(const std::string& run) {
 
 /// The study's scenarios; none where there is no study, or its files are elsewhere by now.
 std::vector<Scenario> studied(const std::string& run) {
-  if (!exists(run + "/study.yaml")) return {};
+  const auto path = find_run_file(run, "study.yaml");
+  if (!path) return {};
   try {
-    return load_study(run + "/study.yaml").scenarios;
+    return load_study(*path).scenarios;
   } catch (const InputError&) {
     return {};
   }

@@ -15,6 +15,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/workers/simulate_points.hpp"
 
@@ -29,11 +30,11 @@ struct Arguments {
 };
 
 std::string gains_of(const Arguments& args) {
-  return args.run + "/gains.yaml";
+  return run_file(args.run, "gains.yaml");
 }
 
 std::string journal_of(const Arguments& args) {
-  return args.run + "/evaluations.csv";
+  return run_file(args.run, "evaluations.csv");
 }
 
 void write_files(const Study& study, const Sensitivity& result, const Arguments& args, int workers,
@@ -56,7 +57,7 @@ int run(const Arguments& args, Team& team) {
   const auto seconds = [began = std::chrono::steady_clock::now()] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
-  const Study study = load_study(args.run + "/study.yaml");
+  const Study study = load_study(run_file(args.run, "study.yaml"));
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const Gains best = load_gains(gains_of(args), joint_names(*study.scenarios.front().robot));
   const auto journal = read_evaluations(journal_of(args), study);

@@ -9,6 +9,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 #include "tuner/report/yardstick_rows.hpp"
+#include "tuner/run/run_file.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -44,7 +45,7 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
     const Gains set = gains(scenario);
     options.gaze_threshold = set.slerpAngularErrorThreshold;
     options.clearance = scenario.obstacles.empty() ? 0.0 : set.obstacleInfluenceRadius;
-    const auto rollout = CsvTable::read(folder + "/rollout_" + scenario.name + ".csv");
+    const auto rollout = CsvTable::read(run_file(folder, "rollout_" + scenario.name + ".csv"));
     const std::vector<Event> events = events_of(rollout, scenario, options.gaze_threshold);
     if (events.empty()) say(fmt::format("{}: no switch, return or whole lap\n", scenario.name));
     for (const Event& event : events) pending.push_back({&scenario, event, options});

@@ -11,6 +11,7 @@
 #include "sim/metrics/metric.hpp"
 #include "tuner/report/provenance.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune {
@@ -60,13 +61,13 @@ std::string worst_of(const CsvTable& errors, Metric metric) {
                      joint ? ", " + errors.text(worst, *joint) : "");
 }
 
-void add_limits(const fs::path& folder, Rows& rows) {
-  const fs::path file = folder / "errors.csv";
-  if (!has(file)) {
+void add_limits(const std::string& folder, Rows& rows) {
+  const auto file = find_run_file(folder, "errors.csv");
+  if (!file) {
     rows.emplace_back("limits", "not known, the run's errors.csv is not there");
     return;
   }
-  const CsvTable errors = CsvTable::read(file.string());
+  const CsvTable errors = CsvTable::read(*file);
   for (const Metric metric :
        {Metric::kJointVelocityMaxRatio, Metric::kJointEffortMaxRatio, Metric::kJointPositionMinMargin}) {
     const std::string words = worst_of(errors, metric);
@@ -75,10 +76,10 @@ void add_limits(const fs::path& folder, Rows& rows) {
 }
 
 /// Of each margin what every scenario stands, from the rows that say it of all.
-void add_margins(const fs::path& folder, Rows& rows) {
-  const fs::path file = folder / "margins.csv";
-  if (!has(file)) return;
-  const CsvTable table = CsvTable::read(file.string());
+void add_margins(const std::string& folder, Rows& rows) {
+  const auto file = find_run_file(folder, "margins.csv");
+  if (!file) return;
+  const CsvTable table = CsvTable::read(*file);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto text = [&](const char* column) { return table.text(row, table.column(column)); };
     const auto number = [&](const char* column) { return table.number(row, table.column(column)); };
@@ -107,10 +108,10 @@ std::string run_above(const std::string& path) {
 
 Rows origin_of_run(const std::string& folder, bool with_figures) {
   Rows rows;
-  const fs::path run = fs::path(folder) / "run.yaml";
-  const Rows all = has(run) ? report::read_provenance(run.string()) : Rows{};
-  const fs::path gains = fs::path(folder) / "gains.yaml";
-  const std::string hash = has(gains) ? hash_of_input(gains.string()) : std::string();
+  const auto run = find_run_file(folder, "run.yaml");
+  const Rows all = run ? report::read_provenance(*run) : Rows{};
+  const auto gains = find_run_file(folder, "gains.yaml");
+  const std::string hash = gains ? hash_of_input(*gains) : std::string();
   const auto is_changed = [&hash](const auto& entry) {
     return entry.first == "gains_file" && !hash.empty() && entry.second != hash;
   };

@@ -28,6 +28,7 @@
 #include "sim/yaml/quoted.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/workers/transport.hpp"
 
 namespace armtune {
@@ -163,19 +164,18 @@ std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::s
 }
 
 std::string add_columns(const std::string& folder, const FileColumns& columns) {
-  const std::string path = folder + "/columns.csv";
+  const auto path = find_run_file(folder, "columns.csv");
   constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) return {};
-  std::istringstream file(read_file(path, kMaxBytes, "a run's columns.csv"));
+  if (!path) return {};
+  std::istringstream file(read_file(*path, kMaxBytes, "a run's columns.csv"));
   const std::string all = columns_csv({columns});
   const std::size_t header_end = all.find('\n') + 1;
   std::string text;
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with(columns.file + ",")) text += line + "\n";
   }
-  write_text_file(path, text + all.substr(header_end));
-  return ", " + path;
+  write_text_file(*path, text + all.substr(header_end));
+  return ", " + *path;
 }
 
 std::string measured_with() {

@@ -9,6 +9,7 @@
 #include "core/common/nearest.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tuner/run/run_file.hpp"
 
 namespace armtune {
 namespace {
@@ -43,7 +44,7 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const P
   for (const fs::path& folder : {fs::path(folder_or_file), fs::path(relative_to) / folder_or_file}) {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) continue;
-    file = (folder / "gains.yaml").string();
+    file = run_file(folder.string(), "gains.yaml");
     break;
   }
   warm.source = find_data_file("gains", file, relative_to);

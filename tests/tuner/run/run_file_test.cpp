@@ -1,0 +1,70 @@
+// The way from a run's folder to its files never leads elsewhere.
+
+#include "tuner/run/run_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "tests/sim/support/files.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class RunFile : public testing::Test {
+ protected:
+  RunFile() {
+    fs::create_directories(files_ / "run/start");
+    files_.write("run/start/errors.csv", "");
+    files_.write("outside.csv", "");
+  }
+  test::TemporaryFolder files_;
+  std::string run_ = files_ / "run";
+};
+
+TEST_F(RunFile, FindsWhatIsThereAndNothingElse) {
+  EXPECT_EQ(find_run_file(run_, "start/errors.csv"), run_ + "/start/errors.csv");
+  EXPECT_EQ(run_file(run_, "start/errors.csv"), run_ + "/start/errors.csv");
+  for (const char* name : {"errors.csv", "tuned/errors.csv", "start/errors.csv/more"})
+    EXPECT_EQ(find_run_file(run_, name), std::nullopt) << name;
+  EXPECT_THAT(test::refusal([&] { run_file(run_, "errors.csv"); }), HasSubstr(run_ + "/errors.csv"));
+}
+
+TEST_F(RunFile, RefusesNamesThatLeadOutOfTheFolder) {
+  const std::string zero("start/errors.csv\0.csv", 21);
+  for (const std::string& name :
+       {std::string("../outside.csv"), std::string("start/../../outside.csv"), files_ / "outside.csv",
+        std::string(), zero, std::string("rollout_/../x.csv")})
+    EXPECT_THAT(test::refusal([&] { find_run_file(run_, name); }), HasSubstr(run_)) << name;
+}
+
+TEST_F(RunFile, RefusesLinksAlsoOnTheWayAndAlsoWhereTheyLeadInside) {
+  fs::create_symlink(files_ / "outside.csv", run_ + "/errors.csv");
+  fs::create_symlink("start/errors.csv", run_ + "/inside.csv");
+  fs::create_symlink(files_ / "nowhere", run_ + "/dangling.csv");
+  fs::create_directory_symlink(run_ + "/start", run_ + "/tuned");
+  for (const std::string name : {"errors.csv", "inside.csv", "dangling.csv"})
+    EXPECT_THAT(test::refusal([&] { find_run_file(run_, name); }), HasSubstr(run_ + "/" + name));
+  EXPECT_THAT(test::refusal([&] { find_run_file(run_, "tuned/errors.csv"); }), HasSubstr(run_ + "/tuned"));
+}
+
+TEST_F(RunFile, RefusesWhatIsNoFile) {
+  ASSERT_EQ(::mkfifo((run_ + "/pipe.csv").c_str(), 0600), 0);
+  EXPECT_THAT(test::refusal([&] { find_run_file(run_, "pipe.csv"); }),
+              AllOf(HasSubstr(run_ + "/pipe.csv"), HasSubstr("pipe")));
+  EXPECT_THAT(test::refusal([&] { find_run_file(run_, "start"); }), HasSubstr("folder"));
+}
+
+TEST_F(RunFile, TheFolderItselfMayBeALink) {
+  fs::create_directory_symlink(run_, files_ / "latest");
+  EXPECT_TRUE(find_run_file(files_ / "latest", "start/errors.csv"));
+}
+
+}  // namespace
+}  // namespace armtune

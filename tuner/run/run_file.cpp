@@ -1,0 +1,54 @@
+#include "tuner/run/run_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool leads_out(const std::string& name) {
+  const fs::path path = name;
+  return name.empty() || name.find('\0') != std::string::npos || path.is_absolute() ||
+         std::find(path.begin(), path.end(), "..") != path.end();
+}
+
+}  // namespace
+
+std::optional<std::string> find_run_file(const std::string& folder, const std::string& name) {
+  if (leads_out(name)) {
+    throw InputError(
+        fmt::format("{}: the name {} leads out of this folder; expected a file in it", folder, shown(name)));
+  }
+  fs::path path = folder;
+  fs::file_status status(fs::file_type::directory);
+  for (const fs::path& part : fs::path(name)) {
+    if (status.type() != fs::file_type::directory) return std::nullopt;
+    path /= part;
+    std::error_code error;
+    status = fs::symlink_status(path, error);
+    if (status.type() == fs::file_type::not_found) return std::nullopt;
+    if (error) throw InputError(fmt::format("{}: cannot be looked at: {}", path.string(), error.message()));
+    if (status.type() == fs::file_type::symlink) {
+      throw InputError(fmt::format(
+          "{}: is a symbolic link, which is not followed inside a run's folder; put the file itself there",
+          path.string()));
+    }
+  }
+  if (status.type() == fs::file_type::regular) return path.string();
+  throw InputError(
+      fmt::format("{}: is {}; expected a file", path.string(),
+                  status.type() == fs::file_type::directory ? "a folder" : "a pipe, a device or the like"));
+}
+
+std::string run_file(const std::string& folder, const std::string& name) {
+  if (auto path = find_run_file(folder, name)) return *std::move(path);
+  throw InputError(fmt::format("{}/{}: no such file", folder, name));
+}
+
+}  // namespace armtune
