@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 #include "core/common/error.hpp"
 #include "core/common/input_file.hpp"
+#include "core/common/path_state.hpp"
 
 namespace armtune {
 namespace {
@@ -26,21 +28,9 @@ namespace {
   fail(path, what);
 }
 
-}  // namespace
-
-std::string partial_path(const std::string& path) {
-  return path + ".partial";
-}
-
-int make_partial_file(const std::string& path, int flags) {
-  forget_input(path);
-  const std::string partial = partial_path(path);
-  ::unlink(partial.c_str());  // of a run that was killed; where it cannot be taken away, open() says so
-  return ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC | flags, 0644);
-}
-
-void write_text_file(const std::string& path, std::string_view text) {
-  const std::string partial = partial_path(path);
+/// Writes all of the text beside the path, to the disk; where that fails nothing is left. Returns the name.
+std::string write_partial(const std::string& path, std::string_view text) {
+  std::string partial = partial_path(path);
   const int file = make_partial_file(path);
   if (file < 0) fail(partial, "write it");
   while (!text.empty()) {
@@ -56,7 +46,35 @@ void write_text_file(const std::string& path, std::string_view text) {
   }
   const bool synced = ::fsync(file) == 0;
   if (::close(file) != 0 || !synced) give_up(partial, partial, "write it");
+  return partial;
+}
+
+}  // namespace
+
+std::string partial_path(const std::string& path) {
+  return path + ".armtune.partial";
+}
+
+int make_partial_file(const std::string& path, int flags) {
+  forget_input(path);
+  const std::string partial = partial_path(path);
+  ::unlink(partial.c_str());  // of a run that was killed; where it cannot be taken away, open() says so
+  return ::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC | flags, 0644);
+}
+
+void write_text_file(const std::string& path, std::string_view text) {
+  const std::string partial = write_partial(path, text);
   if (std::rename(partial.c_str(), path.c_str()) != 0) give_up(partial, path, "replace it");
+  sync_folder_of(path);
+}
+
+void write_new_text_file(const std::string& path, std::string_view text) {
+  refuse_existing(path);
+  const std::string partial = write_partial(path, text);
+  bool placed = ::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0;
+  if (!placed && (errno == EINVAL || errno == ENOSYS))  // this file system cannot tell in one step
+    placed = std::rename(partial.c_str(), path.c_str()) == 0;
+  if (!placed) give_up(partial, path, "make it");
   sync_folder_of(path);
 }
 
@@ -71,9 +89,10 @@ void sync_folder_of(const std::string& path) {
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (!error && std::filesystem::is_directory(path, error)) return;
-  throw InputError(fmt::format("{}: cannot make this folder: {}", path,
-                               error ? error.message() : std::string("a file of that name is in the way")));
+  if (error || !std::filesystem::is_directory(path)) {
+    throw InputError(fmt::format("{}: cannot make this folder: {}", path,
+                                 error ? error.message() : std::string("a file of that name is in the way")));
+  }
 }
 
 }  // namespace armtune

@@ -9,7 +9,11 @@ namespace armtune {
 /// Writes beside the path and renames. Throws InputError with path and reason.
 void write_text_file(const std::string& path, std::string_view text);
 
-/// Where a file grows until it takes the place of the one at `path`.
+/// The same as write_text_file, but refuses what refuse_existing does (path_state.hpp), also where it appears meanwhile.
+void write_new_text_file(const std::string& path, std::string_view text);
+
+/// Where a file grows until it takes the place of the one at `path`: PATH.armtune.partial, a name that nobody
+/// else gives to a file.
 std::string partial_path(const std::string& path);
 /// Makes that file anew, to be written to, and gives its descriptor, or -1 with the reason in errno. Whatever
 /// stands there is taken away, not opened: what another user put there, a link or a file of his own, is not

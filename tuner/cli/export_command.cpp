@@ -19,6 +19,7 @@
 #include "tuner/gains/gains_formats.hpp"
 #include "tuner/gains/gains_origin.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_file.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -64,9 +65,8 @@ std::vector<std::pair<std::string, std::string>> origin_of(const Arguments& args
     return !row.first.starts_with("input ") || std::find(origin.begin(), origin.end(), row) != origin.end();
   };
   const bool of_other_arm = !std::all_of(of_robot.begin(), of_robot.end(), is_known);
-  std::error_code ignored;
-  const fs::path own = fs::path(folder) / "gains.yaml";  // a front has none
-  const bool of_other_gains = !fs::exists(own, ignored) || hash_of_input(path) != hash_of_input(own.string());
+  const auto own = find_run_file(folder, "gains.yaml");  // a front has none
+  const bool of_other_gains = !own || hash_of_input(path) != hash_of_input(*own);
   if (!of_other_arm && !of_other_gains) return origin;
   origin = origin_of_run(folder, false);
   origin.insert(
@@ -104,8 +104,7 @@ int run(const Arguments& args) {
     fmt::print("{}", text);
     return kDone;
   }
-  refuse_existing(args.file);
-  write_text_file(args.file, text);
+  write_new_text_file(args.file, text);
   fmt::print("wrote {}\n", args.file);
   return kDone;
 }

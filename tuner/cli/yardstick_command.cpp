@@ -20,6 +20,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/yardstick_measures.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
+#include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -55,7 +56,9 @@ void write_provenance(const Arguments& args, const std::string& csv, const std::
              {"velocity", fmt::format("{}", args.options.velocity)},
              {"effort", fmt::format("{}", args.options.effort)},
              {"knots", std::to_string(args.options.knots)}};
-  write_text_file(provenance_path(csv), run_yaml(p));
+  const std::string text = run_yaml(p);
+  args.out.empty() ? write_text_file(provenance_path(csv), text)
+                   : write_new_text_file(provenance_path(csv), text);
 }
 
 /// The page of the run, made again with what is new; never the reason for this to fail.
@@ -74,19 +77,23 @@ int run(const Arguments& args) {
   if (args.folder.empty() || !is_there(args.folder + "/."))
     throw InputError(args.folder +
                      ": is no folder; give that of a run that was simulated with --out, or tuned");
-  if (!args.out.empty()) refuse_existing(args.out);
+  if (!args.out.empty()) {
+    refuse_existing(args.out);
+    refuse_existing(provenance_path(args.out));
+  }
   const auto began = std::chrono::steady_clock::now();
   const std::vector<Scenario> scenarios = rollout_scenarios(args.folder, args.scenarios);
+  const std::string gains = run_file(args.folder, "gains.yaml");
   const std::vector<Measure> measures = measure_rollouts(
       args.folder, scenarios,
-      [&args](const Scenario& s) { return load_gains(args.folder + "/gains.yaml", joint_names(*s.robot)); },
-      args.options);
+      [&gains](const Scenario& s) { return load_gains(gains, joint_names(*s.robot)); }, args.options);
   if (stop_requested() && measures.empty()) {
     fmt::print(stderr, "interrupted; nothing was written\n");
     return kInterrupted;
   }
   const std::string csv = args.out.empty() ? args.folder + "/yardstick.csv" : args.out;
-  write_text_file(csv, yardstick_csv(measures));
+  const std::string table = yardstick_csv(measures);
+  args.out.empty() ? write_text_file(csv, table) : write_new_text_file(csv, table);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
   write_provenance(args, csv, scenarios, measures.size(), elapsed.count());
   std::string more;

@@ -30,7 +30,7 @@ TEST(TextFile, ReplacesAFileWholeAndLeavesNothingBeside) {
 TEST(TextFile, AFailureLeavesTheOldFileWhole) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("a.csv", "old\n");
-  fs::create_directory(path + ".partial");  // stands where the new file would be written
+  fs::create_directory(partial_path(path));  // stands where the new file would be written
   EXPECT_THAT(test::refusal([&] { write_text_file(path, "new\n"); }), HasSubstr(path));
   EXPECT_EQ(test::read_text(path), "old\n");
 }
@@ -41,7 +41,23 @@ TEST(TextFile, AFolderInTheWayStaysAndIsNamed) {
   fs::create_directory(path);
   EXPECT_THAT(test::refusal([&] { write_text_file(path, "new\n"); }), HasSubstr(path));
   EXPECT_TRUE(fs::is_directory(path));
-  EXPECT_FALSE(fs::exists(path + ".partial")) << "what could not be put in place is taken away";
+  EXPECT_FALSE(fs::exists(partial_path(path))) << "what could not be put in place is taken away";
+}
+
+TEST(TextFile, AUsersOwnFileIsNeitherReplacedNorTakenForArmtunes) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", "mine\n");
+  const std::string beside = folder.write("b.csv.partial", "mine too\n");
+  fs::create_symlink(folder / "nowhere", folder / "link.csv");
+  for (const std::string& taken : {path, folder / "link.csv"}) {
+    EXPECT_THAT(test::refusal([&] { write_new_text_file(taken, "new\n"); }), HasSubstr(taken));
+    EXPECT_THAT(test::refusal([&] { refuse_existing_file(taken); }), HasSubstr(taken));
+  }
+  EXPECT_EQ(test::read_text(path), "mine\n");
+  write_new_text_file(folder / "b.csv", "new\n");
+  EXPECT_EQ(test::read_text(folder / "b.csv"), "new\n");
+  EXPECT_EQ(test::read_text(beside), "mine too\n");
+  EXPECT_FALSE(fs::exists(partial_path(folder / "b.csv")));
 }
 
 TEST(TextFile, AFolderThatMayNotBeWrittenToIsNamed) {
@@ -94,7 +110,7 @@ TEST(PrivateTextFile, HasTheUsersOwnPermissionsWhileItGrowsAndAfter) {
   const test::TemporaryFolder folder;
   const std::string path = folder / "a.csv";
   for (const auto& [mask, expected] : {std::pair{0077U, 0600U}, std::pair{0000U, 0644U}}) {
-    const std::string planted = folder.write("a.csv.partial", "");  // open to everybody
+    const std::string planted = folder.write("a.csv.armtune.partial", "");  // open to everybody
     fs::permissions(planted, fs::perms::all);
     const mode_t before = ::umask(mask);
     const int growing = make_partial_file(path);
