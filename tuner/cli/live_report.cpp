@@ -33,7 +33,7 @@ void LiveReport::update(long evaluations, long most_evaluations, double seconds_
   live.every = every_;
   live.written = static_cast<long>(std::time(nullptr));
   try {
-    report::write_report(folder_, folder_ + "/report.html", live);
+    report::write_report(folder_, folder_ + "/report.html", report::Existing::kReplace, live);
   } catch (const std::exception& error) {
     failed_ = true;
     fmt::print(stderr, "armtune: warning: the live report is not kept any more: {}\n", error.what());

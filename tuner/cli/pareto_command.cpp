@@ -164,6 +164,7 @@ int run(Arguments args, Team& team) {
                     gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
     write_text_file(args.folder + "/study.yaml",
                     study_yaml(study, "start/gains.yaml", write_warm(study, args.folder)));
+    write_scene(args.folder, scene_of(study, {}, args, false));
     evaluations.emplace(args.folder + "/evaluations.csv", study, criteria_columns(study, options),
                         AppendFile::Open::kReplace);
   };

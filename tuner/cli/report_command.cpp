@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "sim/csv/text_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/report_file.hpp"
 
@@ -17,8 +18,11 @@ struct Arguments {
 };
 
 int run(const Arguments& args) {
-  const std::string path = args.path.empty() ? args.folder + "/report.html" : args.path;
-  const report::Written written = report::write_report(args.folder, path);
+  const bool own = args.path.empty();
+  const std::string path = own ? args.folder + "/report.html" : args.path;
+  if (!own) refuse_existing_file(path);  // before the work, not after it
+  const report::Written written =
+      report::write_report(args.folder, path, own ? report::Existing::kReplace : report::Existing::kRefuse);
   warn_of_left_out(written);
   constexpr double kMegabyte = 1e6;
   fmt::print("wrote {} ({:.2f} MB)\n", path, static_cast<double>(written.bytes) / kMegabyte);
@@ -35,7 +39,7 @@ void add_report_command(CLI::App& app, int& exit_code) {
       ->add_option("DIR", args->folder,
                    "folder of a run of simulate, tune, pareto, robustness, compare or plan")
       ->required();
-  command->add_option("--out", args->path, "file to write (default: DIR/report.html)");
+  command->add_option("--out", args->path, "new file (default: DIR/report.html, which is replaced)");
   command->footer(
       "The page needs neither a server nor a network. Whatever the folder does not hold, it leaves out.\n"
       "Meshes of the arm are drawn where they are binary STL within the robot's folder (of its URDF, or with "

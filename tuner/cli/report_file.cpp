@@ -18,10 +18,14 @@ void warn_of_left_out(const report::Written& written) {
   }
 }
 
+void write_scene(const std::string& folder, const report::Scene& scene) {
+  write_text_file(folder + "/scene.json", report::scene_json(scene));
+}
+
 std::string add_report(const std::string& folder, const std::function<report::Scene()>& scene) {
   std::string written;
   try {
-    write_text_file(folder + "/scene.json", report::scene_json(scene()));
+    write_scene(folder, scene());
     written = ", scene.json";
     if (!report::available()) return written;
     warn_of_left_out(report::write_report(folder, folder + "/report.html"));

@@ -16,6 +16,10 @@ namespace armtune::cli {
 /// of it was written, to follow the names of the other files.
 std::string add_report(const std::string& folder, const std::function<report::Scene()>& scene);
 
+/// Writes scene.json, which `add_report` writes anew, when a run begins: a page that is made while the run
+/// goes on, or after it was killed, has a replay too. Throws InputError if it cannot be written.
+void write_scene(const std::string& folder, const report::Scene& scene);
+
 /// On stderr, a line each.
 void warn_of_left_out(const report::Written& written);
 

@@ -109,6 +109,9 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
     objective = o;
     announce(study, args, journal);
     write_start(study, args.folder);
+    write_scene(args.folder,
+                report::scene_of(study.scenarios, report::usual_sets(report::RunKind::kTune, args.folder),
+                                 study.space.start.obstacleInfluenceRadius));
     evaluations.emplace(args.folder + "/evaluations.csv", study, std::vector<ExtraColumn>(),
                         AppendFile::Open::kReplace);
   };

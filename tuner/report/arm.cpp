@@ -82,17 +82,18 @@ void add_shapes(const RobotModel& model, Arm& arm) {
   }
 }
 
-void add_limbs(const RobotModel& model, Arm& arm) {
-  constexpr double kThickness = 0.04;  // of the reach: about that of an industrial arm's wrist
-  const double radius = kThickness * reach(model);
-  const Chain& chain = model.chain;
-  for (int next = 0; next <= chain.n; ++next) {
+/// From every joint whose link has no shape to the next one, as thick as an industrial arm's wrist is.
+void add_limbs(double reach, Arm& arm) {
+  constexpr double kThickness = 0.04;  // of the reach
+  const int n = static_cast<int>(arm.joints.size());
+  for (int next = 0; next <= n; ++next) {
     const int body = next - 1;
     const bool has_shape = std::any_of(arm.shapes.begin(), arm.shapes.end(),
                                        [body](const ArmShape& shape) { return shape.joint == body; });
     if (has_shape) continue;
-    const Vec3 end = next == chain.n ? chain.p_BT : chain.p_PB0[static_cast<std::size_t>(next)];
-    if (body >= 0 || end.norm() > 0.0) arm.shapes.push_back(limb(body, Vec3::Zero(), end, radius));
+    const Vec3 end = next == n ? arm.tool.p : arm.joints[static_cast<std::size_t>(next)].pose.p;
+    if (body >= 0 || end.norm() > 0.0)
+      arm.shapes.push_back(limb(body, Vec3::Zero(), end, kThickness * reach));
   }
 }
 
@@ -118,8 +119,21 @@ Arm arm_of(const RobotModel& model) {
   }
   arm.tool = pose_of(model.chain.R_BT, model.chain.p_BT);
   add_shapes(model, arm);
-  add_limbs(model, arm);
+  add_limbs(reach(model), arm);
   return arm;
+}
+
+std::size_t draw_without_meshes(Arm& arm) {
+  std::size_t bytes = 0;
+  std::erase_if(arm.shapes, [&bytes](const ArmShape& shape) {
+    bytes += shape.triangles.size();
+    return !shape.triangles.empty();
+  });
+  if (bytes == 0) return 0;
+  double reach = arm.tool.p.norm();
+  for (const ArmJoint& joint : arm.joints) reach += joint.pose.p.norm();
+  add_limbs(reach, arm);
+  return bytes;
 }
 
 }  // namespace armtune::report

@@ -45,4 +45,8 @@ struct Arm {
 /// capsules between joint origins.
 Arm arm_of(const RobotModel& model);
 
+/// Takes the meshes out and draws links that have no other shape as capsules. Returns the bytes of text that
+/// this saves.
+std::size_t draw_without_meshes(Arm& arm);
+
 }  // namespace armtune::report

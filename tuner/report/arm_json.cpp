@@ -16,6 +16,13 @@ Pose read_pose(yaml::MapReader& map) {
   return {Vec3(p[0], p[1], p[2]), Eigen::Quaterniond(q[0], q[1], q[2], q[3])};
 }
 
+/// Base64 of nine singles for each triangle, which needs no padding.
+bool is_triangles(const std::string& text) {
+  constexpr std::size_t kOfTriangle = 48;
+  constexpr const char* kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  return text.size() % kOfTriangle == 0 && text.find_first_not_of(kAlphabet) == std::string::npos;
+}
+
 std::optional<double> read_limit(yaml::MapReader& map, const char* name) {
   const yaml::Node& node = map.required(name);
   if (node.kind() == yaml::Node::Kind::kNull) return std::nullopt;
@@ -81,11 +88,18 @@ Arm read_arm(const yaml::Node& node) {
   for (const yaml::Node& item : map.required("shapes").items()) {
     yaml::MapReader shape_map(item);
     ArmShape shape;
-    shape.joint = static_cast<int>(shape_map.required("joint").as_integer());
+    const yaml::Node& joint = shape_map.required("joint");
+    const long index = joint.as_integer();
+    if (index < -1 || index >= static_cast<long>(arm.joints.size()))
+      joint.fail("there is no such joint of this robot");
+    shape.joint = static_cast<int>(index);
     shape.pose = read_pose(shape_map);
     shape.kind = shape_map.required("kind").as_string();
     shape.size = shape_map.required("size").as_numbers();
-    shape.triangles = shape_map.string("triangles", "");
+    if (const yaml::Node* triangles = shape_map.optional("triangles")) {
+      shape.triangles = triangles->as_string();
+      if (!is_triangles(shape.triangles)) triangles->fail("these are no triangles in base64");
+    }
     shape_map.finish();
     arm.shapes.push_back(std::move(shape));
   }

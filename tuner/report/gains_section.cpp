@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/report/sections.hpp"
@@ -11,13 +10,11 @@
 namespace armtune::report {
 
 std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vector<std::string>& joints,
-                           const std::vector<std::string>& paths) {
+                           const std::vector<std::optional<std::string>>& paths) {
   std::vector<std::optional<Gains>> sets;
   sets.reserve(paths.size());
-  for (const std::string& path : paths) {
-    std::error_code ignored;
-    const bool there = std::filesystem::exists(path, ignored);
-    sets.push_back(there ? std::optional(load_gains(path, joints)) : std::nullopt);
+  for (const auto& path : paths) {
+    sets.push_back(path ? std::optional(load_gains(*path, joints)) : std::nullopt);
   }
   // The sets of a run have one controller.
   const auto first = std::find_if(sets.begin(), sets.end(), [](const auto& set) { return set.has_value(); });

@@ -78,7 +78,7 @@ std::string limit_words(const std::string& limit, const std::string& part) {
   return limit + (limit == "tool path" ? " along " : " of ") + part;
 }
 
-Run plan_run_of(const CsvTable& motion, const SceneScenario* scenario, const Arm* arm,
+Run plan_run_of(const NumberTable& motion, const SceneScenario* scenario, const Arm* arm,
                 const Resolution& resolution) {
   RunBuilder builder(motion, resolution);
   builder.add_task_columns();

@@ -11,7 +11,7 @@ std::string limit_words(const std::string& limit, const std::string& part);
 /// Plots, end and replay of motion.csv, whose time counts from the plan's start; set, status and reason are
 /// the caller's. scenario, arm: null where the folder has no scene; then without a replay. Throws InputError
 /// naming the file if a column is missing.
-Run plan_run_of(const CsvTable& motion, const SceneScenario* scenario, const Arm* arm,
+Run plan_run_of(const NumberTable& motion, const SceneScenario* scenario, const Arm* arm,
                 const Resolution& resolution);
 
 /// From limits.csv: in its order, times counted from `start` [s]. arm: null where it is not known; all its

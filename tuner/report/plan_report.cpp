@@ -7,10 +7,14 @@
 #include <map>
 
 #include "core/common/error.hpp"
+#include "tuner/report/nearest_obstacles.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/report/provenance.hpp"
+#include "tuner/report/run_report.hpp"
+#include "tuner/report/shorten.hpp"
 #include "tuner/report/title.hpp"
 #include "tuner/report/words.hpp"
+#include "tuner/run/run_file.hpp"
 
 namespace armtune::report {
 namespace {
@@ -31,8 +35,7 @@ constexpr std::pair<const char*, const char*> kFigures[] = {
 
 class PlanAssembly {
  public:
-  PlanAssembly(std::string folder, std::size_t recording_bytes)
-      : folder_(std::move(folder)), recording_bytes_(recording_bytes) {
+  PlanAssembly(std::string folder, std::size_t bytes) : folder_(std::move(folder)), bytes_(bytes) {
     data_.kind = RunKind::kPlan;
     data_.plan.emplace();
   }
@@ -44,13 +47,17 @@ class PlanAssembly {
     data_.sets = {"plan"};
     ReportScenario shown;
     if (!scene_.scenarios.empty()) describe(scene_.scenarios.front(), shown);
-    part([&] { read_motion(shown); });
+    std::optional<NumberTable> motion;
+    part([&] { motion = read_motion(shown); });
     part(
         [&] { shown.limits = plan_limits_of(CsvTable::read(file("limits.csv")), arm(), data_.plan->start); });
     data_.title = page_title(name(data_.kind), shown.name, folder_);
     data_.verdict = verdict(shown.limits);
     data_.scenarios.push_back(std::move(shown));
-    for (const std::string& why : data_.left_out) data_.verdict.details.push_back("Left out: " + why);
+    shorten(data_);
+    drop_meshes(bytes_ / 2, data_);
+    if (motion) part([&] { add_run(*motion, data_.scenarios.front()); });
+    add_notes(data_);
     return std::move(data_);
   }
 
@@ -65,7 +72,8 @@ class PlanAssembly {
     }
   }
 
-  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  /// Throws InputError where it is missing or leads elsewhere.
+  std::string file(const std::string& name) const { return run_file(folder_, name); }
 
   std::string entry(const std::string& key) const {
     const auto found = run_.find(key);
@@ -92,22 +100,43 @@ class PlanAssembly {
     shown.name = scene.name;
     shown.arm = static_cast<long>(scene.arm);
     shown.influence_radius = scene.influence_radius;
-    for (const SceneObstacle& obstacle : scene.obstacles) shown.obstacles.push_back(obstacle.radius);
     if (!scene.path.rests()) shown.path = drawn_path(scene.path);
   }
 
-  void read_motion(ReportScenario& shown) {
-    const CsvTable motion = CsvTable::read(file("motion.csv"));
+  NumberTable read_motion(ReportScenario& shown) {
+    NumberTable motion = NumberTable::read(file("motion.csv"), [](std::string_view) { return true; });
     if (motion.rows() == 0) throw InputError(file("motion.csv") + ": has no row");
-    const std::size_t time = motion.column("time");
-    data_.plan->start = motion.number(0, time);
-    const double duration = motion.number(motion.rows() - 1, time) - data_.plan->start;
-    Resolution resolution = resolution_for(1, motion.header().size(), duration, recording_bytes_);
-    resolution.replay_rate = std::max(resolution.replay_rate, kReplaySamples / duration);
-    Run run = plan_run_of(motion, scenario(), arm(), resolution);
+    data_.plan->start = motion.number(0, motion.column("time"));
+    if (shown.name.empty()) shown.name = "plan";
+    return motion;
+  }
+
+  void add_run(const NumberTable& motion, ReportScenario& shown) {
+    constexpr std::size_t kForNotes = 40'000;
+    const std::size_t used = report_json(data_).size() + kForNotes;
+    const std::size_t room = bytes_ - std::min(bytes_, used);
+    const auto& time = motion.numbers(motion.column("time"));
+    const double duration = time.back() - time.front();
+    std::optional<SceneScenario> scene;
+    if (scenario() != nullptr) {
+      scene = *scenario();
+      constexpr std::size_t kOfObstacle = 4000;  // [bytes] in half of the room
+      keep_nearest(motion, room / kOfObstacle, *scene);
+      for (const SceneObstacle& obstacle : scene->obstacles) shown.obstacles.push_back(obstacle.radius);
+      if (scene->obstacles.size() < scenario()->obstacles.size())
+        data_.thinned.push_back(fmt::format("{} of {} obstacles in the replay, the farthest from the tool",
+                                            scenario()->obstacles.size() - scene->obstacles.size(),
+                                            scenario()->obstacles.size()));
+    }
+    const std::size_t joints = arm() == nullptr ? 0 : arm()->joints.size();
+    const std::size_t series = 7 + 2 * joints + 3 * shown.obstacles.size();
+    Resolution resolution = resolution_for(room, motion.header().size(), series, duration);
+    // A short motion is shown in as many samples as a long one, where it has as many rows.
+    if (duration > 0.0 && duration < 10.0)
+      resolution.replay_rate = std::max(resolution.replay_rate, kReplaySamples / duration);
+    Run run = plan_run_of(motion, scene ? &*scene : nullptr, arm(), resolution);
     run.status = "completed";
     shown.duration = run.end;
-    if (shown.name.empty()) shown.name = "plan";
     shown.runs.push_back(std::move(run));
   }
 
@@ -154,7 +183,7 @@ class PlanAssembly {
   }
 
   std::string folder_;
-  std::size_t recording_bytes_;
+  std::size_t bytes_;
   Scene scene_;
   std::map<std::string, std::string> run_;  ///< run.yaml
   ReportData data_;
@@ -162,8 +191,8 @@ class PlanAssembly {
 
 }  // namespace
 
-ReportData plan_report_of(const std::string& folder, std::size_t recording_bytes) {
-  return PlanAssembly(folder, recording_bytes).make();
+ReportData plan_report_of(const std::string& folder, std::size_t bytes) {
+  return PlanAssembly(folder, bytes).make();
 }
 
 }  // namespace armtune::report

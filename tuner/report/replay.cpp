@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-/// Rows nearest to k dt, for every k up to the last row's time. time: rising, at least one.
+/// Rows nearest to k dt, for every k up to the last row's time: one at least. time: not falling, at least
+/// one.
 std::vector<std::size_t> sampled_rows(const std::vector<double>& time, double dt) {
   std::vector<std::size_t> rows;
   std::size_t r = 0;
@@ -44,7 +45,7 @@ std::vector<double> peaks(const std::vector<double>& values, const std::vector<d
 }
 
 /// x, y, z of a column's vector at the rows; none where the file has none.
-std::vector<Series> vector_series(const CsvTable& rollout, const std::string& name,
+std::vector<Series> vector_series(const NumberTable& rollout, const std::string& name,
                                   const std::vector<std::size_t>& rows) {
   std::vector<Series> axes;
   if (!rollout.find(name + "/x")) return axes;
@@ -55,7 +56,7 @@ std::vector<Series> vector_series(const CsvTable& rollout, const std::string& na
   return axes;
 }
 
-Series error_norm(const CsvTable& rollout, const std::vector<std::size_t>& rows) {
+Series error_norm(const NumberTable& rollout, const std::vector<std::size_t>& rows) {
   if (!rollout.find("error/position/x"))  // a plan from point to point
     return quantize(std::vector<double>(rows.size(), std::numeric_limits<double>::quiet_NaN()));
   std::vector<double> norms(rows.size(), 0.0);
@@ -81,19 +82,21 @@ std::vector<Series> center_of(const Path& obstacle, const std::vector<double>& t
 
 }  // namespace
 
-std::vector<double> tracked(const CsvTable& rollout, std::size_t column, bool position) {
+std::vector<double> tracked(const NumberTable& rollout, std::size_t column, bool position) {
   std::vector<double> values = rollout.numbers(column);
   const auto state = rollout.find("state");
   if (!state) return values;
   for (std::size_t r = 0; r < values.size(); ++r) {
-    const auto now = static_cast<ControlState>(rollout.number(r, *state));
+    const double number = rollout.number(r, *state);
+    if (!(number >= 0.0 && number <= static_cast<double>(ControlState::kFollowPlan))) continue;
+    const auto now = static_cast<ControlState>(number);
     const bool free = tracks_joints(now) || (position && now == ControlState::kAvoidObstacles);
     if (free) values[r] = std::numeric_limits<double>::quiet_NaN();
   }
   return values;
 }
 
-Replay replay_of(const CsvTable& rollout, const SceneScenario& scenario, const Arm& arm,
+Replay replay_of(const NumberTable& rollout, const SceneScenario& scenario, const Arm& arm,
                  const std::vector<double>& time, double rate) {
   Replay replay;
   const double row_step =

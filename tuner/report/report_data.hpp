@@ -66,6 +66,7 @@ struct Run {
   double end = 0.0;    ///< [s]
   std::vector<StateChange> states;
   std::vector<std::pair<double, double>> slerps;  ///< begin and end [s]
+  double shortest_state = 0.0;  ///< states and slerps that are shorter [s] are left out; 0: all are there
   Series time;
   std::vector<PlotColumn> columns;
   Replay replay;
@@ -102,6 +103,24 @@ struct ReportScenario {
   std::vector<PlanLimit> limits;  ///< of a plan alone
 };
 
+/// Consecutive evaluations of one phase.
+struct PhaseRun {
+  std::size_t phase = 0;  ///< index into Evaluations::phases
+  std::size_t from = 0;   ///< number of its first evaluation
+  std::size_t to = 0;     ///< and of its last one
+};
+
+/// What evaluations are counted by where a page shows some of them only.
+struct ThinnedEvaluations {
+  std::vector<std::size_t> number;  ///< of each one that is shown
+  std::size_t total = 0;
+  std::size_t feasible = 0;
+  std::size_t native = 0;
+  std::size_t without_objective = 0;
+  std::vector<PhaseRun> phase_runs;  ///< the first 500
+  bool more_phase_runs = false;
+};
+
 struct Evaluations {
   std::vector<std::string> phases;
   std::vector<std::size_t> of;  ///< per evaluation: index into `phases`
@@ -109,8 +128,9 @@ struct Evaluations {
   std::vector<bool> feasible;
   std::vector<double> violation;
   std::vector<bool> native;  ///< of armtune's own engine; empty where none is
-  long start = -1;
+  long start = -1;           ///< index into the arrays above
   long chosen = -1;
+  std::optional<ThinnedEvaluations> thinned;  ///< none: all are shown
 };
 
 struct Gain {
@@ -218,8 +238,8 @@ struct ReportData {
   std::optional<Plan> plan;
   std::string command;
   std::vector<std::pair<std::string, std::string>> provenance;
-  std::vector<std::string>
-      left_out;  ///< why, of files that could not be understood; not on the page by itself
+  std::vector<std::string> left_out;  ///< why, of files that could not be understood
+  std::vector<std::string> thinned;   ///< what the page does not show so that it does not become too large
 };
 
 /// The object that web/src/data.ts calls ReportData.

@@ -36,6 +36,24 @@ void write_judged(Json& json, const Judged& judged) {
   json.end_object();
 }
 
+void write_thinned(Json& json, const ThinnedEvaluations& thinned) {
+  const auto count = [&json](const char* key, std::size_t n) { json.integer(key, static_cast<long>(n)); };
+  json.begin_object();
+  array(json, "number", thinned.number,
+        [](Json& out, std::size_t number) { out.integer(static_cast<long>(number)); });
+  count("total", thinned.total);
+  count("feasible", thinned.feasible);
+  count("native", thinned.native);
+  count("without_objective", thinned.without_objective);
+  array(json, "phase_runs", thinned.phase_runs, [](Json& out, const PhaseRun& run) {
+    out.begin_array();
+    for (const std::size_t n : {run.phase, run.from, run.to}) out.integer(static_cast<long>(n));
+    out.end_array();
+  });
+  json.boolean("more_phase_runs", thinned.more_phase_runs);
+  json.end_object();
+}
+
 void write_evaluations(Json& json, const Evaluations& e) {
   json.begin_object();
   json.texts("phase", e.phases);
@@ -46,6 +64,7 @@ void write_evaluations(Json& json, const Evaluations& e) {
   array_if_any(json, "native", e.native, [](Json& out, bool native) { out.boolean(native); });
   json.integer("start", e.start);
   json.integer("chosen", e.chosen);
+  value_if_any(json, "thinned", e.thinned, write_thinned);
   json.end_object();
 }
 

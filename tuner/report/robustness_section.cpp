@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/common/error.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/report/tables.hpp"
 #include "tuner/robustness/limits.hpp"
@@ -38,32 +39,46 @@ void fill(const std::vector<double>& values, Histogram& histogram) {
   const double begin = *low;
   const double width = *high - *low;
   const auto root = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(values.size()))));
-  const std::size_t bins = width > 0.0 ? std::min(kMostBins, root) : 1;
+  const std::size_t bins = width > 0.0 && std::isfinite(width) ? std::min(kMostBins, root) : 1;
   histogram.counts.assign(bins, 0);
   for (std::size_t b = 0; b <= bins; ++b) {
     histogram.edges.push_back(b == bins ? *high
                                         : begin + width * static_cast<double>(b) / static_cast<double>(bins));
   }
   for (const double value : values) {
-    const double part = width > 0.0 ? (value - begin) / width * static_cast<double>(bins) : 0.0;
+    const double part = bins > 1 ? (value - begin) / width * static_cast<double>(bins) : 0.0;
     ++histogram.counts[std::min(static_cast<std::size_t>(part), bins - 1)];
   }
 }
 
+/// A scenario and the rows that it has.
+using ScenarioRows = std::pair<std::string, std::vector<std::size_t>>;
+
+/// In the order in which the scenarios come.
+std::vector<ScenarioRows> rows_by_scenario(const CsvTable& samples) {
+  const std::size_t scenario = samples.column("scenario");
+  std::vector<ScenarioRows> all;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t r = 0; r < samples.rows(); ++r) {
+    const std::string name = samples.text(r, scenario);
+    const auto [place, is_new] = places.emplace(name, all.size());
+    if (is_new) all.emplace_back(name, std::vector<std::size_t>());
+    all[place->second].second.push_back(r);
+  }
+  return all;
+}
+
 /// One per scenario and metric that any completed sample has.
 void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& limits,
-                    const std::vector<Table>& tables, const std::vector<std::string>& scenarios,
-                    Robustness& robustness) {
-  const std::size_t scenario_column = samples.column("scenario");
+                    const std::vector<Table>& tables, Robustness& robustness) {
   const std::size_t status = samples.column("status");
-  for (const std::string& scenario : scenarios) {
+  for (const auto& [scenario, rows] : rows_by_scenario(samples)) {
     for (const Metric metric : headline_metrics()) {
       const auto column = samples.find(name(metric));
       if (!column) continue;
       std::vector<double> values;
       std::size_t failed = 0;
-      for (std::size_t r = 0; r < samples.rows(); ++r) {
-        if (samples.text(r, scenario_column) != scenario) continue;
+      for (const std::size_t r : rows) {
         if (samples.text(r, status) != "completed") {
           ++failed;
           continue;
@@ -89,6 +104,17 @@ void add_histograms(const CsvTable& samples, const std::vector<MetricLimit>& lim
   }
 }
 
+/// Number of a sample. Throws InputError where the cell holds none.
+long sample_in(const CsvTable& samples, std::size_t row, std::size_t column) {
+  constexpr double kMost = 1e15;
+  const double number = samples.number(row, column);
+  if (!(number >= 0.0 && number <= kMost)) {
+    throw InputError(fmt::format("{}:{}: '{}' is no number of a sample", samples.name(), row + 2,
+                                 samples.text(row, column)));
+  }
+  return static_cast<long>(number);
+}
+
 }  // namespace
 
 Robustness robustness_of(const CsvTable& samples, const std::string& limits,
@@ -99,20 +125,18 @@ Robustness robustness_of(const CsvTable& samples, const std::string& limits,
   const std::size_t ratio = samples.column(name(Metric::kJointVelocityMaxRatio));
   const std::size_t joint = samples.column("joint_velocity/max_ratio_joint");
   Robustness found;
-  std::vector<std::string> scenarios;
   std::map<std::string, bool> keeps;  // by sample
   std::map<std::string, std::size_t> broken_by;
   std::vector<std::pair<double, WorstSample>> worst;
   for (std::size_t r = 0; r < samples.rows(); ++r) {
     const std::string name = samples.text(r, scenario);
-    if (std::find(scenarios.begin(), scenarios.end(), name) == scenarios.end()) scenarios.push_back(name);
     const std::string what = samples.text(r, broken);
     bool& kept = keeps.try_emplace(samples.text(r, number), true).first->second;
     kept = kept && what.empty();
     if (what.empty()) continue;
     ++broken_by[fmt::format("{} in {}", what, name)];
     const double value = samples.number(r, ratio);
-    worst.emplace_back(value, WorstSample{static_cast<long>(samples.number(r, number)),
+    worst.emplace_back(value, WorstSample{sample_in(samples, r, number),
                                           fmt::format("{}: {}; {} at {:.0f} % of its velocity limit", name,
                                                       what, samples.text(r, joint), 100.0 * value)});
   }
@@ -128,7 +152,7 @@ Robustness robustness_of(const CsvTable& samples, const std::string& limits,
   std::stable_sort(worst.begin(), worst.end(),
                    [rank](const auto& a, const auto& b) { return rank(a.first) > rank(b.first); });
   for (std::size_t i = 0; i < worst.size() && i < kMostWorst; ++i) found.worst.push_back(worst[i].second);
-  add_histograms(samples, limits_from(limits), tables, scenarios, found);
+  add_histograms(samples, limits_from(limits), tables, found);
   return found;
 }
 

@@ -1,5 +1,12 @@
 #include "tuner/report/run_builder.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/common/error.hpp"
 #include "tuner/report/replay.hpp"
 
 namespace armtune::report {
@@ -23,11 +30,33 @@ constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
                                {"obstacle/distance", "clearance", "m"},
                                {"manipulability", "manipulability", "m^3"}};
 
+/// Times of the rows [s]. Throws InputError naming file and line.
+std::vector<double> rising_times(const NumberTable& table) {
+  constexpr double kMost = 1e9;  // [s]
+  const std::vector<double>& times = table.numbers(table.column("time"));
+  for (std::size_t r = 0; r < times.size(); ++r) {
+    if (!(std::abs(times[r]) <= kMost)) {
+      throw InputError(fmt::format("{}:{}: time {} is no number of seconds within {:g}", table.name(), r + 2,
+                                   times[r], kMost));
+    }
+    if (r > 0 && times[r] < times[r - 1]) {
+      throw InputError(fmt::format("{}:{}: time {} comes after {}; times must not fall", table.name(), r + 2,
+                                   times[r], times[r - 1]));
+    }
+  }
+  return times;
+}
+
 }  // namespace
 
-RunBuilder::RunBuilder(const CsvTable& table, const Resolution& resolution)
+bool is_task_column(std::string_view name) {
+  return std::any_of(std::begin(kGroups), std::end(kGroups),
+                     [name](const GroupOf& g) { return name.starts_with(g.prefix); });
+}
+
+RunBuilder::RunBuilder(const NumberTable& table, const Resolution& resolution)
     : table_(table),
-      time_(table.numbers(table.column("time"))),
+      time_(rising_times(table)),
       since_(time_),
       buckets_(time_.size(), resolution.buckets),
       replay_rate_(resolution.replay_rate) {

@@ -6,12 +6,15 @@
 
 namespace armtune::report {
 
+/// True for the columns that are plotted and are not a joint's: tool, errors, gaze and the like.
+bool is_task_column(std::string_view name);
+
 /// A run being made from a CSV, whose time counts from its first row.
 class RunBuilder {
  public:
-  /// End and time axis; start is the caller's. table must outlive it. Throws InputError naming the file if it
-  /// has no times.
-  RunBuilder(const CsvTable& table, const Resolution& resolution);
+  /// End and time axis; start is the caller's. table must outlive it. Throws InputError naming file and line
+  /// if it has no times, or if one is no number within 1e9 s or less than the one before.
+  RunBuilder(const NumberTable& table, const Resolution& resolution);
 
   /// Time of the first row [s], 0 without rows; and of every row since.
   double began() const { return time_.empty() ? 0.0 : time_.front(); }
@@ -30,7 +33,7 @@ class RunBuilder {
   Run run;  ///< as far as it is made
 
  private:
-  const CsvTable& table_;
+  const NumberTable& table_;
   std::vector<double> time_, since_;
   Buckets buckets_;
   double replay_rate_;

@@ -5,6 +5,7 @@
 #include "core/common/error.hpp"
 #include "core/common/path_state.hpp"
 #include "tuner/journal/journal.hpp"
+#include "tuner/run/run_file.hpp"
 
 namespace armtune::report {
 namespace {
@@ -12,10 +13,12 @@ namespace {
 constexpr RunKind kKinds[] = {RunKind::kSimulate, RunKind::kTune, RunKind::kPareto, RunKind::kRobustness,
                               RunKind::kCompare};
 
-/// By the command that a journal was begun by; nothing where it is damaged.
-std::optional<RunKind> journal_kind(const std::string& path) {
+/// By the command that a journal was begun by; nothing where there is none, or a damaged one.
+std::optional<RunKind> journal_kind(const std::string& folder) {
   try {
-    const RunHeader header = read_run_header(path);
+    const auto path = find_run_file(folder, "journal.txt");
+    if (!path) return std::nullopt;
+    const RunHeader header = read_run_header(*path);
     for (const RunKind kind : kKinds) {
       if (!header.arguments.empty() && header.arguments.front() == name(kind)) return kind;
     }
@@ -51,9 +54,7 @@ RunKind kind_of(const std::string& folder) {
   };
   if (!is_there(folder + "/."))
     throw InputError(folder + ": there is no such folder; give one that a run has left");
-  if (has("journal.txt")) {
-    if (const auto kind = journal_kind(folder + "/journal.txt")) return *kind;
-  }
+  if (const auto kind = journal_kind(folder)) return *kind;
   if (has("pareto.csv")) return RunKind::kPareto;
   if (has("samples.csv")) return RunKind::kRobustness;
   if (has("comparison.csv")) return RunKind::kCompare;

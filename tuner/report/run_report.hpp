@@ -8,11 +8,14 @@
 namespace armtune::report {
 
 /// From the folder alone: what it does not hold is left out of the data, and so is what a file spoils that
-/// cannot be understood, which is said in `left_out` and the verdict's details. Older runs have no
-/// scene.json; theirs is made from their study and the files that it names, or left out. recording_bytes: of
-/// text that plots and replay may take, about. `live`: of a run that goes on. Throws InputError if it is no
-/// folder of a run.
-ReportData report_of(const std::string& folder, std::size_t recording_bytes = 4'000'000,
+/// cannot be understood, which is said in `left_out` and the verdict's details. Without scene.json, as of
+/// older runs, there is no replay. bytes: what the data may take as text; where they would take more,
+/// sections are shortened and recordings left out, and `thinned` and the verdict's details say which. `live`:
+/// of a run that goes on. Throws InputError if it is no folder of a run.
+ReportData report_of(const std::string& folder, std::size_t bytes = 5'000'000,
                      const std::optional<Live>& live = {});
+
+/// Adds lines about what the page leaves out to the verdict's details.
+void add_notes(ReportData& data);
 
 }  // namespace armtune::report

@@ -1,5 +1,7 @@
 #include "tuner/report/scenario_json.hpp"
 
+#include <cmath>
+
 #include "core/control/state_machine.hpp"
 #include "tuner/report/base64.hpp"
 #include "tuner/report/json_array.hpp"
@@ -95,7 +97,11 @@ void write_scenario(Json& json, const ReportScenario& scenario) {
   json.begin_object();
   json.text("name", scenario.name);
   json.number("duration", scenario.duration);
-  array(json, "path", scenario.path, [](Json& out, const Vec3& p) { out.numbers({p.x(), p.y(), p.z()}); });
+  // To a hundredth of a millimetre: it is drawn, no more.
+  const auto drawn = [](double length) { return std::round(1e5 * length) / 1e5; };
+  array(json, "path", scenario.path, [&drawn](Json& out, const Vec3& p) {
+    out.numbers({drawn(p.x()), drawn(p.y()), drawn(p.z())});
+  });
   json.number("influence_radius", scenario.influence_radius);
   json.key("obstacles");
   json.begin_array();

@@ -3,6 +3,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tuner/report/arm_json.hpp"
 #include "tuner/report/json.hpp"
+#include "tuner/run/run_file.hpp"
 
 namespace armtune::report {
 namespace {
@@ -64,7 +65,7 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
       break;
   }
   std::vector<SceneSet> sets;
-  const CsvTable comparison = CsvTable::read(folder + "/comparison.csv");
+  const CsvTable comparison = CsvTable::read(run_file(folder, "comparison.csv"));
   for (std::size_t c = 3; c < comparison.header().size(); ++c) {
     const std::string& name = comparison.header()[c];
     if (name.ends_with("/ratio")) break;
@@ -102,7 +103,7 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
 std::vector<Vec3> drawn_path(const Path& path) {
   constexpr int kPoints = 180;
   constexpr int kPointsOfKnots = 720;  // corners
-  if (path.rests()) return {path.at(0.0).position};
+  if (path.rests() || (!path.spline && !(path.period() > 0.0))) return {path.at(0.0).position};
   const int count = path.spline ? kPointsOfKnots : kPoints;
   const double turn = path.period();
   const double from = path.spline ? path.spline->begin() : 0.0;

@@ -28,9 +28,9 @@ Robustness robustness_of(const CsvTable& samples, const std::string& limits,
                          const std::vector<Table>& tables);
 
 /// The gains that a study tunes, between their bounds, as each set's gains.yaml has them; NaN where there is
-/// no such file.
+/// no such file. paths: one per set.
 std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vector<std::string>& joints,
-                           const std::vector<std::string>& paths);
+                           const std::vector<std::optional<std::string>>& paths);
 
 /// From sensitivity.csv.
 std::vector<Sensitivity> sensitivity_of(const CsvTable& table);

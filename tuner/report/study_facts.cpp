@@ -56,9 +56,12 @@ StudyFacts read_study_facts(const std::string& path) {
     }
   }
   if (const yaml::Node* robust = root.find("robust")) {
+    constexpr long kMost = 1'000'000'000;
+    const yaml::Node& node = needed(*robust, "samples");
+    const long samples = node.as_integer();
+    if (samples < 0 || samples > kMost) node.fail("is no number of arms");
     // The scenario's own arm counts too.
-    facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(),
-                                needed(*robust, "samples").as_integer() + 1);
+    facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(), samples + 1);
   }
   return facts;
 }

@@ -4,30 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "tuner/run/comparison.hpp"
 
 namespace armtune::report {
 namespace {
 
-/// Row of the scenario in an errors.csv.
-std::optional<std::size_t> row_of(const std::optional<CsvTable>& errors, const std::string& scenario) {
-  if (!errors) return std::nullopt;
+/// The first row of each scenario in an errors.csv; none without a file.
+std::map<std::string, std::size_t> rows_of(const std::optional<CsvTable>& errors) {
+  std::map<std::string, std::size_t> rows;
+  if (!errors) return rows;
   const std::size_t names = errors->column("scenario");
-  for (std::size_t r = 0; r < errors->rows(); ++r) {
-    if (errors->text(r, names) == scenario) return r;
-  }
-  return std::nullopt;
+  for (std::size_t r = 0; r < errors->rows(); ++r) rows.emplace(errors->text(r, names), r);
+  return rows;
 }
 
 std::vector<std::string> scenarios_in(const std::vector<std::optional<CsvTable>>& errors) {
   std::vector<std::string> names;
+  std::set<std::string> known;
   for (const auto& file : errors) {
     if (!file) continue;
     const std::size_t column = file->column("scenario");
     for (std::size_t r = 0; r < file->rows(); ++r) {
-      const std::string name = file->text(r, column);
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      std::string name = file->text(r, column);
+      if (known.insert(name).second) names.push_back(std::move(name));
     }
   }
   return names;
@@ -49,13 +51,17 @@ std::vector<Metric> ordered_metrics() {
   return metrics;
 }
 
-Table table_of(const std::vector<std::optional<CsvTable>>& errors, const std::string& scenario) {
+Table table_of(const std::vector<std::optional<CsvTable>>& errors,
+               const std::vector<std::map<std::string, std::size_t>>& rows_by_name,
+               const std::string& scenario) {
   Table table;
   table.scenario = scenario;
   std::vector<std::optional<std::size_t>> rows;
   rows.reserve(errors.size());
-  for (const auto& file : errors) {
-    rows.push_back(row_of(file, scenario));
+  for (std::size_t set = 0; set < errors.size(); ++set) {
+    const auto& file = errors[set];
+    const auto found = rows_by_name[set].find(scenario);
+    rows.push_back(found == rows_by_name[set].end() ? std::nullopt : std::optional(found->second));
     table.status.push_back(rows.back() ? file->text(*rows.back(), file->column("status")) : std::string());
     const auto reason = rows.back() ? file->find("reason") : std::nullopt;  // older files have none
     table.reason.push_back(reason ? file->text(*rows.back(), *reason) : std::string());
@@ -81,7 +87,10 @@ Table table_of(const std::vector<std::optional<CsvTable>>& errors, const std::st
 
 std::vector<Table> tables_of(const std::vector<std::optional<CsvTable>>& errors) {
   std::vector<Table> tables;
-  for (const std::string& scenario : scenarios_in(errors)) tables.push_back(table_of(errors, scenario));
+  std::vector<std::map<std::string, std::size_t>> rows;
+  rows.reserve(errors.size());
+  for (const auto& file : errors) rows.push_back(rows_of(file));
+  for (const std::string& scenario : scenarios_in(errors)) tables.push_back(table_of(errors, rows, scenario));
   return tables;
 }
 

@@ -51,7 +51,7 @@ TEST(TextFile, AUsersOwnFileIsNeitherReplacedNorTakenForArmtunes) {
   fs::create_symlink(folder / "nowhere", folder / "link.csv");
   for (const std::string& taken : {path, folder / "link.csv"}) {
     EXPECT_THAT(test::refusal([&] { write_new_text_file(taken, "new\n"); }), HasSubstr(taken));
-    EXPECT_THAT(test::refusal([&] { refuse_existing_file(taken); }), HasSubstr(taken));
+    EXPECT_THAT(test::refusal([&] { refuse_existing(taken); }), HasSubstr(taken));
   }
   EXPECT_EQ(test::read_text(path), "mine\n");
   write_new_text_file(folder / "b.csv", "new\n");

@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "sim/csv/error_report.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
+#include "tests/tuner/report/support/written_run.hpp"
 #include "tuner/journal/journal.hpp"
 #include "tuner/report/report.hpp"
 #include "tuner/report/run_report.hpp"
@@ -22,8 +22,10 @@ namespace {
 
 using test::at;
 using test::data_of;
+using test::kTwoSets;
 using test::parsed;
 using test::TemporaryFolder;
+using test::write_run;
 using testing::HasSubstr;
 
 TEST(Page, TakesTheDataInPlaceOfItsMark) {
@@ -41,45 +43,6 @@ TEST(Page, HasItsMarkOnceAndNamesNoPlaceToLoadFrom) {
     EXPECT_THAT(page, testing::Not(HasSubstr(loads)));
   }
 }
-
-/// A run folder of simulate: the recorded rollout under each name, `repeats` times one after the other.
-void write_run(const TemporaryFolder& folder, const std::vector<std::string>& names,
-               const std::vector<SceneSet>& sets, int repeats) {
-  const CsvTable& table = test::recorded().table;
-  std::string rollout;
-  for (std::size_t c = 0; c < table.header().size(); ++c) rollout += (c > 0 ? "," : "") + table.header()[c];
-  rollout += '\n';
-  const double length = table.number(table.rows() - 1, 0) + 0.01;
-  for (int k = 0; k < repeats; ++k) {
-    for (std::size_t r = 0; r < table.rows(); ++r) {
-      std::ostringstream row;
-      row.precision(9);
-      for (std::size_t c = 0; c < table.header().size(); ++c) {
-        row << (c > 0 ? "," : "") << table.number(r, c) + (c == 0 ? k * length : 0.0);
-      }
-      rollout += row.str() + '\n';
-    }
-  }
-  std::vector<ScenarioResult> results;
-  Scene scene = test::recorded().scene;
-  const SceneScenario like = scene.scenarios.front();
-  scene.scenarios.clear();
-  scene.sets = sets;
-  for (const std::string& name : names) {
-    scene.scenarios.push_back(like);
-    scene.scenarios.back().name = name;
-    scene.scenarios.back().duration = repeats * length;
-    results.push_back({name, {}});
-  }
-  for (const SceneSet& set : sets) {
-    std::filesystem::create_directories(folder / set.folder);
-    folder.write(set.errors, errors_csv(results));
-    for (const std::string& name : names) folder.write(set.folder + "/rollout_" + name + ".csv", rollout);
-  }
-  folder.write("scene.json", scene_json(scene));
-}
-
-const std::vector<SceneSet> kTwoSets = {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}};
 
 TEST(Page, OfTwoGainSetsOverFourScenariosOfAMinuteIsAtMostSixMegabytes) {
   if (!available()) GTEST_SKIP() << "built without the page";

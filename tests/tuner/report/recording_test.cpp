@@ -2,11 +2,13 @@
 
 #include "tuner/report/recording.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tuner/report/buckets.hpp"
@@ -238,20 +240,78 @@ TEST(Recording, ErrorsHaveGapsWhereNothingTracksThem) {
   EXPECT_TRUE(states.contains(0) && states.contains(3)) << "both kinds of gap are in it";
 }
 
-TEST(Recording, ResolutionFallsWithTheNumberOfRunsAndNeverRises) {
+TEST(Recording, ResolutionFallsWithTheBytesOfARunAndNeverToNothing) {
   std::size_t buckets = 700;
   double rate = 25.0;
-  for (const std::size_t runs : {1U, 8U, 40U, 200U}) {
-    const Resolution r = resolution_for(runs, 34, 60.0 * static_cast<double>(runs), 4'000'000);
+  for (const std::size_t bytes : {4'000'000U, 500'000U, 100'000U, 20'000U, 0U}) {
+    const Resolution r = resolution_for(bytes, 34, 19, 60.0);
     EXPECT_LE(r.buckets, buckets);
     EXPECT_LE(r.replay_rate, rate);
     EXPECT_GE(r.buckets, 50U);
-    EXPECT_GT(r.replay_rate, 0.0);
+    EXPECT_GE(r.replay_rate * 60.0, 99.9) << "a hundred samples";
     buckets = r.buckets;
     rate = r.replay_rate;
   }
-  EXPECT_EQ(resolution_for(8, 34, 400.0, 4'000'000).buckets, 700U) << "the bundled study is shown in full";
-  EXPECT_EQ(resolution_for(8, 34, 400.0, 4'000'000).replay_rate, 25.0);
+  EXPECT_EQ(resolution_for(500'000, 34, 19, 50.0).buckets, 700U) << "the bundled study is shown in full";
+  EXPECT_EQ(resolution_for(500'000, 34, 19, 50.0).replay_rate, 25.0);
+}
+
+/// Text of a recording with these times, at rest.
+CsvTable with_times(const std::string& cells) {
+  std::string text = "time,state,slerping\n";
+  std::istringstream words(cells);
+  for (std::string time; words >> time;) text += (time == "-" ? "" : time) + ",2,0\n";
+  return CsvTable::parse(text, "rollout_a.csv");
+}
+
+TEST(Recording, TimesThatAreMissingFallOrAreNoTimesAreRefusedWithTheirLine) {
+  EXPECT_THAT(test::refusal([] { run_of(with_times("- - -"), nullptr, nullptr, {}); }),
+              testing::HasSubstr("rollout_a.csv:2"));
+  EXPECT_THAT(test::refusal([] { run_of(with_times("0 0.01 0.005"), nullptr, nullptr, {}); }),
+              testing::AllOf(testing::HasSubstr("rollout_a.csv:4"), testing::HasSubstr("0.005")));
+  EXPECT_THAT(test::refusal([] { run_of(with_times("-1e308 1e308"), nullptr, nullptr, {}); }),
+              testing::HasSubstr("rollout_a.csv:2"));
+  EXPECT_EQ(run_of(with_times("0.5 0.5 0.5"), nullptr, nullptr, {}).end, 0.0) << "they do not fall";
+}
+
+TEST(Recording, AStateThatIsNoneOfTheControllersIsRefusedWithItsLine) {
+  for (const char* state : {"5", "-1", "1.5", "1e300", ""}) {
+    const CsvTable table =
+        CsvTable::parse(std::string("time,state,slerping\n0,2,0\n1,") + state + ",0\n", "rollout_a.csv");
+    EXPECT_THAT(test::refusal([&] { run_of(table, nullptr, nullptr, {}); }),
+                testing::HasSubstr("rollout_a.csv:3"))
+        << state;
+  }
+}
+
+TEST(Recording, OfChangesInEveryRowKeepsTheLongestAndSaysSo) {
+  std::string text = "time,state,slerping\n";
+  for (int r = 0; r < 6000; ++r) text += std::to_string(r) + "," + std::to_string(r % 2 + 2) + ",0\n";
+  for (int r = 6000; r < 8000; ++r) text += std::to_string(r) + ",1,0\n";
+  const report::Run run = run_of(CsvTable::parse(text, "t"), nullptr, nullptr, {});
+  EXPECT_LE(run.states.size(), 2000U);
+  EXPECT_GT(run.shortest_state, 1.0);
+  EXPECT_EQ(run.states.back().time, 6000.0);
+  EXPECT_EQ(run.states.back().state, 1);
+}
+
+TEST(Recording, AReplayHasASampleWhateverTheTimes) {
+  const CsvTable& whole = recorded().table;
+  for (const double span : {0.0, 1e-9, 1e9}) {
+    std::string text;
+    for (std::size_t c = 0; c < whole.header().size(); ++c) text += (c > 0 ? "," : "") + whole.header()[c];
+    for (std::size_t r = 0; r < 5; ++r) {
+      text += '\n';
+      for (std::size_t c = 0; c < whole.header().size(); ++c)
+        text += (c > 0 ? "," : "") +
+                (c == 0 ? std::to_string(span * static_cast<double>(r) / 4.0) : whole.text(r, c));
+    }
+    const report::Run run = run_of(CsvTable::parse(text + "\n", "t"), &recorded().shown(), &recorded().arm(),
+                                   resolution_for(0, 34, 19, span));
+    EXPECT_GE(run.replay.n, 1U) << span;
+    EXPECT_TRUE(std::isfinite(run.replay.dt)) << span;
+    for (const Series& q : run.replay.q) EXPECT_EQ(q.steps.size(), run.replay.n);
+  }
 }
 
 }  // namespace

@@ -101,6 +101,20 @@ export interface Scenario {
   limits?: PlanLimit[];
 }
 
+/** Counts of all evaluations, where there are too many to show. */
+export interface ThinnedEvaluations {
+  /** Number of each evaluation that is shown. */
+  number: number[];
+  total: number;
+  feasible: number;
+  native: number;
+  without_objective: number;
+  /** Stretches of one phase: index into `phase`, number of the first and of the last evaluation. */
+  phase_runs: [number, number, number][];
+  /** There are more of them than stand here. */
+  more_phase_runs: boolean;
+}
+
 export interface Evaluations {
   /** Dictionary of phases: start, sweep, search ... */
   phase: string[];
@@ -114,6 +128,8 @@ export interface Evaluations {
   /** Indices of evaluations; -1 if there is none. */
   start: number;
   chosen: number;
+  /** Left out where all evaluations are shown. */
+  thinned?: ThinnedEvaluations;
 }
 
 export interface Gain {

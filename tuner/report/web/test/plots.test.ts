@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bestLine, bestSoFar, phaseRuns, undrawnText } from "../src/plots/evaluations";
+import { bestLine, bestSoFar, countsOf, numberOf, phaseRuns, undrawnText } from "../src/plots/evaluations";
 import { boundOf, placeOnScale } from "../src/plots/place_on_scale";
 import { scaleUnit } from "../src/plots/scale_unit";
 import { indexAt } from "../src/plots/index_at";
@@ -22,8 +22,22 @@ test("phases are counted as they follow each other", () => {
 });
 
 test("what is not drawn is said", () => {
-  assert.equal(undrawnText([1, 0, 2]), "");
-  assert.match(undrawnText([1, null, 2, null]), /^2 of them given up/);
+  assert.equal(undrawnText(0), "");
+  assert.match(undrawnText(2), /^2 of them given up/);
+});
+
+test("of thinned evaluations numbers, counts and phases are those of all", () => {
+  const few = { phase: ["start", "search"], of: [0, 1, 1], objective: [1, null, 2], feasible: [true, false, false], violation: [0, 1, 1], start: 0, chosen: 0 };
+  assert.deepEqual(countsOf(few), { total: 3, feasible: 1, native: 0, undrawn: 1 });
+  assert.equal(numberOf({}, 2), 2);
+  const thinned = {
+    number: [0, 40, 900], total: 1000, feasible: 300, native: 20, without_objective: 7,
+    phase_runs: [[0, 0, 0], [1, 1, 999]] as [number, number, number][], more_phase_runs: false,
+  };
+  const counts = countsOf({ ...few, thinned });
+  assert.deepEqual([counts.total, counts.feasible, counts.native, counts.undrawn], [1000, 300, 20, 7]);
+  assert.equal(numberOf({ thinned }, 2), 900);
+  assert.deepEqual(phaseRuns({ ...few, thinned }), [{ phase: "start", from: 0, to: 0 }, { phase: "search", from: 1, to: 999 }]);
 });
 
 test("bounds are the ends of a gain's scale and the geometric mean is the middle of a logarithmic one", () => {

@@ -20,15 +20,48 @@ export function bestLine(evaluations: Evaluations): { label: string; values: (nu
   };
 }
 
+/** What an evaluation is called: its place among all. */
+export function numberOf(evaluations: Pick<Evaluations, "thinned">, i: number): number {
+  return evaluations.thinned?.number[i] ?? i;
+}
+
+export interface Counts {
+  total: number;
+  feasible: number;
+  native: number;
+  undrawn: number;
+}
+
+/** Of all evaluations, also where the page shows some of them only. */
+export function countsOf(evaluations: Evaluations): Counts {
+  const { objective, feasible, native, thinned } = evaluations;
+  if (thinned !== undefined) return { ...thinned, undrawn: thinned.without_objective };
+  return {
+    total: objective.length,
+    feasible: feasible.filter(Boolean).length,
+    native: (native ?? []).filter(Boolean).length,
+    undrawn: objective.filter((value) => value === null).length,
+  };
+}
+
 /** What is said of evaluations that have no objective to draw: given up by the search, or never finished. */
-export function undrawnText(objective: (number | null)[]): string {
-  const count = objective.filter((value) => value === null).length;
+export function undrawnText(count: number): string {
   return count > 0 ? `${count} of them given up without an objective, not drawn` : "";
 }
 
+export interface PhaseRun {
+  phase: string;
+  /** Numbers of its first and its last evaluation. */
+  from: number;
+  to: number;
+}
+
 /** Evaluations of one phase that follow each other. */
-export function phaseRuns(evaluations: Pick<Evaluations, "phase" | "of">): { phase: string; from: number; to: number }[] {
-  const runs: { phase: string; from: number; to: number }[] = [];
+export function phaseRuns(evaluations: Pick<Evaluations, "phase" | "of" | "thinned">): PhaseRun[] {
+  const { thinned } = evaluations;
+  if (thinned !== undefined)
+    return thinned.phase_runs.map(([index, from, to]) => ({ phase: evaluations.phase[index] ?? "", from, to }));
+  const runs: PhaseRun[] = [];
   evaluations.of.forEach((index, i) => {
     const phase = evaluations.phase[index] ?? "";
     const last = runs[runs.length - 1];

@@ -6,7 +6,7 @@ import { whenVisible } from "../lazy";
 import { BLUE, GREEN, onPage, ORANGE, VERMILLION, withAlpha } from "../palette";
 import type { Band } from "../plots/backdrop";
 import { Chart, type ChartSeries } from "../plots/chart";
-import { bestLine, phaseRuns, undrawnText } from "../plots/evaluations";
+import { bestLine, countsOf, numberOf, phaseRuns, undrawnText } from "../plots/evaluations";
 import { legendEntries, legendOf } from "../plots/legend";
 import { readMarks, type Mark } from "../plots/read_marks";
 import { section, type Section } from "./section";
@@ -46,8 +46,8 @@ function marksOf(evaluations: Evaluations, series: ChartSeries[]): Mark[] {
     ];
     // Not the line of the best: of the plain marks, the one it is among.
     const own = series.findIndex((one) => one.marks !== undefined && one.values[i] !== null);
-    const text = `Evaluation ${i}: objective ${formatNumber(value)} (${parts.filter((part) => part !== "").join(", ")})`;
-    return [{ x: i, y: value, series: own, text }];
+    const text = `Evaluation ${numberOf(evaluations, i)}: objective ${formatNumber(value)} (${parts.filter((part) => part !== "").join(", ")})`;
+    return [{ x: numberOf(evaluations, i), y: value, series: own, text }];
   });
 }
 
@@ -55,7 +55,7 @@ function chartOf(evaluations: Evaluations, told: HTMLElement): HTMLElement {
   const { objective } = evaluations;
   const series = seriesOf(evaluations);
   const values = objective.filter((value): value is number => value !== null);
-  const runs = phaseRuns(evaluations);
+  const runs = evaluations.thinned?.more_phase_runs === true ? [] : phaseRuns(evaluations);
   const bands = (): Band[] =>
     // Every other phase; of two, the first is the start alone and needs none.
     runs.filter((_, i) => runs.length > 2 && i % 2 === 1).map((run) => ({ from: run.from - 0.5, to: run.to + 0.5, colour: withAlpha("#888888", 0.12) }));
@@ -66,7 +66,7 @@ function chartOf(evaluations: Evaluations, told: HTMLElement): HTMLElement {
       xLabel: "evaluation",
       yLabel: "objective [1]",
       height: 280,
-      x: objective.map((_, i) => i),
+      x: objective.map((_, i) => numberOf(evaluations, i)),
       xPad: 0.5,
       series,
       bands,
@@ -89,14 +89,15 @@ export function convergenceSection(data: ReportData): Section | null {
     .map((run) => `${run.phase} ${run.to - run.from + 1}`)
     .slice(0, 12)
     .join(", ");
-  const feasible = evaluations.feasible.filter(Boolean).length;
-  const native = (evaluations.native ?? []).filter(Boolean).length;
+  const { total, feasible, native, undrawn } = countsOf(evaluations);
+  const shown = evaluations.objective.length;
   const value = (i: number) => formatNumber(evaluations.objective[i] ?? null);
   const counts = [
-    `${evaluations.objective.length} evaluations`,
+    `${total} evaluations`,
+    shown < total ? `of which the plot has ${shown}, the best and the worst of every ${Math.ceil(total / 6000)}` : "",
     native > 0 ? `${native} of them in the native engine` : "",
     `${feasible} feasible (${phases})`,
-    undrawnText(evaluations.objective),
+    undrawnText(undrawn),
   ];
   return section(
     "convergence",
