@@ -1,0 +1,64 @@
+// Whatever the bytes of any other file of a run: a page of the others. The first byte says which file it is.
+
+#include <array>
+#include <memory>
+
+#include "tests/fuzz/support/run_folder.hpp"
+
+namespace armtune::fuzz {
+namespace {
+
+/// A file, and those in whose place it stands in another kind of run.
+struct Kind {
+  const char* file;
+  std::array<const char*, 3> without = {};
+};
+
+constexpr Kind kKinds[] = {{"verdict.yaml"},
+                           {"study.yaml"},
+                           {"gains.yaml"},
+                           {"sensitivity.csv"},
+                           {"margins.csv"},
+                           {"yardstick.csv"},
+                           {"robust_errors.csv"},
+                           {"samples.csv", {"evaluations.csv"}},
+                           {"pareto.csv"},
+                           {"comparison.csv", {"scene.json", "evaluations.csv"}},
+                           {"motion.csv", {"errors.csv", "evaluations.csv"}},
+                           {"limits.csv", {"errors.csv", "evaluations.csv"}}};
+
+std::unique_ptr<RunFolder> folder_of(const Kind& kind) {
+  auto folder = std::make_unique<RunFolder>();
+  for (const char* name : kind.without) {
+    if (name != nullptr) folder->remove(name);
+  }
+  if (std::string_view(kind.file) == "limits.csv") folder->write("motion.csv", "time\n0\n1\n");
+  if (std::string_view(kind.file) == "pareto.csv")
+    folder->write("run.yaml", "criteria: \"objective joint_velocity/max_ratio\"\nhypervolume: \"0.5\"\n");
+  if (std::string_view(kind.file) == "samples.csv")
+    folder->write("run.yaml", "limits: \"gaze/rms <= 0.1; joint_velocity/max_ratio <= 1\"\n");
+  return folder;
+}
+
+void check(std::string_view bytes) {
+  if (bytes.empty()) return;
+  const Kind& kind = kKinds[static_cast<unsigned char>(bytes.front() - 'a') % std::size(kKinds)];
+  // One folder at a time, as its name is the process's.
+  static const Kind* last = nullptr;
+  static std::unique_ptr<RunFolder> folder;
+  if (last != &kind) {
+    folder.reset();
+    folder = folder_of(kind);
+    last = &kind;
+  }
+  folder->write(kind.file, bytes.substr(1));
+  check_report(*folder);
+}
+
+}  // namespace
+}  // namespace armtune::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  armtune::fuzz::check(armtune::fuzz::text(data, size));
+  return 0;
+}
