@@ -8,6 +8,7 @@
 
 #include <utility>
 
+#include "core/common/path_state.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune {
