@@ -53,6 +53,7 @@ class Recordings {
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
+    names.reserve(data_.scenarios.size());
     for (const ReportScenario& s : data_.scenarios) names.push_back(s.name);
     return names;
   }

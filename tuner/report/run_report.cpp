@@ -235,6 +235,7 @@ void add_notes(ReportData& data) {
   constexpr std::size_t kMost = 30;
   const auto lines = [](const std::vector<std::string>& items, const char* what) {
     std::vector<std::string> told;
+    told.reserve(items.size());
     for (const std::string& item : items) told.push_back(what + item);
     return told;
   };

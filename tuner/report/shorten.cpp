@@ -37,6 +37,7 @@ std::size_t bytes_of(const Table& table) {
 void shorten_tables(std::vector<Table>& tables, std::size_t most_bytes, std::size_t set, const char* file,
                     ReportData& data) {
   std::vector<std::string> names;
+  names.reserve(tables.size());
   for (const Table& table : tables) names.push_back(table.scenario);
   std::vector<std::size_t> order = telling_order(names, tables, set);
   std::size_t bytes = 0;
