@@ -9,7 +9,8 @@ namespace armtune {
 /// Writes beside the path and renames. Throws InputError with path and reason.
 void write_text_file(const std::string& path, std::string_view text);
 
-/// The same as write_text_file, but refuses what refuse_existing does (path_state.hpp), also where it appears meanwhile.
+/// The same as write_text_file, but refuses what refuse_existing does (path_state.hpp), also where it appears
+/// meanwhile.
 void write_new_text_file(const std::string& path, std::string_view text);
 
 /// Where a file grows until it takes the place of the one at `path`: PATH.armtune.partial, a name that nobody

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "core/common/path_state.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/report_file.hpp"
@@ -20,7 +21,7 @@ struct Arguments {
 int run(const Arguments& args) {
   const bool own = args.path.empty();
   const std::string path = own ? args.folder + "/report.html" : args.path;
-  if (!own) refuse_existing_file(path);  // before the work, not after it
+  if (!own) refuse_existing(path);  // before the work, not after it
   const report::Written written =
       report::write_report(args.folder, path, own ? report::Existing::kReplace : report::Existing::kRefuse);
   warn_of_left_out(written);
