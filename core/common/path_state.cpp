@@ -28,7 +28,10 @@ bool is_there(const std::string& path) {
 }
 
 void refuse_existing(const std::string& path) {
-  if (!is_there(path)) return;
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (status.type() == fs::file_type::not_found) return;
+  if (status.type() == fs::file_type::none) refuse(path, error);
   throw InputError(fmt::format("{}: is there already; name another file, or take this one away", path));
 }
 

@@ -11,8 +11,8 @@ namespace armtune {
 /// loop, or the name is too long.
 bool is_there(const std::string& path);
 
-/// Throws InputError if something is at the path already, or if that cannot be told. For files that are never
-/// overwritten.
+/// Throws InputError if something is at the path already, a broken link too, or if that cannot be told. For
+/// files that are never overwritten.
 void refuse_existing(const std::string& path);
 
 /// Returns true if the folder is missing or holds nothing. Throws InputError with path and reason if that

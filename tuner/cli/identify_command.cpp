@@ -18,6 +18,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/readable_file.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/identification/identification_files.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -48,7 +49,8 @@ void write_files(const Arguments& args, const RobotModel& model, const Identific
   write_text_file(folder + "/robot.yaml", robot_yaml(identified, "robot.urdf"));
   Provenance p;
   p.command = command_line();
-  p.inputs = args.logs;
+  for (std::size_t i = 0; i < args.logs.size(); ++i)
+    p.streamed.emplace_back(args.logs[i], found.log_hashes[i]);
   p.inputs.push_back(model.source);
   if (!args.columns.empty()) p.inputs.push_back(args.columns);
   p.wall_seconds = seconds;
@@ -101,20 +103,24 @@ int run(const Arguments& args) {
   }();
   line.clear();
   if (found.interrupted) return kInterrupted;
-  print_identification(*model, found);
-  const bool doubtful = found.comparison.mistake.has_value();
-  if (doubtful) {
-    fmt::print("\nThe logs do not fit the robot file: {}.\n", to_text(*found.comparison.mistake, *model));
-  }
-  if (doubtful && !args.accept) {
-    remove_if_empty(args.folder);
-    fmt::print("Nothing was written. If the logs are right all the same, add --accept.\n");
-    return kChecksFailed;
-  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
-  if (!args.folder.empty()) {
+  const bool doubtful = found.comparison.mistake.has_value();
+  const bool written = !args.folder.empty() && (!doubtful || args.accept);
+  // Results come first: standard output may be a full disk.
+  if (written) {
     write_files(args, *model, found, elapsed.count());
-    fmt::print("wrote {}: theta.yaml, base_parameters.csv, robot.urdf, robot.yaml, run.yaml\n", args.folder);
+  } else {
+    remove_if_empty(args.folder);
+  }
+  print_identification(*model, found);
+  if (written) {
+    say(fmt::format("wrote {}: theta.yaml, base_parameters.csv, robot.urdf, robot.yaml, run.yaml\n",
+                    args.folder));
+  }
+  if (doubtful) {
+    say(fmt::format("\nThe logs do not fit the robot file: {}.\n",
+                    to_text(*found.comparison.mistake, *model)));
+    if (!written) say("Nothing was written. If the logs are right all the same, add --accept.\n");
   }
   return doubtful ? kChecksFailed : kDone;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/cli/say.hpp"
+
 namespace armtune::cli {
 namespace {
 
@@ -18,12 +20,12 @@ std::string shortened(const std::string& name) {
 void print_base_parameters(const RobotModel& model, const Identification& found) {
   const Eigen::VectorXd file = found.base.map * theta_of(model.chain);
   const Eigen::VectorXd deviation = found.estimate.deviation();
-  fmt::print("{:<44}{:>12}{:>10}{:>12}\n", "base parameter (group of inertial ones)", "estimate", "+-",
-             "robot file");
+  say(fmt::format("{:<44}{:>12}{:>10}{:>12}\n", "base parameter (group of inertial ones)", "estimate", "+-",
+                  "robot file"));
   for (Eigen::Index b = 0; b < file.size(); ++b) {
-    fmt::print("{:<44}{:>12.5g}{:>10}{:>12.5g}\n", shortened(found.base.names[static_cast<std::size_t>(b)]),
-               found.estimate.theta[b],
-               std::isfinite(deviation[b]) ? fmt::format("{:.2g}", deviation[b]) : "unknown", file[b]);
+    say(fmt::format("{:<44}{:>12.5g}{:>10}{:>12.5g}\n",
+                    shortened(found.base.names[static_cast<std::size_t>(b)]), found.estimate.theta[b],
+                    std::isfinite(deviation[b]) ? fmt::format("{:.2g}", deviation[b]) : "unknown", file[b]));
   }
 }
 
@@ -33,26 +35,27 @@ std::string share(double part, double whole) {
 
 void print_unexplained(const RobotModel& model, const Identification& found) {
   const bool held_out = found.held_out.rows > 0;
-  fmt::print("\nShare of each joint's torque that is not explained (RMS):\n");
-  fmt::print("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "", "torque RMS", "theta.yaml", "theta.yaml", "robot file");
-  fmt::print("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "joint", "[N m, N]", "fitted to", "held out",
-             "as it stands");
+  say(fmt::format("\nShare of each joint's torque that is not explained (RMS):\n"));
+  say(fmt::format("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "", "torque RMS", "theta.yaml", "theta.yaml",
+                  "robot file"));
+  say(fmt::format("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "joint", "[N m, N]", "fitted to", "held out",
+                  "as it stands"));
   for (int j = 0; j < model.n(); ++j) {
     const Unexplained& fitted = found.fitted;
     const Unexplained& out = found.held_out;
-    fmt::print("{:<28} {:>11.4g}{:>13}{:>13}{:>13}\n", model.joints[static_cast<std::size_t>(j)].name,
-               fitted.torque[j], share(fitted.by_theta[j], fitted.torque[j]),
-               held_out ? share(out.by_theta[j], out.torque[j]) : "-",
-               share(fitted.by_file[j], fitted.torque[j]));
+    say(fmt::format("{:<28} {:>11.4g}{:>13}{:>13}{:>13}\n", model.joints[static_cast<std::size_t>(j)].name,
+                    fitted.torque[j], share(fitted.by_theta[j], fitted.torque[j]),
+                    held_out ? share(out.by_theta[j], out.torque[j]) : "-",
+                    share(fitted.by_file[j], fitted.torque[j])));
   }
 }
 
 void print_not_excited(const Identification& found) {
   const std::vector<int>& groups = found.estimate.not_excited;
   if (groups.empty()) return;
-  fmt::print("\nThese logs do not excite {} groups, which stay near the robot file's values:\n",
-             groups.size());
-  for (const int b : groups) fmt::print("  {}\n", found.base.names[static_cast<std::size_t>(b)]);
+  say(fmt::format("\nThese logs do not excite {} groups, which stay near the robot file's values:\n",
+                  groups.size()));
+  for (const int b : groups) say(fmt::format("  {}\n", found.base.names[static_cast<std::size_t>(b)]));
 }
 
 }  // namespace
@@ -61,12 +64,13 @@ void print_identification(const RobotModel& model, const Identification& found) 
   print_base_parameters(model, found);
   print_unexplained(model, found);
   print_not_excited(found);
-  fmt::print(
+  say(fmt::format(
       "\n{} samples, {} rows to fit and {} held out, {} base parameters of {}, condition number {:.4g}\n",
       found.samples, found.fitted.rows * model.n(), found.held_out.rows * model.n(), found.base.rank(),
-      found.theta.size(), found.estimate.condition);
+      found.theta.size(), found.estimate.condition));
   if (found.made_physical) {
-    fmt::print("The estimate is not one that a physical arm can have. theta.yaml is the nearest that is.\n");
+    say(fmt::format(
+        "The estimate is not one that a physical arm can have. theta.yaml is the nearest that is.\n"));
   }
   const Eigen::VectorXd deviation = found.estimate.deviation();
   long uncertain = 0;
@@ -75,11 +79,11 @@ void print_identification(const RobotModel& model, const Identification& found) 
       ++uncertain;
   }
   if (uncertain > 0) {
-    fmt::print(
+    say(fmt::format(
         "{} groups have a standard deviation above {:.0f} % of their value: they are small, or the motion "
         "hardly "
         "excites them.\n",
-        uncertain, 100.0 * kUncertain);
+        uncertain, 100.0 * kUncertain));
   }
 }
 

@@ -110,6 +110,7 @@ class Passes {
   const TorqueMoments& held_out() const { return held_out_; }
   const LogInstants& instants() const { return instants_; }
   long samples() const { return samples_; }
+  const std::vector<std::string>& hashes() const { return hashes_; }
 
  private:
   void read_log(int pass, std::size_t i, Regression& regression) {
@@ -135,6 +136,10 @@ class Passes {
     }
     samples_ += stream.samples();
     if (stop_) return;
+    if (pass == 0) hashes_.push_back(log.hash());
+    if (log.hash() != hashes_[i])
+      throw InputError(
+          fmt::format("{}: has changed while it was read; identify from a log that is complete", logs_[i]));
     stream.check_velocities();
     if (count == 0) {
       throw InputError(
@@ -163,6 +168,7 @@ class Passes {
   TorqueMoments fitted_;
   TorqueMoments held_out_;
   LogInstants instants_;
+  std::vector<std::string> hashes_;
   long samples_ = 0;
 };
 
@@ -182,6 +188,7 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
   found.estimate = passes.run();
   found.base = passes.base();
   found.samples = passes.samples();
+  found.log_hashes = passes.hashes();
   found.interrupted = stop;
   if (found.interrupted) return found;
   const ParameterVector file_theta = theta_of(model.chain);

@@ -38,6 +38,7 @@ struct Identification {
   Unexplained held_out;        ///< on the rows that were left out; no rows without IdentifyOptions::hold_out
   LogComparison comparison;    ///< of the logs with the robot file
   long samples = 0;            ///< of all logs
+  std::vector<std::string> log_hashes;  ///< of each log, as it was read
   bool interrupted = false;
 };
 

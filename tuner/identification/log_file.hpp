@@ -33,6 +33,8 @@ class LogFile {
   /// Time between samples [s]: the mean of the first steps, as many as are read ahead.
   double period() const { return period_; }
   const std::string& path() const { return path_; }
+  /// Hash of the file, once next() has given none.
+  std::string hash() const { return lines_.hash(); }
   bool has_velocities() const { return !columns_.velocity.empty(); }
 
  private:

@@ -65,8 +65,10 @@ bool LogLines::fill() {
   }
   file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
   if (file_.bad()) throw InputError(fmt::format("{}:{}: cannot be read", path_, number_ + 1));
-  end_ += static_cast<std::size_t>(file_.gcount());
-  return file_.gcount() > 0;
+  const auto read = static_cast<std::size_t>(file_.gcount());
+  hash_.add(std::string_view(buffer_.data() + end_, read));
+  end_ += read;
+  return read > 0;
 }
 
 bool LogLines::next() {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tuner/run/file_hash.hpp"
+
 namespace armtune {
 
 /// Reads a file line by line. Throws InputError with file and line for a file that cannot be opened or read,
@@ -23,6 +25,8 @@ class LogLines {
   std::string_view text() const { return line_; }
   /// Number of the present line, counted from 1.
   long number() const { return number_; }
+  /// Hash of all bytes read so far: of the whole file once next() has returned false.
+  std::string hash() const { return hash_.text(); }
 
  private:
   bool fill();
@@ -34,6 +38,7 @@ class LogLines {
   std::size_t end_ = 0;
   std::string_view line_;
   long number_ = 0;
+  Fnv1a hash_;
   bool after_cr_ = false;  ///< a line feed that follows belongs to the line end before it
   bool repeat_ = false;
 };

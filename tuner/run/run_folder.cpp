@@ -198,6 +198,9 @@ std::string run_yaml(const Provenance& p) {
                       arithmetic().fingerprint);
   text += "inputs:\n";
   for (const auto& [file, hash] : hashes(p.inputs)) text += yaml::entry("  ", file, hash);
+  for (const auto& [file, hash] :
+       std::set<std::pair<std::string, std::string>>(p.streamed.begin(), p.streamed.end()))
+    text += yaml::entry("  ", shown_path(file), hash);
   if (!p.copies.empty()) text += "copies:\n";
   for (const auto& [file, copy] : p.copies) text += yaml::entry("  ", file, copy);
   return text;

@@ -47,6 +47,8 @@ std::string add_columns(const std::string& folder, const FileColumns& columns);
 struct Provenance {
   std::string command;              ///< that makes the run again, quoted for a shell
   std::vector<std::string> inputs;  ///< files, in any order, twice or not
+  /// Files that are read as a stream and not kept, such as logs, and the hash of what was read of each.
+  std::vector<std::pair<std::string, std::string>> streamed;
   unsigned long long seed = 0;
   int workers = 1;
   double wall_seconds = 0.0;
@@ -65,7 +67,8 @@ std::vector<std::pair<std::string, std::string>> hashes(const std::vector<std::s
 std::string run_yaml(const Provenance& p);
 
 /// Writes into the folder's inputs/ a copy of every input as it was read (see InputRecord), and run.yaml,
-/// which names them. Logs and recordings, which can be large, are hashed and not copied. Throws InputError.
+/// which names them. Streamed inputs and recordings, which can be large, are hashed and not copied. Throws
+/// InputError.
 void write_provenance(const std::string& folder, Provenance p);
 
 /// Name and version of every library in use, one per line, as run.yaml and --version show them.

@@ -16,6 +16,7 @@
 #include "tuner/identification/excitation_design.hpp"
 #include "tuner/identification/excitation_log.hpp"
 #include "tuner/identification/identification_files.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune {
 namespace {
@@ -291,6 +292,24 @@ TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
   EXPECT_GT(open.cols(), 10);
   for (const int group : found.estimate.not_excited)
     EXPECT_TRUE(std::isinf(found.estimate.deviation()[group]));
+}
+
+TEST_F(Identify, TheHashIsThatOfTheLogAsItWasRead) {
+  const std::string path = log(nominal_, 0.0);
+  const Identification found = identified({path});
+  ASSERT_EQ(found.log_hashes.size(), 1U);
+  EXPECT_EQ(found.log_hashes[0], hash_of_file(path));
+}
+
+TEST_F(Identify, ALogThatChangesBetweenTwoPassesIsRefused) {
+  const std::string path = log(nominal_, 0.0);
+  const std::string text = test::read_text(path);
+  IdentifyOptions robust;
+  robust.robust = true;
+  robust.progress = [&](int pass, std::size_t, long) {
+    if (pass == 1) folder_.write("log.csv", text.substr(0, text.size() - text.size() / 4));
+  };
+  EXPECT_THAT(test::refusal([&] { identified({path}, robust); }), testing::HasSubstr("log.csv"));
 }
 
 TEST_F(Identify, ATorqueThatIsAlwaysZeroIsRefusedWithItsJoint) {
