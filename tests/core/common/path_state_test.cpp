@@ -65,9 +65,16 @@ TEST_F(PathState, WhatCannotBeToldIsAnErrorWithItsReason) {
   for (const auto& [path, reason] : {std::pair(loop, "symbolic links"), std::pair(name, "too long")}) {
     EXPECT_THAT(refusal([&, p = path] { is_there(p); }),
                 AllOf(HasSubstr(reason), HasSubstr("cannot be looked at")));
-    EXPECT_THAT(refusal([&, p = path] { refuse_existing(p); }), HasSubstr(reason));
+    EXPECT_THAT(refusal([&, p = path] { refuse_existing(p + "/below"); }), HasSubstr(reason));
     EXPECT_THAT(refusal([&, p = path] { is_missing_or_empty(p); }), HasSubstr(reason));
   }
+}
+
+TEST_F(PathState, ALinkIsInTheWayWhereverItLeads) {
+  const std::string link = folder_ / "link";
+  fs::create_symlink(folder_ / "nowhere", link);
+  EXPECT_FALSE(is_there(link));
+  EXPECT_THAT(refusal([&] { refuse_existing(link); }), HasSubstr(link));
 }
 
 TEST_F(PathState, ARelativePathNeedsTheCurrentFolder) {
