@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/common/file_path.hpp"
+
 namespace armtune::report {
 namespace {
 
@@ -72,7 +74,7 @@ bool is_within(const fs::path& file, const fs::path& folder) {
 std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf) {
   constexpr std::string_view kPackage = "package://";
   constexpr std::string_view kFile = "file://";
-  const std::vector<fs::path> above = folders_above(fs::absolute(urdf).lexically_normal().parent_path());
+  const std::vector<fs::path> above = folders_above(fs::path(absolute_path(urdf)).parent_path());
   const std::vector<Allowed> allowed = allowed_folders();
   std::vector<fs::path> roots(allowed.size());
   std::transform(allowed.begin(), allowed.end(), roots.begin(),
