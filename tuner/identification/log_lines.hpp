@@ -43,7 +43,8 @@ class LogLines {
   bool repeat_ = false;
 };
 
-/// What separates the cells of a table: ',', ';', '\t', or ' ' for any number of blanks.
+/// Returns what separates the cells of a table: a comma, a semicolon, a tab, or a blank for any number of
+/// blanks.
 char find_separator(std::string_view first_line);
 /// "commas", "semicolons", "tabs" or "blanks".
 std::string_view separator_name(char separator);
