@@ -81,6 +81,9 @@ TEST(Names, OfComparedSetsAreAllDifferent) {
   EXPECT_THAT(cli::set_labels({"p/a", "p/a_3", "q/a"}), testing::ElementsAre("a", "a_3", "a_2"));
   EXPECT_THAT(cli::set_labels({"p/a_2", "p/a", "q/a/", "r/a.yaml"}),
               testing::ElementsAre("a_2", "a", "a_3", "a_4"));
+  EXPECT_THAT(cli::set_labels({"scenario.yaml", "metric.yaml", "unit"}),
+              testing::ElementsAre("scenario_2", "metric_2", "unit_2"))
+      << "comparison.csv has columns of these names";
   std::vector<std::string> sets;
   for (int i = 0; i < 40; ++i)
     sets.push_back(std::to_string(i) + "/a" + (i % 3 == 0 ? "" : "_" + std::to_string(i)));

@@ -128,7 +128,8 @@ TEST(WrongCause, ARecordingThatDoesNotFitIsRefusedBeforeTheFolderIsMade) {
     GTEST_SKIP() << "the address sanitizer takes terabytes of addresses for itself";
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"simulate", far, "--record-every", "1", "--out", folder / "run"},
-        {"compare", "published", "--scenarios", far, "--out", folder / "run"}}) {
+        {"compare", "published", "--scenarios", far, "--out", folder / "run"},
+        {"robustness", "published", "--scenarios", far, "--samples", "1", "--out", folder / "run"}}) {
     const Finished done = Program(arguments, folder.path(), limited).wait();
     EXPECT_EQ(done.exit_code, 2) << done.err;
     EXPECT_THAT(done.err, AllOf(HasSubstr("far"), HasSubstr("GB"), HasSubstr("duration")));

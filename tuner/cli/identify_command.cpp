@@ -1,6 +1,7 @@
 // armtune identify: an arm's parameters from logs of its motion.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include "tuner/cli/readable_file.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/identification/identification_files.hpp"
+#include "tuner/identification/theta_doubts.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -34,15 +36,21 @@ struct Arguments {
   IdentifyOptions options;
 };
 
+/// Why the logs may not be of this arm: the likely mistake alone, as everything else follows from it, or what
+/// is odd about the result.
+std::vector<std::string> find_doubts(const RobotModel& model, const Identification& found) {
+  if (found.comparison.mistake) return {to_text(*found.comparison.mistake, model)};
+  return theta_doubts(model, found);
+}
+
 void write_files(const Arguments& args, const RobotModel& model, const Identification& found,
-                 double seconds) {
+                 const std::vector<std::string>& doubts, double seconds) {
   const std::string& folder = args.folder;
   const RobotModel identified = with_theta(model, found.theta);
   std::vector<std::string> header = {
       fmt::format("theta of {}, identified by armtune from {} samples", model.name, found.samples),
       "a scenario's controller starts from it with `theta_start: {file: theta.yaml}`"};
-  if (found.comparison.mistake)
-    header.push_back("ACCEPTED ALTHOUGH " + to_text(*found.comparison.mistake, model));
+  for (const std::string& doubt : doubts) header.push_back("ACCEPTED ALTHOUGH " + doubt);
   write_text_file(folder + "/theta.yaml", theta_yaml(model, found.theta, header));
   write_text_file(folder + "/base_parameters.csv", base_parameters_csv(model, found));
   write_text_file(folder + "/robot.urdf", urdf_text(identified));
@@ -68,8 +76,7 @@ void write_files(const Arguments& args, const RobotModel& model, const Identific
   add("torque_not_explained/fitted", found.fitted.by_theta);
   if (found.held_out.rows > 0) add("torque_not_explained/held_out", found.held_out.by_theta);
   add("torque_not_explained/robot_file", found.fitted.by_file);
-  if (found.comparison.mistake)
-    p.extra.emplace_back("accepted_although", to_text(*found.comparison.mistake, model));
+  if (!doubts.empty()) p.extra.emplace_back("accepted_although", fmt::format("{}", fmt::join(doubts, "; ")));
   write_provenance(folder, p);
 }
 
@@ -104,11 +111,12 @@ int run(const Arguments& args) {
   line.clear();
   if (found.interrupted) return kInterrupted;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
-  const bool doubtful = found.comparison.mistake.has_value();
+  const std::vector<std::string> doubts = find_doubts(*model, found);
+  const bool doubtful = !doubts.empty();
   const bool written = !args.folder.empty() && (!doubtful || args.accept);
   // Results come first: standard output may be a full disk.
   if (written) {
-    write_files(args, *model, found, elapsed.count());
+    write_files(args, *model, found, doubts, elapsed.count());
   } else {
     remove_if_empty(args.folder);
   }
@@ -118,8 +126,8 @@ int run(const Arguments& args) {
                     args.folder));
   }
   if (doubtful) {
-    say(fmt::format("\nThe logs do not fit the robot file: {}.\n",
-                    to_text(*found.comparison.mistake, *model)));
+    say("\nThe logs do not fit the robot file:\n");
+    for (const std::string& doubt : doubts) say(fmt::format("  {}.\n", doubt));
     if (!written) say("Nothing was written. If the logs are right all the same, add --accept.\n");
   }
   return doubtful ? kChecksFailed : kDone;

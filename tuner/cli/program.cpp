@@ -113,12 +113,12 @@ int run(int argc, char** argv) {
     exit_code = report(std::current_exception());
   }
   const int reason = flush_standard_output();
-  if (reason == 0 || exit_code != kDone) return exit_code;
+  if (reason == 0) return exit_code;
   fmt::print(
       stderr,
       "armtune: failed: standard output could not all be written: {}; send it to a place that takes it\n",
       std::strerror(reason));
-  return kFailed;
+  return exit_code == kDone ? kFailed : exit_code;
 }
 
 }  // namespace armtune::cli

@@ -27,7 +27,9 @@
 #include "tuner/run/append_file.hpp"
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/run/simulate.hpp"
 #include "tuner/verdict/yield_check.hpp"
 
 namespace armtune::cli {
@@ -139,6 +141,7 @@ int run(Arguments args, Team& team) {
   std::unique_ptr<Journal> journal;
   if (!args.folder.empty()) {
     const RunHeader header = header_of(scenarios, set.gains, options);
+    require_recording_memory(scenarios, SimulateOptions().record_stride, options.workers);
     if (!resumed) lock = make_run_folder(args.folder);
     journal = open_journal(args.folder, args.resume, header);
     if (journal->exit_code()) {

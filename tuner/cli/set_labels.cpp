@@ -1,13 +1,18 @@
 #include "tuner/cli/set_labels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 #include "core/common/file_name.hpp"
 #include "sim/scenario/data_files.hpp"
 
 namespace armtune::cli {
 namespace {
+
+/// The columns of comparison.csv that stand beside those of the sets.
+constexpr std::array<std::string_view, 3> kOtherColumns = {"scenario", "metric", "unit"};
 
 std::string name_of(const std::string& set) {
   const std::filesystem::path path(set.ends_with('/') ? set.substr(0, set.size() - 1) : set);
@@ -23,8 +28,11 @@ std::vector<std::string> set_labels(const std::vector<std::string>& sets) {
   for (const std::string& set : sets) {
     const std::string name = name_of(set);
     std::string label = name;
-    for (int number = 2; std::find(labels.begin(), labels.end(), label) != labels.end(); ++number)
-      label = name + "_" + std::to_string(number);
+    const auto is_taken = [&] {
+      return std::find(labels.begin(), labels.end(), label) != labels.end() ||
+             std::find(kOtherColumns.begin(), kOtherColumns.end(), label) != kOtherColumns.end();
+    };
+    for (int number = 2; is_taken(); ++number) label = name + "_" + std::to_string(number);
     check_result_name(label, set);
     labels.push_back(std::move(label));
   }

@@ -66,6 +66,7 @@ void open_standard_streams() {
   while (file >= 0 && file <= STDERR_FILENO) file = dup(file);
   if (file > STDERR_FILENO) close(file);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is an error of writing, which is told
   // The GNU C library's names of the streams are variables.
   stdout = stream_into(output, stdout, ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF);
   stderr = stream_into(errors, stderr, _IONBF);

@@ -63,8 +63,11 @@ TorqueReading TorqueReading::as_logged(int joints) {
   return reading;
 }
 
-ArmFitter::ArmFitter(const RobotModel& model)
-    : prior_(theta_of(model.chain)), least_torque_(kNoiseShare * model.effort_limits()), cone_(prior_) {
+ArmFitter::ArmFitter(const RobotModel& model, const JointVector& noise)
+    : prior_(theta_of(model.chain)),
+      noise_(noise),
+      least_torque_(kNoiseShare * model.effort_limits()),
+      cone_(prior_) {
   const Eigen::Index joints = static_cast<Eigen::Index>(model.n()) * kJointParameters;
   link_metric_ = cone_.metric();
   link_metric_.bottomRightCorner(joints, joints).setZero();
@@ -104,8 +107,10 @@ ArmFit ArmFitter::fit(const ArmMoments& moments, const TorqueReading& reading, d
   fit.unexplained.resize(n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const auto joint = static_cast<std::size_t>(j);
+    const double noise = factor(j) * noise_[static_cast<Eigen::Index>(column(j))];
     const double left = theta.dot(moments.YtY[joint] * theta) -
-                        2.0 * factor(j) * moments.YtT[joint][column(j)].dot(theta) + torque_squares[j];
+                        2.0 * factor(j) * moments.YtT[joint][column(j)].dot(theta) + torque_squares[j] -
+                        noise * noise;
     fit.residual[j] = std::sqrt(std::max(0.0, left));
     fit.unexplained[j] = fit.residual[j] / std::sqrt(squares[j]);
   }

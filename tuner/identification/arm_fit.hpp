@@ -30,7 +30,7 @@ struct TorqueReading {
 };
 
 struct ArmFit {
-  JointVector residual;  ///< of every joint (n): RMS of what is left of the torque [N m, N]
+  JointVector residual;  ///< of every joint (n): RMS of what is left of the torque beyond its noise [N m, N]
   /// Of every joint (n): RMS of what is left over the RMS of the torque, of what the robot file expects, or
   /// half a percent of the effort limit, whichever is largest; 0 to about 1.
   JointVector unexplained;
@@ -41,7 +41,8 @@ struct ArmFit {
 /// Fits physically valid arms to moments.
 class ArmFitter {
  public:
-  explicit ArmFitter(const RobotModel& model);
+  /// noise (n): standard deviation of the torques' noise, which no arm explains [N m, N].
+  ArmFitter(const RobotModel& model, const JointVector& noise);
 
   ArmFit fit(const ArmMoments& moments, const TorqueReading& reading) const;
   /// The same for the robot file's own links: only rotor inertia and friction are fitted.
@@ -51,6 +52,7 @@ class ArmFitter {
   ArmFit fit(const ArmMoments& moments, const TorqueReading& reading, double link_weight) const;
 
   ParameterVector prior_;
+  JointVector noise_;
   JointVector least_torque_;  ///< below it a torque may be the sensor's noise [N m, N]
   PhysicalCone cone_;
   Eigen::MatrixXd link_metric_;

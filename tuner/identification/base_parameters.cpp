@@ -19,6 +19,8 @@ constexpr double kNothing = 1e-12;
 /// Coefficients below this are rounding.
 constexpr double kNoCoefficient = 1e-9;
 constexpr int kStatesPerParameter = 4;
+constexpr double kLightest = 1e-3;   ///< [kg]
+constexpr double kNarrowest = 0.02;  ///< [m]
 
 std::string group_name(const std::vector<std::string>& names, const Eigen::RowVectorXd& row, int leader) {
   std::string text = names[static_cast<std::size_t>(leader)];
@@ -33,6 +35,32 @@ std::string group_name(const std::vector<std::string>& names, const Eigen::RowVe
 }
 
 }  // namespace
+
+Eigen::VectorXd parameter_sizes(const RobotModel& model) {
+  const int n = model.n();
+  const ParameterVector theta = theta_of(model.chain);
+  Eigen::VectorXd size(theta.size());
+  for (int i = 0; i < n; ++i) {
+    const auto link = theta.segment<kLinkParameters>(i * kLinkParameters);
+    const double mass = std::max(kLightest, link[0]);
+    const double inertia = link[kFirstInertia] + link[kFirstInertia + 3] + link[kFirstInertia + 5];
+    const double width = std::max(kNarrowest, std::sqrt(std::max(0.0, inertia) / mass));
+    auto sizes = size.segment<kLinkParameters>(i * kLinkParameters);
+    sizes.setConstant(mass * width * width);
+    sizes.segment<3>(1).setConstant(mass * width);
+    sizes[0] = mass;
+    const JointLimits& limits = model.joints[static_cast<std::size_t>(i)].limits;
+    const int joint = joint_parameter_index(n, i);
+    size[joint] = std::max(theta[joint], 0.01 * limits.effort);
+    size[joint + 1] = std::max(theta[joint + 1], 0.02 * limits.effort / limits.velocity);
+    size[joint + 2] = std::max(theta[joint + 2], 0.02 * limits.effort);
+  }
+  return size;
+}
+
+Eigen::VectorXd group_sizes(const BaseParameters& base, const Eigen::VectorXd& theta) {
+  return base.map.cwiseAbs() * theta.cwiseAbs() + Eigen::VectorXd::Constant(base.rank(), 1e-6);
+}
 
 Eigen::MatrixXd random_regressor(const RobotModel& model, int states, unsigned seed) {
   std::mt19937 generator(seed);

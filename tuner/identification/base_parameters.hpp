@@ -19,6 +19,14 @@ struct BaseParameters {
   int rank() const { return static_cast<int>(independent.size()); }
 };
 
+/// How large the parameters of such an arm are (13 n), above zero, whatever the robot file leaves at zero:
+/// first moments and inertias by the links' masses and widths; rotor inertia and friction as in the file, and
+/// at least what a hundredth or two of the effort limit is at 1 rad/s^2, the velocity limit, and at rest.
+Eigen::VectorXd parameter_sizes(const RobotModel& model);
+
+/// Size of every group (rank), above zero: what the sizes of its members in theta (13 n) add up to.
+Eigen::VectorXd group_sizes(const BaseParameters& base, const Eigen::VectorXd& theta);
+
 /// Found from the regressor at random states inside the position limits; deterministic.
 BaseParameters base_parameters(const RobotModel& model);
 

@@ -80,7 +80,7 @@ class Passes {
         options_(options),
         stop_(stop),
         base_(base_parameters(model)),
-        prior_(base_.map * theta_of(model.chain)),
+        prior_{base_.map * theta_of(model.chain), group_sizes(base_, parameter_sizes(model))},
         reweighting_(model.n()),
         fitted_(model.n(), base_.rank()),
         held_out_(model.n(), base_.rank()) {}
@@ -163,7 +163,7 @@ class Passes {
   const IdentifyOptions& options_;
   const std::atomic<bool>& stop_;
   BaseParameters base_;
-  Eigen::VectorXd prior_;
+  WeakPrior prior_;
   Reweighting reweighting_;
   TorqueMoments fitted_;
   TorqueMoments held_out_;
@@ -197,7 +197,9 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
   found.made_physical = fit.changed;
   found.fitted = unexplained(passes.fitted(), found.base, found.theta, file_theta);
   found.held_out = unexplained(passes.held_out(), found.base, found.theta, file_theta);
-  found.comparison = compare_with_robot_file(model, passes.instants().kept());
+  found.torque_noise = passes.instants().row_torque_noise();
+  found.comparison =
+      compare_with_robot_file(model, passes.instants().kept(), passes.instants().torque_noise());
   if (!found.comparison.mistake) check_positions(model, passes.instants().kept(), logs_name(logs));
   return found;
 }

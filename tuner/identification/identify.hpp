@@ -36,6 +36,7 @@ struct Identification {
   bool made_physical = false;  ///< the estimate itself was not
   Unexplained fitted;          ///< on the rows that theta was fitted to
   Unexplained held_out;        ///< on the rows that were left out; no rows without IdentifyOptions::hold_out
+  JointVector torque_noise;    ///< standard deviation, in the rows' torques (n) [N m, N]
   LogComparison comparison;    ///< of the logs with the robot file
   long samples = 0;            ///< of all logs
   std::vector<std::string> log_hashes;  ///< of each log, as it was read

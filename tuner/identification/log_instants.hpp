@@ -1,6 +1,6 @@
 #pragma once
-// A few instants of the logs' filtered motion, spread evenly over all that was read: enough to compare a log
-// with the robot file in many ways without reading it again.
+// A few instants of the logs' filtered motion, spread evenly over all that was read, and the noise of the
+// torques: enough to compare a log with the robot file in many ways without reading it again.
 
 #include <vector>
 
@@ -15,26 +15,56 @@ struct LogInstant {
   JointVector torque;
 };
 
-/// Keeps every 2^k-th instant, with k as large as the number of instants needs.
-class LogInstants {
+/// Keeps every 2^k-th of what is added, with k as large as the number of additions needs.
+template <typename T>
+class Sampled {
  public:
   static constexpr std::size_t kMost = 2000;
 
-  void add(const LogInstant& instant) {
+  void add(const T& value) {
     if (seen_++ % step_ != 0) return;
-    kept_.push_back(instant);
+    kept_.push_back(value);
     if (kept_.size() <= kMost) return;
     for (std::size_t i = 0; 2 * i < kept_.size(); ++i) kept_[i] = kept_[2 * i];
     kept_.resize((kept_.size() + 1) / 2);
     step_ *= 2;
   }
-
-  const std::vector<LogInstant>& kept() const { return kept_; }
+  const std::vector<T>& kept() const { return kept_; }
 
  private:
-  std::vector<LogInstant> kept_;
+  std::vector<T> kept_;
   std::size_t step_ = 1;
   std::size_t seen_ = 0;
+};
+
+class LogInstants {
+ public:
+  /// Euclidean norms of the weights of the filters that the torques of the instants, and of the regression's
+  /// rows, come from.
+  void begin_log(double filter_norm, double row_filter_norm) {
+    filter_norm_ = filter_norm;
+    row_filter_norm_ = row_filter_norm;
+    last_.resize(0);
+  }
+  /// Takes the torques of the next sample (n), as they were logged.
+  void add_logged_torque(const JointVector& torque);
+  void add(const LogInstant& instant) { instants_.add(instant); }
+
+  const std::vector<LogInstant>& kept() const { return instants_.kept(); }
+  /// Standard deviation of the noise of the instants' torques (n), if it is white in the samples: from the
+  /// median of the second differences, which a smooth torque hardly has and the edges of friction seldom.
+  JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
+  /// The same of the torques in the regression's rows (n).
+  JointVector row_torque_noise() const { return row_filter_norm_ * logged_torque_noise(); }
+
+ private:
+  JointVector logged_torque_noise() const;
+
+  Sampled<LogInstant> instants_;
+  Sampled<JointVector> second_differences_;
+  JointVector last_, before_last_;
+  double filter_norm_ = 1.0;
+  double row_filter_norm_ = 1.0;
 };
 
 }  // namespace armtune

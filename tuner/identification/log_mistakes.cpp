@@ -13,27 +13,42 @@ constexpr double kDegree = M_PI / 180.0;
 /// A joint that leaves more than this of its torque unexplained by any arm near the robot file's: friction
 /// models and noise leave less.
 constexpr double kUnexplained = 0.5;
-/// The robot file's own links leave more than this of all torque unexplained.
-constexpr double kOtherArm = 0.6;
+/// The robot file's own links leave more than this of all torque unexplained: they would need over twice the
+/// torque.
+constexpr double kOtherArm = 1.2;
+/// The same once torques were scaled by a thousand.
+constexpr double kOtherScale = 0.6;
 /// Right logs cost less: about 1 with noise and friction, 2 with a tool that the robot file does not have.
 constexpr double kOrdinaryCost = 3.0;
+/// Standard deviation of a position [rad, m] from which on its zero, its sign and its column can be told.
+constexpr double kLeastMotion = 0.1;
 /// A mistake is named when it lowers the cost at least so much.
 constexpr double kMuchBetter = 0.4;
 
 /// The readings of one motion that differ in the torques alone.
 class Search {
  public:
-  Search(const RobotModel& model, const std::vector<LogInstant>& instants)
-      : model_(model), instants_(instants), fitter_(model) {}
+  Search(const RobotModel& model, const std::vector<LogInstant>& instants, const JointVector& noise)
+      : model_(model), instants_(instants), fitter_(model, noise) {}
 
   const ArmFitter& fitter() const { return fitter_; }
   const std::optional<LogMistake>& best() const { return best_; }
+  bool most_joints_move() const {
+    int moving = 0;
+    for (int j = 0; j < model_.n(); ++j) moving += moves(j) ? 1 : 0;
+    return 2 * moving >= model_.n();
+  }
 
   void try_torque_scales(const ArmMoments& moments) {
     const int n = model_.n();
     for (const double scale : {1e-3, 1e3}) {
       TorqueReading reading = TorqueReading::as_logged(n);
       reading.scale = scale;
+      // Torques that have next to vanished would fit an arm that weighs next to nothing: the robot file's own
+      // links have to explain them.
+      if (fitter_.fit_joints_only(moments, reading).residual.norm() >
+          kOtherScale * scale * std::sqrt(moments.torque_squares.sum()))
+        continue;
       take({.kind = MistakeKind::kTorqueScale, .value = scale, .fit = fitter_.fit(moments, reading)});
     }
   }
@@ -44,10 +59,12 @@ class Search {
     turned.sign *= -1.0;
     take({.kind = MistakeKind::kAllTorqueSigns, .fit = fitter_.fit(moments, turned)});
     for (int j = 0; j < n; ++j) {
+      if (!moves(j)) continue;
       TorqueReading reading = TorqueReading::as_logged(n);
       reading.sign[j] = -1.0;
       take({.kind = MistakeKind::kTorqueSign, .joint = j, .fit = fitter_.fit(moments, reading)});
       for (int k = j + 1; k < n; ++k) {
+        if (!moves(k)) continue;
         TorqueReading swapped = TorqueReading::as_logged(n);
         std::swap(swapped.column[static_cast<std::size_t>(j)], swapped.column[static_cast<std::size_t>(k)]);
         take({.kind = MistakeKind::kTorquesSwapped,
@@ -66,6 +83,7 @@ class Search {
       }
     });
     for (int j = 0; j < model_.n(); ++j) {
+      if (!moves(j)) continue;
       const auto turn = [j](LogInstant& at) {
         for (JointVector* x : {&at.q, &at.qd, &at.qdd}) (*x)[j] *= -1.0;
       };
@@ -75,12 +93,14 @@ class Search {
         at.torque[j] *= -1.0;
       });
       for (int k = j + 1; k < model_.n(); ++k) {
+        if (!moves(k)) continue;
         try_motion({.kind = MistakeKind::kPositionsSwapped, .joint = j, .other = k}, [j, k](LogInstant& at) {
           for (JointVector* x : {&at.q, &at.qd, &at.qdd}) std::swap((*x)[j], (*x)[k]);
         });
       }
       if (model_.chain.motion[static_cast<std::size_t>(j)] != JointMotion::kRevolute) continue;
-      for (const double offset : {0.5 * M_PI, -0.5 * M_PI, M_PI}) {
+      for (const int degrees : {30, -30, 45, -45, 60, -60, 90, -90, 180}) {
+        const double offset = kDegree * degrees;
         try_motion({.kind = MistakeKind::kPositionOffset, .joint = j, .value = offset},
                    [j, offset](LogInstant& at) { at.q[j] += offset; });
       }
@@ -104,6 +124,18 @@ class Search {
   }
 
  private:
+  /// Of a joint that stands still any sign and zero position explain the torque with some mass.
+  bool moves(int joint) const {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const LogInstant& at : instants_) {
+      sum += at.q[joint];
+      squares += at.q[joint] * at.q[joint];
+    }
+    const auto count = static_cast<double>(instants_.size());
+    return squares / count - std::pow(sum / count, 2) > kLeastMotion * kLeastMotion;
+  }
+
   void try_motion(LogMistake mistake, const std::function<void(LogInstant&)>& correct) {
     std::vector<LogInstant> corrected = instants_;
     for (LogInstant& at : corrected) correct(at);
@@ -128,8 +160,9 @@ double all_unexplained(const ArmFit& fit, const ArmMoments& moments) {
 
 }  // namespace
 
-LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants) {
-  Search search(model, instants);
+LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants,
+                                      const JointVector& noise) {
+  Search search(model, instants, noise);
   const ArmMoments moments = arm_moments(model.chain, instants);
   const TorqueReading as_logged = TorqueReading::as_logged(model.n());
   LogComparison found;
@@ -137,7 +170,8 @@ LogComparison compare_with_robot_file(const RobotModel& model, const std::vector
   found.robot_file = search.fitter().fit_joints_only(moments, as_logged);
   const bool explained = found.as_logged.unexplained.maxCoeff() < kUnexplained &&
                          all_unexplained(found.robot_file, moments) < kOtherArm;
-  if (explained && found.as_logged.cost < kOrdinaryCost) return found;
+  // One joint's motion alone can be explained by many a zero position.
+  if (explained && (found.as_logged.cost < kOrdinaryCost || !search.most_joints_move())) return found;
   // A factor of a thousand shows in the robot file's own torques.
   if (!explained) search.try_torque_scales(moments);
   search.try_torques(moments);
@@ -195,7 +229,7 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
           "the arm seems to be mounted another way: gravity would have to point along ({:.0f}, {:.0f}, "
           "{:.0f}) of the "
           "base frame; turn the arm's base in the URDF",
-          mistake.direction.x(), mistake.direction.y(), mistake.direction.z());
+          mistake.direction.x() + 0.0, mistake.direction.y() + 0.0, mistake.direction.z() + 0.0);
     case MistakeKind::kAnotherArm:
       break;
   }

@@ -44,7 +44,9 @@ struct LogComparison {
 
 /// Compares a log with the robot file. With mistakes to look for it takes a second or two, without one some
 /// 50 ms.
-LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants);
+/// noise (n): standard deviation of the noise of the instants' torques [N m, N].
+LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants,
+                                      const JointVector& noise);
 
 /// One sentence that names the mistake, its joints and what to do.
 std::string to_text(const LogMistake& mistake, const RobotModel& model);

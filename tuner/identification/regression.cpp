@@ -20,10 +20,12 @@ constexpr std::size_t kLags = 24;
 /// Each pass adds to the residuals' variance what the fit has taken out of them; the third changes nothing.
 constexpr int kCovariancePasses = 3;
 constexpr int kWeightIterations = 20;
-/// A column of unit length counts as not excited when less than this is left of it beside the others.
-constexpr double kNotExcited = 1e-7;
-/// A group takes part in an open direction when its torque is more than this share of the largest part.
-constexpr double kInvolved = 1e-3;
+/// Standard deviation of the prior, as a multiple of a group's size.
+constexpr double kPriorDeviation = 100.0;
+/// A group whose standard deviation is at least this multiple of its size was not excited.
+constexpr double kUnknown = 10.0;
+/// Noise is taken to be at least this share of a joint's torque: rounding of logs without any.
+constexpr double kLeastNoise = 1e-6;
 
 /// The factor under the rows that came after it, sparse.
 SparseMatrix stacked(const Eigen::MatrixXd& factor, const std::vector<Eigen::VectorXd>& rows) {
@@ -58,29 +60,6 @@ void make_positive(Eigen::MatrixXd& W) {
 /// shorten the correlation that the rows' filter makes.
 double taper(std::size_t lag) {
   return std::min(1.0, 2.0 - 2.0 * static_cast<double>(lag) / static_cast<double>(kLags + 1));
-}
-
-/// Each dead column is a combination of live ones: moving its parameter up and theirs down changes no torque.
-void find_open_directions(const RankRevealed& revealed, const Eigen::VectorXd& length, Estimate& out) {
-  const auto live = static_cast<Eigen::Index>(revealed.live.size());
-  const auto dead = static_cast<Eigen::Index>(revealed.dead.size());
-  const Eigen::MatrixXd combination =
-      revealed.R.leftCols(live).triangularView<Eigen::Upper>().solve(revealed.R.rightCols(dead));
-  out.open_directions = Eigen::MatrixXd::Zero(length.size(), dead);
-  std::vector<bool> open(static_cast<std::size_t>(length.size()), false);
-  const auto set = [&](int group, Eigen::Index k, double scaled) {
-    if (std::abs(scaled) < kNotExcited) return;
-    out.open_directions(group, k) = scaled / length[group];
-    if (std::abs(scaled) > kInvolved) open[static_cast<std::size_t>(group)] = true;
-  };
-  for (Eigen::Index k = 0; k < dead; ++k) {
-    set(revealed.dead[static_cast<std::size_t>(k)], k, 1.0);
-    for (Eigen::Index i = 0; i < live; ++i)
-      set(revealed.live[static_cast<std::size_t>(i)], k, -combination(i, k));
-  }
-  out.not_excited.clear();
-  for (std::size_t group = 0; group < open.size(); ++group)
-    if (open[group]) out.not_excited.push_back(static_cast<int>(group));
 }
 
 /// (-theta, 1): (Y, tau) times it is the residual.
@@ -130,40 +109,26 @@ void Regression::compress(std::size_t joint) {
   waiting_[joint].clear();
 }
 
-Eigen::VectorXd Regression::solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
-                                           Estimate& out) {
-  Eigen::MatrixXd all(static_cast<Eigen::Index>(joints_) * (rank_ + 1), rank_ + 1);
+Eigen::VectorXd Regression::solve_weighted(const Eigen::VectorXd& deviation, const WeakPrior& prior,
+                                           Estimate& out) const {
+  Eigen::MatrixXd all =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(joints_ + 1) * (rank_ + 1), rank_ + 1);
   for (int j = 0; j < joints_; ++j) {
     all.middleRows(static_cast<Eigen::Index>(j) * (rank_ + 1), rank_ + 1) =
         factor_[static_cast<std::size_t>(j)] / deviation[j];
   }
-  Eigen::VectorXd length = all.leftCols(rank_).colwise().norm();
-  length = (length.array() > 0.0).select(length, 1.0);
-  Eigen::MatrixXd scaled = all.leftCols(rank_) * length.cwiseInverse().asDiagonal();
-  const RankRevealed revealed = rank_revealing_factor(SparseMatrix(scaled.sparseView()), kNotExcited);
-  find_open_directions(revealed, length, out);
-  dead_ = revealed.dead;
-
-  // A dead column keeps its prior; the rest is solved for beside it.
-  Eigen::VectorXd theta = prior;
-  Eigen::VectorXd torque = all.col(rank_);
-  for (const int dead : revealed.dead) torque -= all.col(dead) * prior[dead];
-  const auto live = static_cast<Eigen::Index>(revealed.live.size());
-  if (live == 0) throw InputError("the logs excite no parameter: does the arm move in them at all?");
-  Eigen::MatrixXd system(all.rows(), live + 1);
-  for (Eigen::Index k = 0; k < live; ++k)
-    system.col(k) = scaled.col(revealed.live[static_cast<std::size_t>(k)]);
-  system.col(live) = torque;
-  const Eigen::MatrixXd R = triangular_factor(SparseMatrix(system.sparseView()));
-  const Eigen::VectorXd x =
-      R.topLeftCorner(live, live).triangularView<Eigen::Upper>().solve(R.col(live).head(live));
-  for (Eigen::Index k = 0; k < live; ++k) {
-    const int b = revealed.live[static_cast<std::size_t>(k)];
-    theta[b] = x[k] / length[b];
-  }
-  const Eigen::VectorXd singular = R.topLeftCorner(live, live).jacobiSvd().singularValues();
+  const Eigen::VectorXd weight = (kPriorDeviation * prior.size).cwiseInverse();
+  all.block(static_cast<Eigen::Index>(joints_) * (rank_ + 1), 0, rank_, rank_).diagonal() = weight;
+  all.col(rank_).segment(static_cast<Eigen::Index>(joints_) * (rank_ + 1), rank_) =
+      weight.cwiseProduct(prior.value);
+  const Eigen::VectorXd length = all.leftCols(rank_).colwise().norm();
+  all.leftCols(rank_) *= length.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd R = triangular_factor(SparseMatrix(all.sparseView()));
+  const auto upper = R.topLeftCorner(rank_, rank_);
+  const Eigen::VectorXd singular = upper.jacobiSvd().singularValues();
   out.condition = singular[0] / singular[singular.size() - 1];
-  return theta;
+  const Eigen::VectorXd x = upper.triangularView<Eigen::Upper>().solve(R.col(rank_).head(rank_));
+  return x.cwiseQuotient(length);
 }
 
 double Regression::autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& a) const {
@@ -171,8 +136,9 @@ double Regression::autocovariance(std::size_t joint, std::size_t lag, const Eige
 }
 
 Eigen::MatrixXd Regression::covariance(const Eigen::VectorXd& a, const Eigen::VectorXd& deviation,
-                                       const Estimate& estimate) const {
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(rank_, rank_);
+                                       const WeakPrior& prior, const Eigen::MatrixXd& last) const {
+  const Eigen::VectorXd weak = (kPriorDeviation * prior.size).cwiseAbs2().cwiseInverse();
+  Eigen::MatrixXd information = weak.asDiagonal();
   Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(rank_, rank_);
   for (std::size_t j = 0; j < factor_.size(); ++j) {
     const double weight = std::pow(deviation[static_cast<Eigen::Index>(j)], -2.0);
@@ -180,8 +146,7 @@ Eigen::MatrixXd Regression::covariance(const Eigen::VectorXd& a, const Eigen::Ve
     // The fit takes a part of the noise out of the residuals: as much as theta is uncertain.
     const auto noise = [&](std::size_t lag) {
       if (pairs_[lag] == 0) return 0.0;
-      return autocovariance(j, lag, a) +
-             estimate.covariance.cwiseProduct(Y(lag)).sum() / static_cast<double>(pairs_[lag]);
+      return autocovariance(j, lag, a) + last.cwiseProduct(Y(lag)).sum() / static_cast<double>(pairs_[lag]);
     };
     information += weight * Y(0);
     meat += weight * weight * noise(0) * Y(0);
@@ -189,48 +154,45 @@ Eigen::MatrixXd Regression::covariance(const Eigen::VectorXd& a, const Eigen::Ve
       meat += weight * weight * taper(lag) * noise(lag) * (Y(lag) + Y(lag).transpose());
     }
   }
-  Eigen::VectorXd scale = information.diagonal().cwiseSqrt();
-  for (const int dead : dead_) {
-    information.row(dead).setZero();
-    information.col(dead).setZero();
-    meat.row(dead).setZero();
-    meat.col(dead).setZero();
-    scale[dead] = 1.0;
-    information(dead, dead) = 1.0;
-  }
-  const Eigen::VectorXd unscale = scale.cwiseInverse();
+  const Eigen::VectorXd unscale = information.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd H = unscale.asDiagonal() * information * unscale.asDiagonal();
   Eigen::MatrixXd W = unscale.asDiagonal() * meat * unscale.asDiagonal();
   make_positive(W);
+  W.diagonal() += unscale.cwiseAbs2().cwiseProduct(weak);
   const Eigen::LDLT<Eigen::MatrixXd> factor(H);
   const Eigen::MatrixXd half = factor.solve(W);
   return unscale.asDiagonal() * factor.solve(half.transpose()) * unscale.asDiagonal();
 }
 
-Estimate Regression::solve(const Eigen::VectorXd& prior) {
+Estimate Regression::solve(const WeakPrior& prior) {
   for (std::size_t j = 0; j < waiting_.size(); ++j) compress(j);
   Estimate out;
   out.rows = rows_;
   const double freedom = std::max(1.0, static_cast<double>(rows_) - static_cast<double>(rank_) / joints_);
+  Eigen::VectorXd least(joints_);
+  for (int j = 0; j < joints_; ++j)
+    least[j] = kLeastNoise * factor_[static_cast<std::size_t>(j)].col(rank_).norm() / std::sqrt(freedom);
+  least = least.cwiseMax(1e-12 + 1e-3 * least.maxCoeff());
   Eigen::VectorXd deviation = Eigen::VectorXd::Ones(joints_);
   for (int iteration = 0; iteration < kWeightIterations; ++iteration) {
     out.theta = solve_weighted(deviation, prior, out);
     const Eigen::VectorXd a = residual_of(out.theta);
     Eigen::VectorXd next(joints_);
-    for (int j = 0; j < joints_; ++j) {
+    for (int j = 0; j < joints_; ++j)
       next[j] = (factor_[static_cast<std::size_t>(j)] * a).norm() / std::sqrt(freedom);
-    }
-    // Noise-free data must not divide by zero.
-    next = next.cwiseMax(1e-9 * std::max(1e-12, next.maxCoeff()));
+    next = next.cwiseMax(least);
     const bool settled = (next - deviation).cwiseAbs().maxCoeff() < 1e-6 * next.maxCoeff();
     deviation = next;
     if (settled) break;
   }
   out.torque_residual = deviation;
-
-  const Eigen::VectorXd a = residual_of(out.theta);
   out.covariance = Eigen::MatrixXd::Zero(rank_, rank_);
-  for (int k = 0; k < kCovariancePasses; ++k) out.covariance = covariance(a, deviation, out);
+  for (int k = 0; k < kCovariancePasses; ++k)
+    out.covariance = covariance(residual_of(out.theta), deviation, prior, out.covariance);
+  for (Eigen::Index group = 0; group < rank_; ++group) {
+    if (std::sqrt(std::max(0.0, out.covariance(group, group))) >= kUnknown * prior.size[group])
+      out.not_excited.push_back(static_cast<int>(group));
+  }
   return out;
 }
 

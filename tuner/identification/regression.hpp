@@ -10,17 +10,21 @@ namespace armtune {
 
 struct Estimate {
   Eigen::VectorXd theta;            ///< theta_base (rank)
-  Eigen::MatrixXd covariance;       ///< of theta_base, within what the rows excite
+  Eigen::MatrixXd covariance;       ///< of theta_base, with the prior's own where the rows say little
   Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
-  /// Directions in theta_base (rank x any number) along which the rows say nothing.
-  Eigen::MatrixXd open_directions;
-  /// Groups that an open direction changes, in order: their own value is not known, and the prior decides.
-  std::vector<int> not_excited;
-  double condition = 0.0;  ///< of the weighted regressor with columns of unit length
-  long rows = 0;           ///< per joint
+  std::vector<int> not_excited;  ///< groups of which the rows say next to nothing, in order: near the prior
+  double condition = 0.0;        ///< of the weighted regressor with columns of unit length
+  long rows = 0;                 ///< per joint
 
   /// Standard deviations (rank); infinite for groups that were not excited.
   Eigen::VectorXd deviation() const;
+};
+
+/// What is known of theta_base before any row: it lies about `value` (rank), within some hundred times `size`
+/// (rank, above zero).
+struct WeakPrior {
+  Eigen::VectorXd value;
+  Eigen::VectorXd size;
 };
 
 class Regression {
@@ -32,18 +36,18 @@ class Regression {
   void add(const Eigen::MatrixXd& rows);
   void begin_log() { last_.clear(); }
 
-  /// Weighted least squares, the weights 1/sigma_j^2 of the joints iterated from the residuals. The
-  /// covariance is the sandwich estimator with the residuals' autocorrelation (White, Asymptotic Theory for
-  /// Econometricians, 1984, ch. 6): rows filtered from the same samples are no independent witnesses. prior
-  /// (rank): value of what the rows do not excite.
-  Estimate solve(const Eigen::VectorXd& prior);
+  /// Weighted least squares, the weights 1/sigma_j^2 of the joints iterated from the residuals. The prior is
+  /// so weak that it counts only along directions that the rows do not excite. The covariance is the sandwich
+  /// estimator with the residuals' autocorrelation (White, Asymptotic Theory for Econometricians, 1984, ch.
+  /// 6): rows filtered from the same samples are not independent.
+  Estimate solve(const WeakPrior& prior);
 
  private:
   void compress(std::size_t joint);
-  Eigen::VectorXd solve_weighted(const Eigen::VectorXd& deviation, const Eigen::VectorXd& prior,
-                                 Estimate& out);
+  Eigen::VectorXd solve_weighted(const Eigen::VectorXd& deviation, const WeakPrior& prior,
+                                 Estimate& out) const;
   Eigen::MatrixXd covariance(const Eigen::VectorXd& a, const Eigen::VectorXd& deviation,
-                             const Estimate& estimate) const;
+                             const WeakPrior& prior, const Eigen::MatrixXd& last) const;
   double autocovariance(std::size_t joint, std::size_t lag, const Eigen::VectorXd& a) const;
 
   int joints_;

@@ -57,6 +57,16 @@ int decimation(double cutoff, double period) {
   return std::max(1, static_cast<int>(1.0 / (kRate * cutoff * period)));
 }
 
+/// Euclidean norm of the weights of one filter after another, the second on every step-th result of the
+/// first.
+double norm_of_both(const LowPass& first, const LowPass& second, int step) {
+  Eigen::VectorXd weights =
+      Eigen::VectorXd::Zero(first.length() + static_cast<Eigen::Index>(step) * 2 * second.half);
+  for (Eigen::Index i = 0; i < second.value.size(); ++i)
+    weights.segment(i * step, first.value.size()) += second.value[i] * first.value;
+  return weights.norm();
+}
+
 /// Positions and torques, and velocities if there are any.
 Eigen::Index channels(const RobotModel& model, const LogFile& log) {
   return (log.has_velocities() ? 3 : 2) * static_cast<Eigen::Index>(model.n());
@@ -89,6 +99,7 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
     throw InputError(fmt::format("--torque-delay is {} s; at this cutoff it must lie within {:.3g} s of zero",
                                  options.torque_delay, longest));
   }
+  instants_.begin_log(torque_filter_.value.norm(), norm_of_both(torque_filter_, row_filter_, motion_step_));
 }
 
 Eigen::VectorXd RowStream::regressor_rows() {
@@ -134,6 +145,7 @@ bool RowStream::next(Eigen::MatrixXd& rows) {
   Eigen::VectorXd sample(channels(model_, log_));
   while (const auto logged = log_.next()) {
     ++samples_;
+    instants_.add_logged_torque(logged->torque);
     sample << logged->q, logged->torque, logged->qd;
     if (!motion_.push(sample)) continue;
     if (!rows_.push(regressor_rows())) continue;

@@ -78,17 +78,19 @@ void require_recording_memory(const std::vector<Scenario>& scenarios, int stride
   const double all = std::accumulate(bytes.begin(), bytes.end(), 0.0);
   if (all <= usable) return;
   const Scenario& scenario = scenarios[longest];
-  throw InputError(fmt::format(
-      "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, and this process may use {:.3g} "
-      "GB; "
-      "shorten 'duration', use fewer workers, or record only every {:.0f}th control period (--record-every, "
-      "in "
-      "Python record_every)",
-      scenario.source, scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride),
+  const std::string others =
       bytes.size() > 1
           ? fmt::format(", with the others that are in memory at the same time {:.3g} GB", all / kGigabyte)
-          : std::string(),
-      usable / kGigabyte, std::ceil(stride * all / usable)));
+          : std::string();
+  throw InputError(fmt::format(
+      "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, and this process may use {:.3g} "
+      "GB; shorten "
+      "'duration'{}, or record only every {:.0f}th control period where the command has --record-every (in "
+      "Python "
+      "record_every)",
+      scenario.source, scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
+      usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",
+      std::ceil(stride * all / usable)));
 }
 
 }  // namespace armtune

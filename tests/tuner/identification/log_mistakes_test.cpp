@@ -62,13 +62,14 @@ std::vector<LogInstant> log_of(const RobotModel& model, const Chain& arm, unsign
 class LogMistakes : public ::testing::Test {
  protected:
   RobotModel model_ = test::ur10();
+  JointVector none_ = JointVector::Zero(6);  ///< no noise
   std::vector<LogInstant> log_ = log_of(model_, differing(model_, 11), 12);
 
   /// What is found of the log after every instant was changed.
   LogMistake found(const std::function<void(LogInstant&)>& change) const {
     std::vector<LogInstant> changed = log_;
     for (LogInstant& at : changed) change(at);
-    const LogComparison comparison = compare_with_robot_file(model_, changed);
+    const LogComparison comparison = compare_with_robot_file(model_, changed, none_);
     EXPECT_TRUE(comparison.mistake.has_value()) << "not noticed";
     return comparison.mistake.value_or(LogMistake{});
   }
@@ -86,7 +87,7 @@ TEST_F(LogMistakes, ARightLogHasNoneWhateverItsLinksFrictionAndTool) {
       carrying.chain = arm;
       arm = with_payload(carrying, {3.0, Vec3(0.0, 0.0, 0.1)}).chain;
     }
-    const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, seed + 100));
+    const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, seed + 100), none_);
     EXPECT_FALSE(comparison.mistake.has_value()) << seed << ": " << to_text(*comparison.mistake, model_);
   }
 }
@@ -144,7 +145,7 @@ TEST_F(LogMistakes, AnotherMountingIsNamedWithTheDirectionOfGravity) {
   for (const Vec3& direction : {Vec3(0.0, 0.0, 1.0), Vec3(0.0, -1.0, 0.0)}) {
     Chain arm = differing(model_, 13);
     arm.gravity = 9.81 * direction;
-    const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, 14));
+    const LogComparison comparison = compare_with_robot_file(model_, log_of(model_, arm, 14), none_);
     ASSERT_TRUE(comparison.mistake.has_value());
     EXPECT_EQ(comparison.mistake->kind, MistakeKind::kMounting);
     EXPECT_LT((comparison.mistake->direction - direction).norm(), 1e-12);
@@ -159,7 +160,8 @@ TEST_F(LogMistakes, ALogOfAnArmOfOtherLengthsAndMassesIsNoticed) {
     link.first_moment *= 0.3;
     link.inertia *= 0.2;
   }
-  const LogComparison comparison = compare_with_robot_file(model_, log_of(other, differing(other, 15), 16));
+  const LogComparison comparison =
+      compare_with_robot_file(model_, log_of(other, differing(other, 15), 16), none_);
   ASSERT_TRUE(comparison.mistake.has_value());
   EXPECT_EQ(comparison.mistake->kind, MistakeKind::kAnotherArm);
 }
@@ -194,13 +196,14 @@ TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {
     return own;
   }();
   const ArmMoments moments = arm_moments(model.chain, log);
-  const ArmFit fit = ArmFitter(model).fit(moments, TorqueReading::as_logged(model.n()));
+  const ArmFit fit =
+      ArmFitter(model, JointVector::Zero(model.n())).fit(moments, TorqueReading::as_logged(model.n()));
   EXPECT_LT(fit.unexplained.maxCoeff(), 1e-6);
   EXPECT_LT(fit.cost, 1e-10);
   // Turned in sign nothing of it fits.
   TorqueReading turned = TorqueReading::as_logged(model.n());
   turned.sign *= -1.0;
-  EXPECT_GT(ArmFitter(model).fit_joints_only(moments, turned).residual.norm(),
+  EXPECT_GT(ArmFitter(model, JointVector::Zero(model.n())).fit_joints_only(moments, turned).residual.norm(),
             1.9 * std::sqrt(moments.torque_squares.sum()));
 }
 

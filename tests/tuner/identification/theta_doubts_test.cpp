@@ -1,0 +1,84 @@
+#include "tuner/identification/theta_doubts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/support/arms.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A result that leaves a twentieth of each torque, of an arm that is the robot file's, with friction that it
+/// lacks.
+Identification plausible(const RobotModel& model) {
+  Identification found;
+  found.theta = theta_of(model.chain);
+  found.torque_noise = JointVector::Zero(model.n());
+  for (Unexplained* rows : {&found.fitted, &found.held_out}) {
+    rows->rows = 100;
+    rows->torque = 0.1 * model.effort_limits();
+    rows->by_theta = 0.05 * rows->torque;
+    rows->by_file = 0.3 * rows->torque;
+  }
+  return found;
+}
+
+class ThetaDoubts : public ::testing::Test {
+ protected:
+  RobotModel model_ = test::ur10();
+  Identification found_ = plausible(model_);
+};
+
+TEST_F(ThetaDoubts, APlausibleResultHasNone) {
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+}
+
+TEST_F(ThetaDoubts, AJointWhoseTorqueIsNotExplainedIsNamed) {
+  found_.fitted.by_theta[2] = 0.6 * found_.fitted.torque[2];
+  EXPECT_THAT(theta_doubts(model_, found_), ElementsAre(HasSubstr(model_.joints[2].name)));
+  found_ = plausible(model_);
+  found_.held_out.by_theta[4] = 0.6 * found_.held_out.torque[4];
+  EXPECT_THAT(theta_doubts(model_, found_),
+              ElementsAre(AllOf(HasSubstr(model_.joints[4].name), HasSubstr("held out"))));
+}
+
+TEST_F(ThetaDoubts, AJointThatTheRobotFileExplainsBetterIsNamed) {
+  found_.fitted.by_theta[1] = 0.25 * found_.fitted.torque[1];
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+  found_.fitted.by_file[1] = 0.1 * found_.fitted.torque[1];
+  EXPECT_THAT(theta_doubts(model_, found_), ElementsAre(HasSubstr(model_.joints[1].name)));
+}
+
+TEST_F(ThetaDoubts, NoiseAndTorquesNextToNothingDoNotCount) {
+  found_.torque_noise[5] = 0.6 * found_.fitted.torque[5];
+  found_.fitted.by_theta[5] = found_.held_out.by_theta[5] = 0.6 * found_.fitted.torque[5];
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+  found_ = plausible(model_);
+  found_.fitted.torque[3] = found_.held_out.torque[3] = 1e-3 * model_.effort_limits()[3];
+  found_.fitted.by_theta[3] = found_.held_out.by_theta[3] = 0.99 * found_.fitted.torque[3];
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+}
+
+TEST_F(ThetaDoubts, MassesThatAreNotTheRobotFilesAreNamed) {
+  double arm = 0.0;
+  for (int i = 0; i < model_.n(); ++i) arm += found_.theta[i * kLinkParameters];
+  found_.theta[5 * kLinkParameters] += 0.6 * arm;
+  EXPECT_THAT(theta_doubts(model_, found_), ElementsAre(HasSubstr(model_.joints[5].link)));
+  // A tool of a quarter of the arm may well be missing in the robot file.
+  found_ = plausible(model_);
+  found_.theta[5 * kLinkParameters] += 0.25 * arm;
+  EXPECT_THAT(theta_doubts(model_, found_), IsEmpty());
+  for (const double factor : {2.0, 0.5}) {
+    found_ = plausible(model_);
+    for (int i = 0; i < model_.n(); ++i) found_.theta[i * kLinkParameters] *= factor;
+    EXPECT_THAT(theta_doubts(model_, found_), ElementsAre(HasSubstr("moved links")));
+  }
+}
+
+}  // namespace
+}  // namespace armtune

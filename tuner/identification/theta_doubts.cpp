@@ -1,0 +1,74 @@
+#include "tuner/identification/theta_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace armtune {
+namespace {
+
+constexpr double kLeastTorque = 0.005;  ///< share of the effort limit
+constexpr double kUnexplained = 0.5;
+constexpr double kWorseThanFile = 1.5;
+constexpr double kNoticeable = 0.2;  ///< share of a torque that theta may leave in any case
+constexpr double kHeavier = 3.0;
+constexpr double kShareOfArm = 0.5;
+constexpr double kOtherArm = 1.8;
+
+const char* effort_unit(const RobotModel& model, int joint) {
+  return model.chain.motion[static_cast<std::size_t>(joint)] == JointMotion::kRevolute ? "N m" : "N";
+}
+
+std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
+                        const char* which) {
+  const JointInfo& info = model.joints[static_cast<std::size_t>(joint)];
+  const double torque = std::max(rows.torque[joint], kLeastTorque * info.limits.effort);
+  const double left = std::sqrt(std::max(0.0, std::pow(rows.by_theta[joint], 2) - noise * noise));
+  const bool too_much = left > kUnexplained * torque;
+  const bool worse = left > kNoticeable * torque && left > kWorseThanFile * rows.by_file[joint];
+  if (!too_much && !worse) return {};
+  return fmt::format(
+      "theta leaves {:.3g} {} of the torque of {} unexplained {}, where the torque is {:.3g} and the robot "
+      "file leaves "
+      "{:.3g}; check unit, sign, column and zero position of this joint and of those after it",
+      left, effort_unit(model, joint), info.name, which, rows.torque[joint], rows.by_file[joint]);
+}
+
+}  // namespace
+
+std::vector<std::string> theta_doubts(const RobotModel& model, const Identification& found) {
+  std::vector<std::string> doubts;
+  for (int j = 0; j < model.n(); ++j) {
+    std::string doubt =
+        check_joint(model, j, found.fitted, found.torque_noise[j], "on the rows that it was fitted to");
+    if (doubt.empty() && found.held_out.rows > 0)
+      doubt = check_joint(model, j, found.held_out, found.torque_noise[j], "on the rows that were held out");
+    if (!doubt.empty()) doubts.push_back(doubt);
+  }
+  const ParameterVector file = theta_of(model.chain);
+  double arm = 0.0;
+  double file_arm = 0.0;
+  for (int i = 0; i < model.n(); ++i) {
+    arm += found.theta[i * kLinkParameters];
+    file_arm += file[i * kLinkParameters];
+  }
+  for (int i = 0; i < model.n(); ++i) {
+    const double mass = found.theta[i * kLinkParameters];
+    const double file_mass = file[i * kLinkParameters];
+    if (mass < kHeavier * file_mass || mass - file_mass < kShareOfArm * file_arm) continue;
+    doubts.push_back(
+        fmt::format("{} would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the units of the "
+                    "torques, the zero positions, and whether the robot file has the tool",
+                    model.joints[static_cast<std::size_t>(i)].link, mass, file_mass));
+  }
+  if (arm > kOtherArm * file_arm || kOtherArm * arm < file_arm) {
+    doubts.push_back(
+        fmt::format("the moved links would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the "
+                    "units of the torques and --robot",
+                    arm, file_arm));
+  }
+  return doubts;
+}
+
+}  // namespace armtune
