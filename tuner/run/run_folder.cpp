@@ -96,6 +96,7 @@ bool FolderLock::take() {
 
 FolderLock make_run_folder(const std::string& folder) {
   if (folder.empty()) return {};
+  absolute_path(".");  // the run's provenance needs it: refused now, not when the folder is made
   refuse_unusable_path(absolute_path(folder));
   refuse_used_folder(folder);
   const bool is_new = !is_there(folder);
