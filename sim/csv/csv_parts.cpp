@@ -46,7 +46,7 @@ double csv_number(std::string_view cell, const std::string& file, std::size_t li
   const char* end = cell.data() + cell.size();
   const auto [read, error] = std::from_chars(cell.data(), end, value);
   if (read != end || error != std::errc())
-    throw InputError(fmt::format("{}:{}: {} in column {} is no number", file, line, shown(cell), column));
+    throw InputError(fmt::format("{}:{}: {} in column {} is not a number", file, line, shown(cell), column));
   return value;
 }
 

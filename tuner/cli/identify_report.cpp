@@ -72,6 +72,9 @@ void print_identification(const RobotModel& model, const Identification& found) 
     say(fmt::format(
         "The estimate is not one that a physical arm can have. theta.yaml is the nearest that is.\n"));
   }
+  if (!found.comparison.most_joints_move) {
+    say("Fewer than half of the joints move, so signs, zero positions and columns were not checked.\n");
+  }
   const Eigen::VectorXd deviation = found.estimate.deviation();
   long uncertain = 0;
   for (Eigen::Index b = 0; b < deviation.size(); ++b) {

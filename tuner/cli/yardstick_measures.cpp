@@ -26,7 +26,7 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
   std::vector<Pending> pending;
   for (const Scenario& scenario : scenarios) {
     if (scenario.stimulus) {
-      say(fmt::format("{}: left out: it has a stimulus, of which no plan knows\n", scenario.name));
+      say(fmt::format("{}: left out, because it has a stimulus, which plans do not model\n", scenario.name));
       continue;
     }
     if (scenario.orientation) {

@@ -25,7 +25,7 @@ constexpr double kLeastMotion = 0.1;
 /// A mistake is named when it lowers the cost at least so much.
 constexpr double kMuchBetter = 0.4;
 
-/// The readings of one motion that differ in the torques alone.
+/// Tries the reading that each mistake asks for, and keeps the one of least cost.
 class Search {
  public:
   Search(const RobotModel& model, const std::vector<LogInstant>& instants, const JointVector& noise)
@@ -168,10 +168,11 @@ LogComparison compare_with_robot_file(const RobotModel& model, const std::vector
   LogComparison found;
   found.as_logged = search.fitter().fit(moments, as_logged);
   found.robot_file = search.fitter().fit_joints_only(moments, as_logged);
+  found.most_joints_move = search.most_joints_move();
   const bool explained = found.as_logged.unexplained.maxCoeff() < kUnexplained &&
                          all_unexplained(found.robot_file, moments) < kOtherArm;
   // One joint's motion alone can be explained by many a zero position.
-  if (explained && (found.as_logged.cost < kOrdinaryCost || !search.most_joints_move())) return found;
+  if (explained && (found.as_logged.cost < kOrdinaryCost || !found.most_joints_move)) return found;
   // A factor of a thousand shows in the robot file's own torques.
   if (!explained) search.try_torque_scales(moments);
   search.try_torques(moments);

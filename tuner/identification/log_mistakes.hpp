@@ -37,8 +37,11 @@ struct LogMistake {
 
 /// What a comparison of a log with the robot file found.
 struct LogComparison {
-  ArmFit as_logged;                   ///< the nearest arm that explains the log, whatever its links
-  ArmFit robot_file;                  ///< the robot file's links, whatever its rotor inertia and friction
+  ArmFit as_logged;   ///< the nearest arm that explains the log, whatever its links
+  ArmFit robot_file;  ///< the robot file's links, whatever its rotor inertia and friction
+  /// False: too few joints move for their signs, zero positions and columns to be judged where the log is
+  /// explained.
+  bool most_joints_move = true;
   std::optional<LogMistake> mistake;  ///< none: the log may well be of this arm
 };
 

@@ -13,7 +13,7 @@ bool is_task_column(std::string_view name);
 class RunBuilder {
  public:
   /// End and time axis; start is the caller's. table must outlive it. Throws InputError naming file and line
-  /// if it has no times, or if one is no number within 1e9 s or less than the one before.
+  /// if it has no times, or if one is not a number within 1e9 s, or is less than the one before.
   RunBuilder(const NumberTable& table, const Resolution& resolution);
 
   /// Time of the first row [s], 0 without rows; and of every row since.

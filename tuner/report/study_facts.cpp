@@ -59,7 +59,7 @@ StudyFacts read_study_facts(const std::string& path) {
     constexpr long kMost = 1'000'000'000;
     const yaml::Node& node = needed(*robust, "samples");
     const long samples = node.as_integer();
-    if (samples < 0 || samples > kMost) node.fail("is no number of arms");
+    if (samples < 0 || samples > kMost) node.fail("is not a number of arms");
     // The scenario's own arm counts too.
     facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(), samples + 1);
   }

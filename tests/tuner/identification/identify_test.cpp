@@ -248,6 +248,7 @@ TEST_F(Identify, TheResidualsAreThoseOfTheThetaThatIsWritten) {
   IdentifyOptions everything;
   everything.hold_out = false;
   const Identification found = identified({path}, everything);
+  EXPECT_TRUE(found.comparison.most_joints_move);
   ASSERT_TRUE(found.made_physical) << "the estimate itself would be written";
 
   const LogColumns columns = default_log_columns(arm_);
@@ -297,6 +298,7 @@ TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
   const ParameterVector file = theta_of(arm_.chain);
   EXPECT_GT(found.estimate.not_excited.size(), 20U);
   EXPECT_FALSE(found.comparison.mistake.has_value()) << to_text(*found.comparison.mistake, arm_);
+  EXPECT_FALSE(found.comparison.most_joints_move);
   // Friction of joints that stood still cannot be known; that of the joint that moved is.
   for (int j = 0; j < arm_.n(); ++j) {
     const Eigen::Index friction = joint_parameter_index(arm_.n(), j) + 1;

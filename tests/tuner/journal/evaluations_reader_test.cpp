@@ -58,7 +58,7 @@ TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
   text.replace(text.find("\n0,search,simbody,1,") + 18, 1, "x");
   const std::string wrong = files_.write("wrong.csv", text);
   EXPECT_THAT(test::refusal([&] { read_evaluations(wrong, study_); }),
-              HasSubstr("wrong.csv:2: 'x' in column objective is no number"));
+              HasSubstr("wrong.csv:2: 'x' in column objective is not a number"));
 }
 
 }  // namespace
