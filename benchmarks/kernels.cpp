@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/slotine_li.hpp"

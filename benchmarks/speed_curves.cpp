@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/theta.hpp"

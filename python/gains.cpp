@@ -9,6 +9,7 @@
 
 #include "core/common/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "sim/scenario/gains_file.hpp"

@@ -12,6 +12,7 @@
 #include "core/common/message_text.hpp"
 #include "core/common/utf8.hpp"
 #include "core/control/gain_fields.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/interruptible.hpp"

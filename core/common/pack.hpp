@@ -10,7 +10,6 @@
 
 #include "core/common/joint_math.hpp"
 #include "core/common/select.hpp"
-#include "core/robot/friction.hpp"
 
 namespace armtune {
 
@@ -106,10 +105,10 @@ void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& si
   }
 }
 
-/// tanh(q'/0.05), see core/robot/friction.hpp.
+/// Of the same arithmetic as that of two numbers at once.
 template <int W>
-Pack<W> coulomb_direction(const Pack<W>& qd) {
-  return Pack<W>(1.0 - 2.0 / (1.0 + vector_math::exponential(qd.values() * (2.0 / kCoulombVelocity))));
+Pack<W> exp(const Pack<W>& x) {
+  return Pack<W>(vector_math::exponential(x.values()));
 }
 
 }  // namespace armtune

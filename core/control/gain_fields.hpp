@@ -72,8 +72,4 @@ std::vector<std::string> component_names(const GainField& field, const std::vect
 std::vector<std::string> component_names(const Gains& gains, const GainField& field,
                                          const std::vector<std::string>& joints);
 
-/// All gains that the controller of `gains` has. Throws InputError naming the gain, its value and the limit;
-/// `source` stands in front of the message.
-void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source);
-
 }  // namespace armtune

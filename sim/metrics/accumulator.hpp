@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/metrics/metric.hpp"
-#include "sim/rollout/observation.hpp"
+#include "sim/metrics/observation.hpp"
 
 namespace armtune {
 

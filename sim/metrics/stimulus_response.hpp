@@ -7,8 +7,8 @@
 
 #include "sim/metrics/frequency_response.hpp"
 #include "sim/metrics/metric.hpp"
+#include "sim/metrics/observation.hpp"
 #include "sim/metrics/step_response.hpp"
-#include "sim/rollout/observation.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 
 namespace armtune {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/rollout/observation.hpp"
+#include "sim/metrics/observation.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/rollout/observation.hpp"
+#include "sim/metrics/observation.hpp"
 
 namespace armtune {
 

@@ -9,6 +9,7 @@
 
 #include "core/common/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/force_gains.hpp"
 #include "sim/yaml/joint_values.hpp"

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/common/error.hpp"
+#include "core/control/laws/starting_gains.hpp"
 #include "core/control/pose_search.hpp"
-#include "core/control/starting_gains.hpp"
 #include "core/control/task_goal.hpp"
 #include "core/robot/kinematics.hpp"
 #include "sim/scenario/data_files.hpp"

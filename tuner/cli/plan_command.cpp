@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "core/common/error.hpp"
-#include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"

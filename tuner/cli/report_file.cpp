@@ -5,8 +5,8 @@
 #include <atomic>
 #include <exception>
 
-#include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/run/simulate.hpp"
 

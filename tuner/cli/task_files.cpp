@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/control/starting_gains.hpp"
+#include "core/control/laws/starting_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/default_task.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/columns.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"

@@ -10,8 +10,8 @@
 
 #include "core/common/error.hpp"
 #include "core/common/path_state.hpp"
-#include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"

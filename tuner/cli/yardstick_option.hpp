@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/control/gains.hpp"
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace CLI {

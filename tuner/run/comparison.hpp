@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 
 namespace armtune {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/rollout/recorder.hpp"
 
 namespace armtune {

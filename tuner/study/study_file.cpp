@@ -10,6 +10,7 @@
 #include "core/common/file_name.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "sim/rollout/applies.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tuner/endurance/endurance.hpp"
 #include "tuner/study/thresholds.hpp"

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/common/error.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 
 namespace armtune::test {
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune {

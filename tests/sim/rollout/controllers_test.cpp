@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/control/laws/controller_kind.hpp"
-#include "core/control/starting_gains.hpp"
+#include "core/control/laws/starting_gains.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/default_task.hpp"
 #include "sim/scenario/robot_file.hpp"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/control/starting_gains.hpp"
+#include "core/control/laws/starting_gains.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "sim/csv/error_report.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/sim/support/read_back.hpp"
 #include "tests/tuner/support/short_study.hpp"

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tests/tuner/report/support/written_run.hpp"

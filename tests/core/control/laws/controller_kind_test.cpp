@@ -6,8 +6,9 @@
 #include <set>
 
 #include "core/common/error.hpp"
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/control/laws/first_gains.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/law_period.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "tuner/report/tables.hpp"
 
 namespace armtune::test {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
 
 namespace armtune::test {

@@ -1,4 +1,4 @@
-#include "core/control/starting_gains.hpp"
+#include "core/control/laws/starting_gains.hpp"
 
 #include <algorithm>
 #include <cmath>

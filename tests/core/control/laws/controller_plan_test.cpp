@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "core/control/controller.hpp"
 #include "core/control/joint_space_law.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/robot/theta.hpp"
 #include "core/trajectory/linear_acceleration.hpp"
 #include "tests/core/support/allocation_counter.hpp"

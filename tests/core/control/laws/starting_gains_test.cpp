@@ -1,4 +1,4 @@
-#include "core/control/starting_gains.hpp"
+#include "core/control/laws/starting_gains.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "core/control/gain_fields.hpp"
 #include "core/control/joint_space_law.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 

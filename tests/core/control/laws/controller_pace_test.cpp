@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/control/velocity_governor.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/arms.hpp"

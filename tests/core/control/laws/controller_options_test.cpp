@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/control/obstacle_impedance.hpp"
 #include "core/control/velocity_barrier.hpp"
 #include "core/robot/theta.hpp"

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"

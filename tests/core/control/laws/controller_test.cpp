@@ -1,5 +1,5 @@
 // The control law, driven directly with measured states: no simulator, no feedback.
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 
 #include <gtest/gtest.h>
 

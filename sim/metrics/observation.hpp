@@ -2,7 +2,7 @@
 // What one control period of a rollout looks like from outside: the plant's true state beside what the
 // controller did.
 
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 
 namespace armtune {
 

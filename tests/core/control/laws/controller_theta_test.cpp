@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/control/adaptation.hpp"
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"

@@ -1,4 +1,4 @@
-#include "sim/csv/error_report.hpp"
+#include "sim/rollout/error_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "core/control/controller.hpp"
+#include "core/control/laws/controller.hpp"
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/obstacle_distance.hpp"

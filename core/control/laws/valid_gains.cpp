@@ -1,0 +1,51 @@
+#include "core/control/laws/valid_gains.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "core/common/error.hpp"
+#include "core/control/laws/controller_kind.hpp"
+
+namespace armtune {
+
+void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source) {
+  for (const GainField& field : fields_of(gains)) {
+    const auto values = numbers(gains, field);
+    const auto names = component_names(gains, field, joints);
+    const bool own = std::holds_alternative<OwnGain>(field.member);
+    if (!field.required && !own && field.is_number() && values.empty()) continue;
+    if (field.is_number() && values.size() != names.size()) {
+      throw InputError(fmt::format("{}: {} has {} values, the arm needs {}: {}", source, field.name,
+                                   values.size(), names.size(), fmt::join(names, " ")));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const bool any_sign = std::strcmp(field.name, "joint_space_goal") == 0;
+      const double v = values[i];
+      if (!std::isfinite(v) || (!any_sign && (v < 0.0 || (field.strictly_positive && v == 0.0)))) {
+        throw InputError(fmt::format("{}: {}{}{} is {}; it must be finite and {}", source, field.name,
+                                     names[i].empty() ? "" : "/", names[i], v,
+                                     field.strictly_positive ? "above zero" : "not negative"));
+      }
+      if (v >= field.below) {
+        throw InputError(fmt::format("{}: {}{}{} is {}; it must be below {}", source, field.name,
+                                     names[i].empty() ? "" : "/", names[i], v, field.below));
+      }
+    }
+  }
+  if (gains.slerp_start_angle > gains.slerpAngularErrorThreshold) {
+    throw InputError(
+        fmt::format("{}: slerp_start_angle is {} rad; it must be at most slerpAngularErrorThreshold = {} rad",
+                    source, gains.slerp_start_angle, gains.slerpAngularErrorThreshold));
+  }
+  if (gains.release_radius != 0.0 && gains.release_radius < gains.obstacleInfluenceRadius) {
+    throw InputError(
+        fmt::format("{}: release_radius is {} m; it must be 0 or at least "
+                    "obstacleInfluenceRadius = {} m",
+                    source, gains.release_radius, gains.obstacleInfluenceRadius));
+  }
+}
+
+}  // namespace armtune
