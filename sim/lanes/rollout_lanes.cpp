@@ -50,7 +50,7 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
 struct RolloutLanes::Lane {
   explicit Lane(LaneJob given)
       : job(std::move(given)),
-        running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits, job.cost),
+        running(*job.scenario, job.gains.slerpAngularErrorThreshold, job.limits),
         logic(job.scenario->scenario.robot, with_goal(job.gains, job.scenario->scenario),
               job.scenario->scenario.control_period, job.scenario->scenario.mask),
         q(job.scenario->scenario.start_position),
@@ -92,10 +92,6 @@ int RolloutLanes::free_lane() const {
     if (!is_busy(lane)) return lane;
   }
   return -1;
-}
-
-void RolloutLanes::end_by(int lane, EndCost cost) {
-  lanes_[static_cast<std::size_t>(lane)]->job.cost = std::move(cost);
 }
 
 void RolloutLanes::start(int lane, LaneJob job) {

@@ -8,7 +8,6 @@
 
 #include "core/control/gains.hpp"
 #include "sim/lanes/arm_lanes.hpp"
-#include "sim/rollout/end_cost.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/rollout/prepared_scenario.hpp"
 #include "sim/rollout/rollout_result.hpp"
@@ -27,7 +26,6 @@ struct LaneJob {
   std::shared_ptr<const PreparedScenario> scenario;
   Gains gains;
   EndLimits limits = {};
-  EndCost cost = {};
 };
 
 class RolloutLanes {
@@ -51,8 +49,6 @@ class RolloutLanes {
   /// In a lane that is not busy. Throws std::invalid_argument if it is, if the job's scenario is not of
   /// this kind, or if its controller has no lanes.
   void start(int lane, LaneJob job);
-  /// From now on the rollout in a busy lane ends by this cost.
-  void end_by(int lane, EndCost cost);
   /// One control period of every lane that is busy. `finished` gets what ends with it; it may start another
   /// rollout in that lane. Allocates nothing but for what ends.
   void step(const Finished& finished);

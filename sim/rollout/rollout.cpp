@@ -12,11 +12,10 @@ Rollout::Rollout(const Scenario& scenario, Stepper stepper, Engine engine)
 Rollout::Rollout(std::shared_ptr<const PreparedScenario> prepared, Stepper stepper, Engine engine)
     : prepared_(std::move(prepared)), plant_(make_plant(prepared_->plant, stepper, engine)) {}
 
-RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits,
-                           const EndCost& cost) {
+RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const EndLimits& limits) {
   const FlushDenormals flush;
   const Scenario& scenario = prepared_->scenario;
-  RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits, cost);
+  RunningRollout running(*prepared_, gains.slerpAngularErrorThreshold, limits);
   Controller controller(scenario.robot, with_goal(gains, scenario), prepared_->theta_start,
                         scenario.control_period, scenario.mask);
   TrueState truth(*scenario.robot, prepared_->theta_true);

@@ -5,7 +5,6 @@
 
 #include "core/control/gains.hpp"
 #include "sim/plant/plant.hpp"
-#include "sim/rollout/end_cost.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/rollout/prepared_scenario.hpp"
 #include "sim/rollout/rollout_result.hpp"
@@ -20,10 +19,9 @@ class Rollout {
 
   /// Runs the scenario from its start with these gains (valid for its robot). Nothing carries over from an
   /// earlier run. Diverging is a status, not an exception.
-  /// limits: metrics, each one that only worsens, that end the rollout when they pass a value; cost: the same
-  /// for a sum of such; none: it runs whole. Up to its end a rollout with limits is the one without.
-  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {},
-                    const EndCost& cost = {});
+  /// limits: metrics, each one that only worsens, that end the rollout when they pass a value; none: it runs
+  /// whole. Up to its end a rollout with limits is the one without.
+  RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {});
 
   const Scenario& scenario() const { return prepared_->scenario; }
 

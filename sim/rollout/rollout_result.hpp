@@ -11,11 +11,10 @@ namespace armtune {
 
 enum class RolloutStatus {
   kCompleted,
-  kDiverged,     ///< the state left every sensible range, or the engine gave up
-  kHopeless,     ///< it passed one of its end limits, beyond repair
-  kNoSamples,    ///< it ran to the end without a planned motion, but no period counted as tracking
-  kInterrupted,  ///< the caller asked it to stop
-  kOutdone       ///< it cost more than was of any use
+  kDiverged,    ///< the state left every sensible range, or the engine gave up
+  kHopeless,    ///< it passed one of its end limits, beyond repair
+  kNoSamples,   ///< it ran to the end without a planned motion, but no period counted as tracking
+  kInterrupted  ///< the caller asked it to stop
 };
 
 constexpr const char* name(RolloutStatus status) {
@@ -26,8 +25,6 @@ constexpr const char* name(RolloutStatus status) {
       return "diverged";
     case RolloutStatus::kHopeless:
       return "hopeless";
-    case RolloutStatus::kOutdone:
-      return "outdone";
     case RolloutStatus::kNoSamples:
       return "no_samples";
     case RolloutStatus::kInterrupted:

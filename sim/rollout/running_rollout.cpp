@@ -19,20 +19,12 @@ const EndLimit* reached(const EndLimits& limits, const MetricAccumulator& metric
   return nullptr;
 }
 
-double cost_so_far(const EndCost& cost, const MetricAccumulator& metrics) {
-  double sum = 0.0;
-  for (const EndCost::Share& share : cost.shares) sum += share.at(metrics.so_far(share.metric));
-  return sum;
-}
-
 }  // namespace
 
-RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
-                               const EndCost& cost)
+RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits)
     : prepared_(prepared),
       scenario_(prepared.scenario),
       limits_(limits),
-      cost_(cost),
       periods_(scenario_.periods()),
       sensors_(scenario_.plant.position_noise, scenario_.plant.velocity_noise, scenario_.seed),
       camera_(scenario_),
@@ -95,11 +87,6 @@ bool RunningRollout::judge(const Observer& observer) {
     end(RolloutStatus::kHopeless,
         fmt::format("{} reached {:.4g} at {:.3f} s in {}; beyond repair from {:.4g} on", name(limit->metric),
                     metrics_.so_far(limit->metric), o.time, name(o.control->state), limit->value));
-  } else if (cost_so_far(cost_, metrics_) > cost_.beyond) {
-    end(RolloutStatus::kOutdone,
-        fmt::format("objective and penalties reached {:.4g} at {:.3f} s in {}; of no use to the search from "
-                    "{:.4g} on",
-                    cost_so_far(cost_, metrics_), o.time, name(o.control->state), cost_.beyond));
   }
   return !ended_;
 }

@@ -12,7 +12,6 @@
 #include "sim/plant/sensors.hpp"
 #include "sim/plant/target_camera.hpp"
 #include "sim/plant/torque_delay.hpp"
-#include "sim/rollout/end_cost.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/rollout/prepared_scenario.hpp"
 #include "sim/rollout/rollout_result.hpp"
@@ -23,8 +22,7 @@ namespace armtune {
 class RunningRollout {
  public:
   /// threshold: the gains' slerpAngularErrorThreshold [rad]. All arguments outlive this.
-  RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits,
-                 const EndCost& cost);
+  RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits);
   RunningRollout(const RunningRollout&) = delete;  // its parts refer to each other
   RunningRollout& operator=(const RunningRollout&) = delete;
 
@@ -62,7 +60,6 @@ class RunningRollout {
   const PreparedScenario& prepared_;
   const Scenario& scenario_;
   const EndLimits& limits_;
-  const EndCost& cost_;
   int periods_;
   Sensors sensors_;
   TargetCamera camera_;

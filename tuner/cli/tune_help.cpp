@@ -80,15 +80,7 @@ beyond that of joint_position/min_margin, never for others; a value can be given
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
   }
-  text += R"(
-Where constraints are penalties (search/constraints: penalty), CRS2 and ESCH give up a candidate once objective
-and penalties so far are more than the worst they keep: they go the same way as if it were simulated whole, and the
-study's best few are never given up. Such a row of evaluations.csv has no figures and says so in its status; should
-another phase or start ask for exactly that point, it is simulated anew. search/end_outdone: false simulates every
-candidate whole; other algorithms, to which every value counts, robust studies, and those of one scenario of which
-nothing is known before its end do so in any case.
-)";
-  return text;
+  return text + "\n";
 }
 
 }  // namespace armtune::cli

@@ -266,7 +266,6 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   solver.initial_step = 0.2;
   solver.x_tolerance = 1e-4;
   solver.seed = options.seed;
-  solver.look_ahead = 1;  // there is one thread to work
   minimize(problem, solver);
 
   design.excitation = designer.at(best);

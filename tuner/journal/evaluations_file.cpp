@@ -46,13 +46,12 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
       "start, sweep, warm, global, search, gradient, verify; of a front: start, warm, anchor, level, "
       "gradient");
   add("engine", "", "simbody or native: what simulated it");
-  add("objective", "1",
-      "weighted metrics relative to the start gains, which score 1; empty if it was given up");
+  add("objective", "1", "weighted metrics relative to the start gains, which score 1");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
       "sum of the violations relative to their limits; larger than that of any completed candidate if a "
-      "scenario did not complete; empty if it was given up");
-  add("status", "", "completed, what went wrong first, or of no use to the search: given up");
+      "scenario did not complete");
+  add("status", "", "completed, or what went wrong first");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
   for (const auto& [s, metric] : figures(study.terms)) {
     const MetricField& f = field(metric);
@@ -84,16 +83,14 @@ EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, st
 }
 
 void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
-  const bool whole = std::isinf(e.beyond);  // what was given up has no figures
-  std::string row =
-      fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(whole ? e.objective : NAN),
-                  e.feasible ? 1 : 0, cell(whole ? e.violation : NAN), cell(e.status));
+  std::string row = fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(e.objective),
+                                e.feasible ? 1 : 0, cell(e.violation), cell(e.status));
   for (const Parameter& p : study_.space.free) row += "," + cell(value(e.gains, p.entry));
   for (const auto& [s, metric] : figures(study_.terms)) row += "," + cell(e.results[s].metrics[metric]);
   for (const auto& [s, metric] : figures(study_.constraints)) row += "," + cell(e.results[s].metrics[metric]);
   for (std::size_t m = 0; m < study_.margins.size(); ++m) {
     const std::size_t c = study_.constraints.size() - study_.margins.size() + m;
-    row += "," + cell(whole && c < e.constraints.size() ? e.constraints[c] : NAN);
+    row += "," + cell(c < e.constraints.size() ? e.constraints[c] : NAN);
   }
   for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
   // The journal is what has to survive a power cut; this file can be made again from it.

@@ -9,19 +9,6 @@
 #include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
-namespace {
-
-bool outdone(const std::vector<RolloutResult>& results) {
-  return std::any_of(results.begin(), results.end(),
-                     [](const RolloutResult& r) { return r.status == RolloutStatus::kOutdone; });
-}
-
-/// The bar, if the evaluation ended because of it.
-double beyond(const Evaluation& e, double bar) {
-  return outdone(e.results) ? bar : HUGE_VAL;
-}
-
-}  // namespace
 
 Evaluator::Evaluator(const Study& study, Workers& workers, const std::atomic<bool>& stop, Journal* journal)
     : study_(study), workers_(workers), stop_(stop), journal_(journal) {
@@ -39,8 +26,7 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   auto record = journal_ != nullptr ? journal_->find(number) : std::nullopt;
   if (!record) return std::nullopt;
   if (record->x != candidate.x || record->phase != candidate.phase ||
-      record->results.size() != results_per_evaluation(study_) ||
-      (outdone(record->results) && std::isinf(candidate.bar))) {
+      record->results.size() != results_per_evaluation(study_)) {
     throw InputError(
         fmt::format("{}: as evaluation {} the search now asks for {} than the journal holds: its file was "
                     "changed, or this program searches in another way; begin the run anew",
@@ -56,7 +42,6 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   e.seconds = record->seconds;
   e.recalled = true;
   e.engine = engine;
-  e.beyond = beyond(e, candidate.bar);
   return e;
 }
 
@@ -87,14 +72,11 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
   std::vector<std::optional<Evaluation>> ready(candidates.size());
   std::vector<std::size_t> missing;
   std::vector<std::vector<double>> points;
-  Conditions with_bars = conditions;
-  with_bars.bars.clear();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     ready[i] = recall(count_ + i, candidates[i], conditions.engine);
     if (ready[i]) continue;
     missing.push_back(i);
     points.push_back(candidates[i].x);
-    with_bars.bars.push_back(candidates[i].bar);
   }
   std::size_t taken = 0;
   const auto take_ready = [&] {
@@ -109,11 +91,10 @@ bool Evaluator::next_portion(const std::vector<Candidate>& candidates, const Con
     if (journal_ != nullptr) journal_->append({count_ + i, candidates[i].phase, now, e.x, e.results});
     ready[i] = e;  // not before it is on disk
     ready[i]->seconds = now;
-    ready[i]->beyond = beyond(e, candidates[i].bar);
     take_ready();
   };
   const bool whole =
-      points.empty() || simulate_points(study_, points, workers_, stop_, with_bars, finished).has_value();
+      points.empty() || simulate_points(study_, points, workers_, stop_, conditions, finished).has_value();
   count_ += candidates.size();
   return whole && taken == candidates.size();
 }

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,7 +17,6 @@ namespace armtune {
 struct Candidate {
   const char* phase = "";
   std::vector<double> x;
-  double bar = HUGE_VAL;  ///< its rollouts end once it costs more for sure
 };
 
 class Evaluator {

@@ -1,10 +1,10 @@
-// minimize of solver.hpp: an algorithm that asks for one point at a time, served from batches.
+// minimize of solver.hpp: answers an algorithm from what was evaluated for it, and asks for what is missing.
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "tuner/search/differences.hpp"
-#include "tuner/search/look_ahead.hpp"
 #include "tuner/search/solver.hpp"
 
 namespace armtune {
@@ -16,30 +16,20 @@ constexpr long kMostRepeats = 10000;
 /// One search's answers: what it is told, from what was evaluated for it.
 class Served {
  public:
-  Served(const SolverProblem& problem, const SolverOptions& options)
-      : problem_(problem),
-        options_(options),
-        looks_ahead_(options.look_ahead > 1 && !algorithm_from_name(options.algorithm).uses_differences),
-        ahead_(problem, options) {}
+  Served(const SolverProblem& problem, const SolverOptions& options) : problem_(problem), options_(options) {}
 
-  bool answer(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& out);
+  /// A point, with all differences around it in one batch where derivatives are asked for. False if the
+  /// search is to end.
+  bool answer(const std::vector<double>& x, bool derivatives, SolverAnswer& out);
   bool circling() const { return repeats_ >= kMostRepeats; }
 
  private:
-  bool answer_with_derivatives(const std::vector<double>& x, SolverAnswer& out);
-  /// What is known of a point and may be told; null if nothing.
-  const LookAhead::Known::value_type* known(const std::vector<double>& x, double bar) const {
-    const auto found = known_.find(x);
-    return found == known_.end() || !found->second.good_for(bar) ? nullptr : &*found;
-  }
   /// Asks for those of the points that are not known. False if the search is to end at once.
   bool fetch(const std::vector<SolverPoint>& points);
 
   const SolverProblem& problem_;
   const SolverOptions& options_;
-  bool looks_ahead_;
-  LookAhead::Known known_;
-  LookAhead ahead_;
+  std::map<std::vector<double>, SolverValue> known_;
   bool ended_ = false;
   long repeats_ = 0;
 };
@@ -47,7 +37,7 @@ class Served {
 bool Served::fetch(const std::vector<SolverPoint>& points) {
   std::vector<SolverPoint> unknown;
   std::copy_if(points.begin(), points.end(), std::back_inserter(unknown),
-               [this](const SolverPoint& p) { return known(p.x, p.bar) == nullptr; });
+               [this](const SolverPoint& p) { return !known_.contains(p.x); });
   if (unknown.empty()) return true;
   if (ended_) return false;
   std::vector<SolverValue> values;
@@ -58,10 +48,11 @@ bool Served::fetch(const std::vector<SolverPoint>& points) {
   return !told_to_end;
 }
 
-/// The point and all differences around it in one batch.
-bool Served::answer_with_derivatives(const std::vector<double>& x, SolverAnswer& out) {
+bool Served::answer(const std::vector<double>& x, bool derivatives, SolverAnswer& out) {
   std::vector<SolverPoint> points = {{x, false}};
-  for (auto& point : difference_points(problem_, options_, x)) points.push_back({std::move(point), true});
+  if (derivatives) {
+    for (auto& point : difference_points(problem_, options_, x)) points.push_back({std::move(point), true});
+  }
   repeats_ = known_.contains(x) ? repeats_ + 1 : 0;
   if (circling() || !fetch(points)) return false;
   std::vector<SolverValue> values;
@@ -72,31 +63,9 @@ bool Served::answer_with_derivatives(const std::vector<double>& x, SolverAnswer&
     values.push_back(found->second);
   }
   out.value = values.front();
+  if (!derivatives) return true;
   values.erase(values.begin());
   set_gradients(problem_, options_, x, values, out);
-  return true;
-}
-
-bool Served::answer(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& out) {
-  if (derivatives) return answer_with_derivatives(x, out);
-  const double now = bar.now();
-  const auto* found = known(x, now);
-  if (found == nullptr) {
-    repeats_ = 0;
-    std::vector<SolverPoint> points;
-    if (looks_ahead_) {
-      for (auto& point : ahead_.next(x, known_)) points.push_back({std::move(point), false, now});
-    } else {
-      points.push_back({x, false, now});
-    }
-    if (!fetch(points)) return false;
-    found = known(x, now);
-    if (found == nullptr) return false;
-  } else if (++repeats_ >= kMostRepeats) {
-    return false;
-  }
-  if (looks_ahead_) ahead_.note(*found);
-  out.value = found->second;
   return true;
 }
 
@@ -104,10 +73,10 @@ bool Served::answer(const std::vector<double>& x, bool derivatives, const Bar& b
 
 SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& options) {
   Served served(problem, options);
-  SolverOutcome outcome =
-      run_algorithm(problem, options,
-                    [&served](const std::vector<double>& x, bool derivatives, const Bar& bar,
-                              SolverAnswer& answer) { return served.answer(x, derivatives, bar, answer); });
+  SolverOutcome outcome = run_algorithm(
+      problem, options, [&served](const std::vector<double>& x, bool derivatives, SolverAnswer& answer) {
+        return served.answer(x, derivatives, answer);
+      });
   if (served.circling()) outcome = {false, false, "ended: it asks for nothing new any more"};
   return outcome;
 }

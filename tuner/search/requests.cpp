@@ -1,7 +1,6 @@
 #include "tuner/search/requests.hpp"
 
-#include <algorithm>
-#include <map>
+#include <set>
 #include <utility>
 
 namespace armtune {
@@ -10,18 +9,13 @@ std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const
                                      const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed) {
   std::vector<Candidate> candidates;
-  std::map<std::vector<double>, std::size_t> chosen;
+  std::set<std::vector<double>> chosen;
   for (const Request& request : requests) {
     for (const SolverPoint& point : request.points) {
-      if (known(point)) continue;
-      if (const auto same = chosen.find(point.x); same != chosen.end()) {
-        double& bar = candidates[same->second].bar;
-        bar = std::max(bar, point.bar);
-        continue;
-      }
+      if (known(point) || chosen.contains(point.x)) continue;
       if (!allowed(request.search)) break;
-      chosen.emplace(point.x, candidates.size());
-      candidates.push_back({point.difference ? "gradient" : phase, point.x, point.bar});
+      chosen.insert(point.x);
+      candidates.push_back({point.difference ? "gradient" : phase, point.x});
     }
   }
   return candidates;

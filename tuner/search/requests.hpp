@@ -11,9 +11,8 @@
 namespace armtune {
 
 /// Points asked for that are not known, each once, in the order of the requests; those for differences are of
-/// phase "gradient"; asked for with several bars, the highest. known: whether a point was simulated before,
-/// as far as its bar wants it. allowed: asked before each candidate, whether its search may have one more;
-/// where not, the rest of that request is left out.
+/// phase "gradient". known: whether a point was simulated before. allowed: asked before each candidate,
+/// whether its search may have one more; where not, the rest of that request is left out.
 std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
                                      const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed);

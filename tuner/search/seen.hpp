@@ -1,7 +1,6 @@
 #pragma once
 // What a run has seen in one engine.
 
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -26,13 +25,11 @@ class Seen {
   /// box: see best_inside().
   void take(const Evaluation& e, const WarmPoint& box);
 
-  /// At a point simulated before, as far as the bar wants it; null if it was not.
-  const SolverValue* at(const std::vector<double>& x, double bar = HUGE_VAL) const {
+  /// Returns the value at a point simulated before; null if it was not.
+  const SolverValue* at(const std::vector<double>& x) const {
     const auto found = values_.find(x);
-    return found == values_.end() || !found->second.good_for(bar) ? nullptr : &found->second;
+    return found == values_.end() ? nullptr : &found->second;
   }
-  /// Above this, penalties included, no point can come among those kept; HUGE_VAL while any can.
-  double bar() const;
   /// First the best; a point once.
   const std::vector<Evaluation>& best() const { return best_; }
   /// Of those that the search may reach.

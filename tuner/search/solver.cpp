@@ -71,7 +71,6 @@ struct Search {
   const SolverProblem* problem = nullptr;
   const Oracle* oracle = nullptr;
   double penalty = 0.0;  ///< 0: constraints go to NLopt
-  Bar bar;
   nlopt_opt outer = nullptr;
   std::vector<double> x;
   SolverAnswer answer;
@@ -94,7 +93,7 @@ struct Search {
     if (same && repeats <= kMostRepeats && (derivatives || !with_derivatives)) return answer;
     x.assign(point, point + n);
     try {
-      stopped = !(*oracle)(x, with_derivatives, bar, answer);
+      stopped = !(*oracle)(x, with_derivatives, answer);
       known = !stopped;
       derivatives = known && with_derivatives;
     } catch (...) {  // an exception loses its message on its way through NLopt
@@ -126,8 +125,6 @@ double objective(unsigned n, const double* x, double* gradient, void* data) {
       }
     }
   }
-  // Of every call: the same point asked for twice in a row counts twice.
-  search->bar.told(penalised);
   return penalised;
 }
 
@@ -239,7 +236,6 @@ SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& o
   search.oracle = &oracle;
   search.outer = outer.get();
   if (penalised) search.penalty = options.penalty;
-  if (!constrained || penalised) search.bar = Bar(options.algorithm, n);
   nlopt_set_min_objective(outer.get(), objective, &search);
   if (constrained && !penalised) {
     const std::vector<double> tolerance(problem.constraint_count, 0.0);

@@ -1,13 +1,10 @@
 #pragma once
 // The search algorithms behind a small interface: NLopt's types stay in solver.cpp.
 
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "tuner/search/bar.hpp"
 
 namespace armtune {
 
@@ -15,19 +12,11 @@ namespace armtune {
 struct SolverValue {
   double objective = 0.0;
   std::vector<double> constraints;
-  /// Below HUGE_VAL: the point's true value, penalties included, is above this, as is what stands here in its
-  /// place.
-  double beyond = HUGE_VAL;
-
-  /// Whether a search to which nothing above the bar makes a difference may be told this.
-  bool good_for(double bar) const { return bar <= beyond; }
 };
 
 struct SolverPoint {
   std::vector<double> x;
   bool difference = false;  ///< asked for to form a derivative, not as a candidate
-  /// Any value above it, penalties included, does as well as the point's own.
-  double bar = HUGE_VAL;
 };
 
 struct SolverProblem {
@@ -35,7 +24,7 @@ struct SolverProblem {
   std::vector<double> lower;  ///< of the box; empty: 0
   std::vector<double> upper;  ///< empty: 1
   std::size_t constraint_count = 0;
-  /// Called with the points a search wants next, those that depend on no answer among them at once. `values`
+  /// Called with the points a search wants next: one, or one and all differences around it. `values`
   /// comes empty and takes one per point, in order; fewer end the search as soon as it misses one. Returns
   /// false to end it at once.
   std::function<bool(const std::vector<SolverPoint>& points, std::vector<SolverValue>& values)> evaluate;
@@ -69,9 +58,6 @@ struct SolverOptions {
   /// Of the unit box. A maximum over a simulation has kinks, and noise from the integrator: a step as short
   /// as rounding would allow sees those instead of the slope.
   double difference_step = 0.01;
-  /// Most points evaluated at once because they will be asked for whatever comes; 1: none. Part of what a
-  /// search does, so no function of the machine.
-  std::size_t look_ahead = 64;
 };
 
 struct SolverOutcome {
@@ -111,10 +97,8 @@ struct SolverAnswer {
   std::vector<double> constraint_gradients;
 };
 
-/// Answers one point; returns false to end the search. bar: as it stands when this point is asked for; there
-/// is none unless the search sees objective and constraints as one value (kPenalty).
-using Oracle =
-    std::function<bool(const std::vector<double>& x, bool derivatives, const Bar& bar, SolverAnswer& answer)>;
+/// Answers one point; returns false to end the search.
+using Oracle = std::function<bool(const std::vector<double>& x, bool derivatives, SolverAnswer& answer)>;
 
 /// The bare algorithm: one point after the other, `problem.evaluate` left alone.
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options, const Oracle& oracle);

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "tuner/journal/evaluator.hpp"
-#include "tuner/search/giving_up.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/search/requests.hpp"
 #include "tuner/search/seen.hpp"
@@ -51,9 +50,6 @@ class Run {
  private:
   /// Simulates candidates and takes them in, in order. False if the run was interrupted.
   bool evaluate(const std::vector<Candidate>& candidates);
-  /// The bar of a point that a search asks for, as the run sees it: what could be among its best, and what
-  /// nothing is known of yet, is simulated whole.
-  double bar(const SolverPoint& point);
   void take_in(const char* phase, Evaluation e);
   Seen& seen() { return seen_[engine_]; }
   /// Evaluations that the run may have when the engine is done.
@@ -107,8 +103,7 @@ void Run::take_in(const char* phase, Evaluation e) {
 }
 
 bool Run::evaluate(const std::vector<Candidate>& candidates) {
-  const auto& objective = seen().objective;
-  return evaluator_.next(candidates, {engine_, end_limits(objective), giving_up(study_, objective)},
+  return evaluator_.next(candidates, {engine_, end_limits(seen().objective)},
                          [this](const char* phase, Evaluation e) { take_in(phase, std::move(e)); });
 }
 
@@ -147,21 +142,14 @@ std::string Run::budget_used_up() const {
                      out_.evaluations);
 }
 
-double Run::bar(const SolverPoint& point) {
-  return std::max(point.bar, seen().bar());
-}
-
 void Run::serve(const char* phase, std::vector<Request>& requests, long most) {
-  for (Request& request : requests) {
-    for (SolverPoint& point : request.points) point.bar = bar(point);
-  }
   std::size_t left = evaluations_left(most);
   const auto candidates = candidates_of(
-      requests, phase, [this](const SolverPoint& point) { return seen().at(point.x, point.bar) != nullptr; },
+      requests, phase, [this](const SolverPoint& point) { return seen().at(point.x) != nullptr; },
       [&left](std::size_t) { return left > 0 && left-- > 0; });
   out_.interrupted = evaluator_.stopped() || (!candidates.empty() && !evaluate(candidates));
   answer(requests, !out_.interrupted, [this](std::size_t, const SolverPoint& point) {
-    const SolverValue* known = seen().at(point.x, point.bar);
+    const SolverValue* known = seen().at(point.x);
     return known ? std::optional(*known) : std::nullopt;
   });
 }

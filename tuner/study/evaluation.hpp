@@ -22,10 +22,8 @@ struct Evaluation {
   std::string status;                  ///< "completed", or what went wrong first
   std::vector<RolloutResult> results;  ///< one per scenario
   Engine engine = Engine::kSimbody;    ///< that gave the results
-  /// Below HUGE_VAL: it was not simulated to its end, since objective and penalties are above this.
-  double beyond = HUGE_VAL;
-  double seconds = 0.0;   ///< wall time of the run when it was finished
-  bool recalled = false;  ///< from the journal of a run that goes on
+  double seconds = 0.0;                ///< wall time of the run when it was finished
+  bool recalled = false;               ///< from the journal of a run that goes on
 };
 
 /// As a search with penalties sees it: objective + penalty * sum of its positive relative violations.

@@ -35,14 +35,6 @@ double scale_of(double bound) {
                   larger_is_better(term.metric) ? "; a constraint with 'at_least' needs no reference" : ""));
 }
 
-/// Returns a share of a rollout's cost that is at most what the term will score there with this weight. Where
-/// more of a metric is better, the score lies above its tangent at the reference, 2 - value / reference,
-/// while that tangent is at most 5.
-EndCost::Share least_share(Metric metric, double weight, double reference) {
-  if (!larger_is_better(metric)) return {metric, 0.0, weight / reference, weight * kLargestRatio};
-  return {metric, 2.0 * reference, -weight / reference, weight * kLargestRatio / 2.0};
-}
-
 }  // namespace
 
 Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
@@ -128,42 +120,6 @@ double Objective::incompleteness(const RolloutResult& result, std::size_t s) con
   const double left = 1.0 - std::clamp(result.end_time / durations_[s], 0.0, 1.0);
   const double far = result.status == RolloutStatus::kHopeless ? how_far(result, s) : 1.0;
   return 1.0 + left * (1.0 + far) / 2.0;
-}
-
-EndCost Objective::end_cost(std::size_t s, const std::vector<std::optional<RolloutResult>>& finished,
-                            double penalty, double bar) const {
-  // What rounding can make of a sum formed in another order.
-  constexpr double kAbove = 1.0 + 1e-9;
-  EndCost cost;
-  cost.beyond = kAbove * bar;
-  for (const ObjectiveTerm& term : terms_) {
-    const double weight = term.weight / (weights_ * static_cast<double>(term.scenarios.size()));
-    for (const std::size_t k : term.scenarios) {
-      if (finished[k]) cost.beyond -= weight * score(term, *finished[k], k);
-      if (k != s || finished[k] || !only_worsens(term.metric)) continue;
-      cost.shares.push_back(least_share(term.metric, weight, reference(term, s)));
-    }
-  }
-  for (std::size_t c = 0; c < constraints_.size(); ++c) {
-    double worst = 0.0;  // of those that are done: the others count where they are worse
-    for (const std::size_t k : constraints_[c].scenarios) {
-      if (!finished[k] || !judged_[c][k]) continue;
-      worst = std::max(worst, relative_excess(c, excess(c, *finished[k], k), k));
-    }
-    cost.beyond -= penalty * worst;
-    if (constraints_[c].margin || !judged_[c][s] ||
-        !can_be_hopeless(constraints_[c].metric, constraints_[c].upper)) {
-      continue;
-    }
-    const double bound = limit(c, s);
-    const double one = constraints_[c].upper ? scale_of(bound) : -scale_of(bound);
-    cost.shares.push_back(
-        {constraints_[c].metric, bound + worst * one, penalty / one, penalty * (kLargestRatio - worst)});
-  }
-  for (std::size_t k = 0; k < finished.size(); ++k) {
-    if (finished[k] && !pushed_[k]) cost.beyond -= penalty * incompleteness(*finished[k], k);
-  }
-  return cost;
 }
 
 double Objective::limit(std::size_t c, std::size_t s) const {

@@ -51,13 +51,6 @@ class Objective {
   /// Where rollouts of a candidate end, beyond repair, per scenario of the study. Not for the start's own.
   const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
-  /// Returns where a rollout of scenario s ends because its candidate is certain to cost more than `bar`:
-  /// objective + penalty * sum of its positive relative violations. finished: the candidate's rollouts that
-  /// are done, one place per scenario. No score is below zero, so nothing that is still to come can make good
-  /// what the others cost.
-  EndCost end_cost(std::size_t s, const std::vector<std::optional<RolloutResult>>& finished, double penalty,
-                   double bar) const;
-
   const std::vector<ObjectiveTerm>& terms() const { return terms_; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
   /// Limit of constraint c in scenario s (index into the study's).

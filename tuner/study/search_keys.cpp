@@ -108,7 +108,8 @@ void read_search(const yaml::Node& node, Study& study) {
   if (map.has("global_share") && study.global_algorithm.empty()) {
     map.required("global_share").fail("there is no global search to have a share; name one with 'global'");
   }
-  study.end_outdone = map.boolean("end_outdone", study.end_outdone);
+  // Studies and run folders of earlier versions have it. It changed no result, so it is read and left alone.
+  map.boolean("end_outdone", true);
   map.finish();
 }
 

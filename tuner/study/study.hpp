@@ -42,7 +42,6 @@ struct Study {
   double global_share = 0.5;       ///< its part of the evaluations that start and sweep leave
   long max_evaluations = 300;      ///< start and sweep included
   double max_minutes = 0.0;        ///< of wall time, from the start to the last evaluation; 0: no limit
-  bool end_outdone = true;         ///< rollouts end once their candidate can make no difference to the search
   Stepper stepper = Stepper::kMidpoint;
   Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
   double verify_share = 0.03;        ///< with another engine: part of evaluations and minutes left to Simbody

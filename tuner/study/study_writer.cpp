@@ -106,12 +106,12 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
       "search: {{algorithm: {}, constraints: {}, penalty: {}, max_evaluations: {}, max_minutes: {}, "
       "initial_step: {}, x_tolerance: {}, "
       "objective_tolerance: {}, seed: {}, stepper: {}, differences: {}, difference_step: {}, starts: "
-      "{}, end_outdone: {}{}{}}}\n",
+      "{}{}{}}}\n",
       study.solver.algorithm, constraint_handling_name(study.solver.constraints), study.solver.penalty,
       study.max_evaluations, study.max_minutes, study.solver.initial_step, study.solver.x_tolerance,
       study.solver.objective_tolerance, study.solver.seed, name(study.stepper),
       study.solver.differences == Differences::kForward ? "forward" : "central", study.solver.difference_step,
-      study.starts, study.end_outdone,
+      study.starts,
       study.engine == Engine::kSimbody
           ? ""
           : fmt::format(", engine: {}, verify_share: {}", name(study.engine), study.verify_share),

@@ -23,7 +23,6 @@ class SharedJobs final : public JobSource {
     return GivenJob{number, job_(number)};
   }
   bool stopped() override { return stop_; }
-  EndCost cost_now(std::size_t number) override { return job_(number).cost; }
   void finished(std::size_t number, RolloutResult&& result) override {
     const std::lock_guard lock(mutex_);
     finished_(number, std::move(result));

@@ -23,10 +23,9 @@ class Crew {
   /// Of all of them together [s].
   double simulated() const { return simulated_; }
 
-  /// Runs job(0) .. job(count - 1), started in that order; job is asked again, from any thread, for what a
-  /// rollout under way costs by now. `finished` gets each result that is whole, in any
-  /// order, one call at a time, from any thread. No job is started once `stop` is true, and those under way
-  /// are interrupted. The first exception ends the rest and is thrown again here.
+  /// Runs job(0) .. job(count - 1), started in that order. `finished` gets each result that is whole,
+  /// in any order, one call at a time, from any thread. No job is started once `stop` is true, and those
+  /// under way are interrupted. The first exception ends the rest and is thrown again here.
   void run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
            const std::atomic<bool>& stop, const std::function<void(std::size_t, RolloutResult&&)>& finished);
 

@@ -1,7 +1,6 @@
 #include "tuner/workers/lane_worker.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -31,7 +30,7 @@ class Block {
   void start(std::shared_ptr<const PreparedScenario> scenario, GivenJob&& one) {
     const int lane = lanes_.free_lane();
     const RolloutJob& job = one.job;
-    lanes_.start(lane, {std::move(scenario), job.gains, job.limits, job.cost});
+    lanes_.start(lane, {std::move(scenario), job.gains, job.limits});
     under_way_[static_cast<std::size_t>(lane)].emplace(InLane{std::move(one), {}});
   }
 
@@ -46,16 +45,6 @@ class Block {
         one.reset();
         jobs.finished(number, std::move(result));
       });
-    }
-  }
-
-  /// What has ended elsewhere may show that some here are of no use.
-  void end_outdone(JobSource& jobs) {
-    for (std::size_t lane = 0; lane < under_way_.size(); ++lane) {
-      const std::optional<InLane>& one = under_way_[lane];
-      if (one && one->job.job.cost.beyond < HUGE_VAL) {
-        lanes_.end_by(static_cast<int>(lane), jobs.cost_now(one->job.number));
-      }
     }
   }
 
@@ -105,9 +94,7 @@ class SideBySide {
   void work() {
     for (fill(); busy() > 0; fill()) {
       if (jobs_.stopped()) return each([this](Block& block) { block.interrupt(jobs_); });
-      const std::size_t before = busy();
       each([this](Block& block) { block.step(jobs_); });
-      if (busy() < before) each([this](Block& block) { block.end_outdone(jobs_); });
       each([this](Block& block) { block.check_deadlines(plan_, alone_); });
     }
   }

@@ -23,7 +23,6 @@ class LeaderJobs final : public JobSource {
 
   std::size_t share() const override { return share_; }
   std::optional<GivenJob> next() override;
-  EndCost cost_now(std::size_t number) override { return open_.at(number).cost; }
   bool stopped() override;
   void finished(std::size_t number, RolloutResult&& result) override;
   /// What has come and is not finished is answered as interrupted.

@@ -133,7 +133,7 @@ std::string job_message(const NumberedJob& job) {
   writer.add(job.crew);
   writer.add(job.share);
   // A member that is added has to be sent too: then these do not compile.
-  const auto& [scenario, sample, gains, limits, engine, cost] = job.job;
+  const auto& [scenario, sample, gains, limits, engine] = job.job;
   writer.add(std::uint64_t{scenario});
   writer.add(sample);
   add_gains(writer, gains);
@@ -143,12 +143,6 @@ std::string job_message(const NumberedJob& job) {
     writer.add(value);
   }
   writer.add(static_cast<std::uint64_t>(engine));
-  writer.add(std::uint64_t{cost.shares.size()});
-  for (const auto& [metric, from, factor, most] : cost.shares) {
-    writer.add(static_cast<std::uint64_t>(metric));
-    for (const double number : {from, factor, most}) writer.add(number);
-  }
-  writer.add(cost.beyond);
   return writer.bytes();
 }
 
@@ -170,13 +164,6 @@ NumberedJob read_job(const std::string& message) {
     throw std::runtime_error(fmt::format("a message's engine is {}", engine));
   }
   job.job.engine = static_cast<Engine>(engine);
-  for (std::uint64_t left = reader.integer(); left > 0; --left) {
-    EndCost::Share share;
-    share.metric = read_metric(reader);
-    for (double* number : {&share.from, &share.factor, &share.most}) *number = reader.number();
-    job.job.cost.shares.push_back(share);
-  }
-  job.job.cost.beyond = reader.number();
   reader.end();
   return job;
 }

@@ -11,7 +11,6 @@
 #include "core/control/gains.hpp"
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
-#include "sim/rollout/end_cost.hpp"
 #include "sim/rollout/end_limit.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -42,7 +41,6 @@ struct RolloutJob {
   Gains gains;
   EndLimits limits = {};  ///< where the rollout ends before its time
   Engine engine = Engine::kSimbody;
-  EndCost cost = {};  ///< the same, by what it costs
 };
 
 /// How long a rollout of the scenario may take [s of wall clock]: what is asked for, or, where that is 0, 20

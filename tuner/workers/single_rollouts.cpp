@@ -43,7 +43,7 @@ RolloutResult SingleRollouts::run(const RolloutJob& job, const std::function<boo
     if (time.look() > deadline) throw late(job, 1, o.time);
     return !stop();
   };
-  return rollout(job).run(job.gains, observer, job.limits, job.cost);
+  return rollout(job).run(job.gains, observer, job.limits);
 }
 
 }  // namespace armtune

@@ -22,8 +22,6 @@ class JobSource {
   virtual std::size_t share() const = 0;
   /// The next one to be started; none: there are no more, or no more are wanted.
   virtual std::optional<GivenJob> next() = 0;
-  /// Where one that was given out ends by its cost, by all that is finished now.
-  virtual EndCost cost_now(std::size_t number) = 0;
   /// Whether what is under way is to be given up. Asked often: once per control period, say.
   virtual bool stopped() = 0;
   /// One that was given out is done, or was interrupted because of stopped().

@@ -59,7 +59,6 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   const std::size_t each = units_.size();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
   std::vector<std::size_t> left(candidates.size(), each);
-  UnderBars under_bars(conditions.outdone, conditions.bars, scenarios());
   // Candidate by candidate, so that each is finished, and on disk, as early as can be; the longest scenario
   // first: short rollouts fill the gaps at the end.
   const auto candidate_of = [&](std::size_t i) { return i / each; };
@@ -68,21 +67,15 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   crew_->run(
       candidates.size() * each,
       [&](std::size_t i) {
-        return RolloutJob{scenario_of(i),
-                          sample_of(i),
-                          candidates[candidate_of(i)],
-                          limits.empty() ? EndLimits() : limits[scenario_of(i)],
-                          conditions.engine,
-                          under_bars.cost(candidate_of(i), scenario_of(i))};
+        return RolloutJob{scenario_of(i), sample_of(i), candidates[candidate_of(i)],
+                          limits.empty() ? EndLimits() : limits[scenario_of(i)], conditions.engine};
       },
       stop,
       [&](std::size_t i, RolloutResult&& result) {
         const std::size_t candidate = candidate_of(i);
-        under_bars.note(candidate, scenario_of(i), result);
         results[candidate][place_[scenario_of(i)] + sample_of(i)] = std::move(result);
         if (--left[candidate] > 0) return;
         results[candidate] = fold(std::move(results[candidate]));
-        under_bars.settle(candidate, results[candidate]);
         if (finished) finished(candidate, results[candidate]);
       });
   if (stop) return std::nullopt;

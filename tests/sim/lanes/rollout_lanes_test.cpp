@@ -30,7 +30,7 @@ LaneJob job_of(const Scenario& scenario, const Gains& gains) {
 }
 
 RolloutResult alone(const LaneJob& job, Stepper stepper = Stepper::kMidpoint) {
-  return Rollout(job.scenario, stepper, Engine::kNative).run(job.gains, {}, job.limits, job.cost);
+  return Rollout(job.scenario, stepper, Engine::kNative).run(job.gains, {}, job.limits);
 }
 
 /// All jobs through `lanes` lanes, refilled as they become free.
@@ -103,28 +103,6 @@ TEST(RolloutLanes, StepAsTheStepperDoesAlone) {
     expect_the_same(candidates(scenario_of("moving_target", 3.0), 3), stepper);
   }
   EXPECT_THROW(lane_kind(scenario_of("moving_target", 3.0), Stepper::kReference, 0), std::invalid_argument);
-}
-
-TEST(RolloutLanes, WhatIsOutdoneMeanwhileEndsAtOnceAndLeavesItsNeighboursAlone) {
-  const std::vector<LaneJob> jobs = candidates(scenario_of("moving_target", 3.0), 2);
-  RolloutLanes lanes(lane_kind(jobs[0].scenario->scenario, Stepper::kMidpoint, 0), 2);
-  for (int lane = 0; lane < 2; ++lane) lanes.start(lane, jobs[static_cast<std::size_t>(lane)]);
-  std::vector<RolloutResult> results(2);
-  const auto finished = [&results](int lane, RolloutResult&& result) {
-    results[static_cast<std::size_t>(lane)] = std::move(result);
-  };
-  constexpr int kPeriods = 700;
-  for (int k = 0; k < kPeriods; ++k) lanes.step(finished);
-  ASSERT_EQ(lanes.busy(), 2);
-  // Whatever its velocities were, they cost more than this.
-  EndCost cost;
-  cost.shares = {{Metric::kJointVelocityMaxRatio}};
-  cost.beyond = 1e-9;
-  lanes.end_by(0, cost);
-  while (lanes.busy() > 0) lanes.step(finished);
-  EXPECT_EQ(results[0].status, RolloutStatus::kOutdone);
-  EXPECT_EQ(results[0].end_time, kPeriods * jobs[0].scenario->scenario.control_period);
-  EXPECT_EQ(bits(results[1].metrics), bits(alone(jobs[1]).metrics));
 }
 
 TEST(RolloutLanes, NoiseCameraDelayFrictionAndObstaclesAreEachArmsOwn) {
@@ -213,11 +191,8 @@ TEST(RolloutLanes, OneThatDivergesOrEndsEarlyLeavesItsNeighboursAlone) {
   std::vector<LaneJob> jobs = candidates(scenario, 4);
   jobs[1].gains.task_space_gains_d *= -3.0;
   jobs[2].limits = {{Metric::kJointVelocityMaxRatio, 0.2}};
-  jobs[3].cost.shares = {{Metric::kJointVelocityMaxRatio}};
-  jobs[3].cost.beyond = 0.25;
   ASSERT_EQ(alone(jobs[1]).status, RolloutStatus::kDiverged);
   ASSERT_EQ(alone(jobs[2]).status, RolloutStatus::kHopeless);
-  ASSERT_EQ(alone(jobs[3]).status, RolloutStatus::kOutdone);
   expect_the_same(jobs);
 }
 

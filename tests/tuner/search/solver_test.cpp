@@ -65,7 +65,6 @@ class EverySolver : public testing::TestWithParam<std::string> {
   SolverOptions options() const {
     SolverOptions options;
     options.algorithm = GetParam();
-    options.look_ahead = 1;  // its own tests are in look_ahead_test.cpp
     return options;
   }
 };
@@ -148,7 +147,6 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, EverySolver, testing::ValuesIn(algorithm_na
 TEST_P(EverySolver, SearchesManyParametersOrSaysThatItDoesNot) {
   SolverOptions options;
   options.algorithm = GetParam();
-  options.look_ahead = 1;
   SolverProblem problem;
   problem.start.assign(60, 0.5);
   std::size_t left = 400;
@@ -176,9 +174,8 @@ TEST_P(EverySolver, SearchesManyParametersOrSaysThatItDoesNot) {
 }
 
 TEST(Solver, OffersTheAlgorithmsOfTheDocumentation) {
-  EXPECT_THAT(algorithm_names(),
-              testing::IsSupersetOf({"BOBYQA", "COBYLA", "SBPLX", "NELDERMEAD", "CRS2", "ESCH", "ISRES",
-                                     "DIRECT_L", "MLSL", "SLSQP", "MMA", "CCSAQ"}));
+  EXPECT_THAT(algorithm_names(), testing::IsSupersetOf({"BOBYQA", "COBYLA", "SBPLX", "NELDERMEAD", "CRS2",
+                                                        "ESCH", "ISRES", "DIRECT_L", "MLSL", "SLSQP", "MMA", "CCSAQ"}));
 }
 
 TEST(Solver, AnExactPenaltyFindsTheConstrainedOptimumToo) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ namespace {
 using test::ShortStudy;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// Message with which a study of these parts is refused.
 std::string refusal(const std::string& parameters, const std::string& objective = test::kShortObjective,
@@ -118,8 +120,7 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
       "sweep:\n  - {parameters: [task_space_gains_p/rx], factors: [0.5, 2]}\n",
       "search: {algorithm: ISRES, max_evaluations: 77, max_minutes: 3, initial_step: 0.2, x_tolerance: "
       "0.002,\n"
-      "         objective_tolerance: 0.003, seed: 9, stepper: rk4, engine: native, verify_share: 0.25,\n"
-      "         end_outdone: false}\n");
+      "         objective_tolerance: 0.003, seed: 9, stepper: rk4, engine: native, verify_share: 0.25}\n");
   const Study study = load_study(files.path());
   EXPECT_EQ(study.space.start.adaptation_gain, 0.125);
   EXPECT_EQ(study.space.start.slerpDurationErrorGain, 2.2);
@@ -149,7 +150,19 @@ TEST(StudyFile, ReadsBackFromItsResolvedForm) {
   EXPECT_EQ(again.stepper, Stepper::kRungeKutta4);
   EXPECT_EQ(again.engine, Engine::kNative);
   EXPECT_EQ(again.verify_share, 0.25);
-  EXPECT_FALSE(again.end_outdone);
+}
+
+// Run folders of earlier versions have the key, and it changed no result.
+TEST(StudyFile, AStudyThatNamesTheEarlyEndThatWasCutIsTheSameStudy) {
+  const auto resolved = [](const std::string& search) {
+    const ShortStudy files(test::kShortParameters, test::kShortObjective, test::kShortConstraints, search);
+    return study_yaml(load_study(files.path()), "gains.yaml");
+  };
+  const std::string without = resolved("search: {max_evaluations: 12}\n");
+  EXPECT_THAT(without, Not(HasSubstr("end_outdone")));
+  for (const char* value : {"true", "false"}) {
+    EXPECT_EQ(resolved(fmt::format("search: {{max_evaluations: 12, end_outdone: {}}}\n", value)), without);
+  }
 }
 
 TEST(StudyFile, TheBundledStudyReadsBackFromItsResolvedForm) {

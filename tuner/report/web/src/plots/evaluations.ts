@@ -44,9 +44,9 @@ export function countsOf(evaluations: Evaluations): Counts {
   };
 }
 
-/** What is said of evaluations that have no objective to draw: given up by the search, or never finished. */
+/** What is said of evaluations that have no objective to draw: an earlier version of armtune gave some up. */
 export function undrawnText(count: number): string {
-  return count > 0 ? `${count} of them given up without an objective, not drawn` : "";
+  return count > 0 ? `${count} of them without an objective, not drawn` : "";
 }
 
 export interface PhaseRun {
