@@ -28,8 +28,6 @@ const std::vector<Offered>& offered() {
       {{"SBPLX", true, false, false, false, "Nelder-Mead on subspaces"}, NLOPT_LN_SBPLX},
       {{"NELDERMEAD", true, false, false, false, "simplex"}, NLOPT_LN_NELDERMEAD},
       {{"SLSQP", true, true, true, false, "sequential quadratic programming"}, NLOPT_LD_SLSQP},
-      {{"MMA", true, true, true, false, "moving asymptotes"}, NLOPT_LD_MMA},
-      {{"CCSAQ", true, true, true, false, "separable quadratic models"}, NLOPT_LD_CCSAQ},
       {{"CRS2", false, false, false, true, "controlled random search"}, NLOPT_GN_CRS2_LM},
       {{"ESCH", false, false, false, true, "evolutionary"}, NLOPT_GN_ESCH},
       {{"ISRES", false, true, false, true, "evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
@@ -42,7 +40,20 @@ const std::vector<Offered>& offered() {
   return list;
 }
 
+/// Algorithms that were cut (docs/decisions.md), and what to use instead.
+struct Cut {
+  const char* name;
+  const char* instead;
+};
+constexpr Cut kCut[] = {{"MMA", "SLSQP"}, {"CCSAQ", "SLSQP"}};
+
 const Offered& find(const std::string& name) {
+  for (const Cut& cut : kCut) {
+    if (name != cut.name) continue;
+    throw InputError(
+        fmt::format("algorithm '{}' was cut, as it solved no study within 3,000 evaluations; use {} instead",
+                    name, cut.instead));
+  }
   std::vector<std::string> names;
   std::string all;
   for (const Offered& candidate : offered()) {

@@ -78,7 +78,8 @@ struct AlgorithmInfo {
 };
 const std::vector<AlgorithmInfo>& algorithms();
 
-/// Throws InputError that lists the names if the algorithm is not offered.
+/// Throws InputError if the algorithm is not offered: it lists the names, or says what has taken the place of
+/// one that was cut.
 const AlgorithmInfo& algorithm_from_name(const std::string& name);
 
 /// The same, and InputError if it does not take so many parameters.

@@ -84,7 +84,7 @@ TEST_F(Difference, InABoxNarrowerThanTheStepItGoesToTheFartherSide) {
 }
 
 TEST(Gradients, AreFormedFromOneBatchOfMarkedPoints) {
-  for (const char* algorithm : {"SLSQP", "MMA", "CCSAQ"}) {
+  for (const char* algorithm : {"SLSQP"}) {
     SolverProblem problem;
     problem.start = {0.9, 0.8, 0.7};
     SolverOptions options;

@@ -175,7 +175,7 @@ TEST_P(EverySolver, SearchesManyParametersOrSaysThatItDoesNot) {
 
 TEST(Solver, OffersTheAlgorithmsOfTheDocumentation) {
   EXPECT_THAT(algorithm_names(), testing::IsSupersetOf({"BOBYQA", "COBYLA", "SBPLX", "NELDERMEAD", "CRS2",
-                                                        "ESCH", "ISRES", "DIRECT_L", "MLSL", "SLSQP", "MMA", "CCSAQ"}));
+                                                        "ESCH", "ISRES", "DIRECT_L", "MLSL", "SLSQP"}));
 }
 
 TEST(Solver, AnExactPenaltyFindsTheConstrainedOptimumToo) {
@@ -191,6 +191,14 @@ TEST(Solver, AnUnknownAlgorithmIsRefusedWithTheNearest) {
   const std::string message = test::refusal([] { algorithm_from_name("BOBYQUA"); });
   EXPECT_THAT(message, testing::HasSubstr("did you mean 'BOBYQA'"));
   for (const std::string& name : algorithm_names()) EXPECT_THAT(message, testing::HasSubstr(name));
+}
+
+TEST(Solver, AnAlgorithmThatWasCutIsRefusedWithWhatToUseInstead) {
+  for (const char* name : {"MMA", "CCSAQ"}) {
+    const std::string message = test::refusal([name] { algorithm_from_name(name); });
+    EXPECT_THAT(message, testing::AllOf(testing::HasSubstr(name), testing::HasSubstr("SLSQP")));
+    EXPECT_THAT(message, testing::Not(testing::HasSubstr("ORIG_DIRECT"))) << "one name to take, not all";
+  }
 }
 
 TEST(Solver, AStartThatIsNoNumberOrOutsideItsBoundsIsRefusedByItsPlace) {
