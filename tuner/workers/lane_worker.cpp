@@ -13,11 +13,13 @@ namespace {
 /// Between two looks at clock and stop: as long as a few periods of one arm in Simbody.
 constexpr int kPeriodsAtOnce = 16;
 
-/// Lanes for jobs of one kind.
-class Block {
+}  // namespace
+
+/// Lanes for jobs of one kind, and the jobs that are under way in them.
+class LaneWorker::LaneGroup {
  public:
   /// share: how many there will be at once; wider lanes than that only cost time.
-  Block(const LaneKind& kind, std::size_t share)
+  LaneGroup(const LaneKind& kind, std::size_t share)
       : kind_(kind),
         lanes_(kind, static_cast<int>(std::min(share, most()))),
         arms_(static_cast<int>(std::min(share, lane_count()))),
@@ -81,72 +83,58 @@ class Block {
   std::vector<std::optional<InLane>> under_way_;  ///< per lane
 };
 
-/// The jobs of one call to work().
-class SideBySide {
- public:
-  SideBySide(const RolloutPlan& plan, SingleRollouts& alone, JobSource& jobs)
-      : plan_(plan), alone_(alone), jobs_(jobs) {
-    for (const Scenario& scenario : plan.scenarios) {
-      most_obstacles_ = std::max(most_obstacles_, scenario.obstacles.size());
-    }
+LaneWorker::LaneWorker(const RolloutPlan& plan) : plan_(plan), alone_(plan) {
+  for (const Scenario& scenario : plan.scenarios) {
+    most_obstacles_ = std::max(most_obstacles_, scenario.obstacles.size());
   }
+}
 
-  void work() {
-    for (fill(); busy() > 0; fill()) {
-      if (jobs_.stopped()) return each([this](Block& block) { block.interrupt(jobs_); });
-      each([this](Block& block) { block.step(jobs_); });
-      each([this](Block& block) { block.check_deadlines(plan_, alone_); });
-    }
-  }
-
- private:
-  template <typename F>
-  void each(F f) {
-    for (const auto& block : blocks_) f(*block);
-  }
-  std::size_t busy() const {
-    std::size_t sum = 0;
-    for (const auto& block : blocks_) sum += block->busy();
-    return sum;
-  }
-  /// Whether the next job can begin at once, whatever its kind: none is taken from others that could not.
-  bool has_room() const {
-    const bool some_full =
-        std::any_of(blocks_.begin(), blocks_.end(), [](const auto& block) { return block->is_full(); });
-    return !some_full && busy() < jobs_.share();
-  }
-  Block& block_of(const RolloutJob& job) {
-    const LaneKind kind = lane_kind(plan_.scenarios[job.scenario], plan_.stepper, most_obstacles_);
-    for (const auto& block : blocks_) {
-      if (block->kind() == kind) return *block;
-    }
-    return *blocks_.emplace_back(std::make_unique<Block>(kind, jobs_.share()));
-  }
-  void fill() {
-    while (has_room()) {
-      std::optional<GivenJob> one = jobs_.next();
-      if (!one) return;
-      const bool in_lanes = one->job.engine == Engine::kNative && has_lanes(one->job.gains);
-      if (!in_lanes || jobs_.share() == 1) {
-        jobs_.finished(one->number, alone_.run(one->job, [this] { return jobs_.stopped(); }));
-        continue;
-      }
-      auto scenario = alone_.arms().at(one->job.scenario, one->job.sample);
-      block_of(one->job).start(std::move(scenario), std::move(*one));
-    }
-  }
-
-  const RolloutPlan& plan_;
-  SingleRollouts& alone_;
-  JobSource& jobs_;
-  std::size_t most_obstacles_ = 0;
-  std::vector<std::unique_ptr<Block>> blocks_;
-};
-
-}  // namespace
+LaneWorker::~LaneWorker() = default;
 
 void LaneWorker::work(JobSource& jobs) {
-  SideBySide(plan_, alone_, jobs).work();
+  groups_.clear();
+  for (start_jobs(jobs); busy() > 0; start_jobs(jobs)) {
+    if (jobs.stopped()) {
+      for (const auto& group : groups_) group->interrupt(jobs);
+      return;
+    }
+    for (const auto& group : groups_) group->step(jobs);
+    for (const auto& group : groups_) group->check_deadlines(plan_, alone_);
+  }
+}
+
+void LaneWorker::start_jobs(JobSource& jobs) {
+  while (has_room(jobs.share())) {
+    std::optional<GivenJob> one = jobs.next();
+    if (!one) return;
+    const bool in_lanes = one->job.engine == Engine::kNative && has_lanes(one->job.gains);
+    if (!in_lanes || jobs.share() == 1) {
+      jobs.finished(one->number, alone_.run(one->job, [&jobs] { return jobs.stopped(); }));
+      continue;
+    }
+    auto scenario = alone_.arms().at(one->job.scenario, one->job.sample);
+    group_of(one->job, jobs.share()).start(std::move(scenario), std::move(*one));
+  }
+}
+
+bool LaneWorker::has_room(std::size_t share) const {
+  const bool some_full =
+      std::any_of(groups_.begin(), groups_.end(), [](const auto& group) { return group->is_full(); });
+  return !some_full && busy() < share;
+}
+
+std::size_t LaneWorker::busy() const {
+  std::size_t sum = 0;
+  for (const auto& group : groups_) sum += group->busy();
+  return sum;
+}
+
+LaneWorker::LaneGroup& LaneWorker::group_of(const RolloutJob& job, std::size_t share) {
+  const LaneKind kind = lane_kind(plan_.scenarios[job.scenario], plan_.stepper, most_obstacles_);
+  for (const auto& group : groups_) {
+    if (group->kind() == kind) return *group;
+  }
+  return *groups_.emplace_back(std::make_unique<LaneGroup>(kind, share));
 }
 
 }  // namespace armtune
