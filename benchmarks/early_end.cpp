@@ -34,7 +34,7 @@ bool any(const Evaluation& e, RolloutStatus status) {
 
 Outcome run(const Study& study) {
   constexpr int kWorkers = 1;  // times are compared
-  Workers workers(study.scenarios, study.stepper, kWorkers, study.robust);
+  CandidateRunner workers(study.scenarios, study.stepper, kWorkers, study.robust);
   const std::atomic<bool> never{false};
   Outcome outcome;
   TuneCallbacks callbacks;

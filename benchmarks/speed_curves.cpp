@@ -19,7 +19,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace {
 
@@ -144,7 +144,7 @@ void measure_threads(const Scenario& scenario, const Gains& gains) {
   const std::vector<Gains> candidates(64, gains);
   const std::atomic<bool> never{false};
   for (const int threads : {1, 2}) {
-    Workers workers({scenario}, Stepper::kMidpoint, threads);
+    CandidateRunner workers({scenario}, Stepper::kMidpoint, threads);
     const Conditions native{.engine = Engine::kNative};
     const double seconds = least_seconds(5, [&] { workers.run(candidates, never, {}, native); });
     fmt::print("times real time by threads,{},{:.1f}\n", threads,

@@ -72,8 +72,8 @@ Tuned tune_study(const Study& given, int workers, py::object progress) {
     callback(p.evaluations, p.max_evaluations, p.best->objective, p.best->feasible);
   };
   const auto task = [&](const std::atomic<bool>& stop) {
-    Workers crew(study.scenarios, study.stepper, workers, study.robust);
-    return tune(study, crew, stop, callbacks);
+    CandidateRunner runner(study.scenarios, study.stepper, workers, study.robust);
+    return tune(study, runner, stop, callbacks);
   };
   const TuneResult found = interruptible(under_way, callback, task, [&](const TuneResult& so_far) {
     raise_interrupted(tuned_of(study, so_far, std::move(seen)));

@@ -44,7 +44,7 @@ class Judge {
 
  private:
   Evaluation simulated(const Gains& gains) const {
-    Workers workers(simulated_scenarios(study_), study_.stepper, 2, study_.robust);
+    CandidateRunner workers(simulated_scenarios(study_), study_.stepper, 2, study_.robust);
     const std::atomic<bool> never{false};
     const std::vector<Gains> candidates = {gains};
     Conditions conditions;

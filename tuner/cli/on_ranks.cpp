@@ -27,8 +27,8 @@ std::string what_of(const std::exception_ptr& failure) {
 }
 
 /// A command gets nothing but its own options from the command line's parser.
-Team*& current_team() {
-  static Team* team = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+RankGroup*& current_team() {
+  static RankGroup* team = nullptr;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
   return team;
 }
 
@@ -38,7 +38,7 @@ void say_while_running(const std::string& what) {
   std::fputs(line.c_str(), stderr);
 }
 
-int lead(Team& team, const std::string& command_line, const std::function<int()>& program) {
+int lead(RankGroup& team, const std::string& command_line, const std::function<int()>& program) {
   int exit_code = kDone;
   try {
     team.call_roll(command_line);
@@ -59,7 +59,7 @@ int lead(Team& team, const std::string& command_line, const std::function<int()>
   return exit_code;
 }
 
-int follow(Team& team, const std::string& command_line, const std::function<int()>& program) {
+int follow(RankGroup& team, const std::string& command_line, const std::function<int()>& program) {
   std::string failure = "it ended before the work began";
   try {
     if (team.call_roll(command_line)) program();
@@ -90,13 +90,13 @@ int report(const std::exception_ptr& failure) {
 
 int on_ranks(const std::string& command_line, const std::function<int()>& program) {
   const bool alone = rank_place().size == 1;
-  Team team(alone ? nullptr : begin_mpi(say_while_running), say_while_running);
+  RankGroup team(alone ? nullptr : begin_mpi(say_while_running), say_while_running);
   current_team() = &team;
   if (alone) return program();
   return team.leads() ? lead(team, command_line, program) : follow(team, command_line, program);
 }
 
-Team& team() {
+RankGroup& team() {
   return *current_team();
 }
 

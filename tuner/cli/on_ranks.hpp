@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "tuner/workers/team.hpp"
+#include "tuner/workers/rank_group.hpp"
 
 namespace armtune::cli {
 
@@ -16,7 +16,7 @@ namespace armtune::cli {
 int on_ranks(const std::string& command_line, const std::function<int()>& program);
 
 /// The processes of this run, for the command that on_ranks has called.
-Team& team();
+RankGroup& team();
 
 /// Throws InputError if several ranks were started for a command that does not use them, or several tasks
 /// that are no ranks.

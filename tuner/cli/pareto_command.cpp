@@ -123,7 +123,7 @@ report::Scene scene_of(const Study& study, const ParetoResult& result, const Arg
   return report::scene_of(study.scenarios, std::move(sets), study.space.start.obstacleInfluenceRadius);
 }
 
-int run(Arguments args, Team& team) {
+int run(Arguments args, RankGroup& team) {
   const auto began = std::chrono::steady_clock::now();
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -146,7 +146,7 @@ int run(Arguments args, Team& team) {
   }
   const double before = journal->seconds();  // of the sessions of a run that goes on
   warn_of_clamped(study);
-  Workers workers(team.crew(), study.robust);
+  CandidateRunner workers(team.pool(), study.robust);
   std::optional<EvaluationsFile> evaluations;
   std::optional<Objective> objective;
   ProgressLine line;
@@ -188,7 +188,7 @@ int run(Arguments args, Team& team) {
     if (result.failure) std::rethrow_exception(result.failure);
     if (result.evaluations > 0 && !result.interrupted) {
       line.show(fmt::format("fresh rollouts of {} points", result.front.size()));
-      Workers fresh(team.crew(), study.robust);
+      CandidateRunner fresh(team.pool(), study.robust);
       verified = verify(study, *objective, options, result, fresh, stop_requested());
       line.clear();
     }

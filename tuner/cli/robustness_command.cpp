@@ -113,7 +113,7 @@ RunHeader header_of(const std::vector<Scenario>& scenarios, const Gains& gains,
                     inputs);
 }
 
-int run(Arguments args, Team& team) {
+int run(Arguments args, RankGroup& team) {
   MonteCarloOptions& options = args.options;
   options.stepper = stepper_from_name(args.stepper);
   options.seed = static_cast<std::uint64_t>(args.seed);
@@ -133,7 +133,7 @@ int run(Arguments args, Team& team) {
   plan.deadline = args.deadline;
   plan.facts = {{"gains", hash_of_input(set.path)}};
   if (!team.begin(std::move(plan), options.workers)) return kDone;
-  const auto crew = team.crew();
+  const auto pool = team.pool();
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
   if (args.folder.empty() && args.only < 0) args.folder = default_run_folder("robustness");
@@ -179,7 +179,7 @@ int run(Arguments args, Team& team) {
   }
   std::vector<MonteCarloSample> samples;
   try {
-    samples = monte_carlo(*crew, set.gains, options, stop_requested());
+    samples = monte_carlo(*pool, set.gains, options, stop_requested());
   } catch (...) {
     if (journal) tell_how_to_go_on("robustness", args.folder);
     throw;
@@ -206,7 +206,7 @@ int run(Arguments args, Team& team) {
     p.inputs = {set.path};
     add_inputs(scenarios, p.inputs);
     p.seed = options.seed;
-    p.workers = crew->count();
+    p.workers = pool->count();
     p.wall_seconds = before + seconds();
     std::vector<std::string> limits;
     for (const MetricLimit& limit : options.limits) limits.push_back(to_string(limit));

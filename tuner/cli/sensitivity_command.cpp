@@ -53,7 +53,7 @@ void write_files(const Study& study, const Sensitivity& result, const Arguments&
   write_provenance(args.folder, p);
 }
 
-int run(const Arguments& args, Team& team) {
+int run(const Arguments& args, RankGroup& team) {
   const auto seconds = [began = std::chrono::steady_clock::now()] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
@@ -63,7 +63,7 @@ int run(const Arguments& args, Team& team) {
   const auto journal = read_evaluations(journal_of(args), study);
   const FolderLock lock = make_run_folder(args.folder);
 
-  Workers workers(team.crew(), study.robust);
+  CandidateRunner workers(team.pool(), study.robust);
   ProgressLine line;
   std::optional<Sensitivity> result;
   if (const auto start = simulate_points(study, {study.space.start_point()}, workers, stop_requested(), {})) {

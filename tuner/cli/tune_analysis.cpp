@@ -14,8 +14,8 @@
 
 namespace armtune::cli {
 
-bool analyse(const Study& study, const TuneResult& result, const Objective& objective, Workers& workers,
-             const AnalysisOptions& how) {
+bool analyse(const Study& study, const TuneResult& result, const Objective& objective,
+             CandidateRunner& workers, const AnalysisOptions& how) {
   ProgressLine line;
   std::vector<ComparedMargins> sets(2);
   MarginOptions options;

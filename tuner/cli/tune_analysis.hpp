@@ -14,7 +14,7 @@ struct AnalysisOptions {
 
 /// What the figures alone do not say: prints it, and writes margins.csv and sensitivity.csv. Returns false if
 /// interrupted: the run's own files are all there by then.
-bool analyse(const Study& study, const TuneResult& result, const Objective& objective, Workers& workers,
-             const AnalysisOptions& how);
+bool analyse(const Study& study, const TuneResult& result, const Objective& objective,
+             CandidateRunner& workers, const AnalysisOptions& how);
 
 }  // namespace armtune::cli

@@ -69,7 +69,8 @@ Study load(const Arguments& args) {
   return study;
 }
 
-std::string progress_text(const Study& study, const TuneProgress& p, const Workers& workers, double seconds) {
+std::string progress_text(const Study& study, const TuneProgress& p, const CandidateRunner& workers,
+                          double seconds) {
   const double left = seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, study.max_minutes);
   return fmt::format("{:<6} {}/{}  best {:.4f}{}  velocity ratio {:.3f}  {:.2f} rollouts/s  {:.0f} s left",
                      p.phase, p.evaluations, p.max_evaluations, p.best->objective,
@@ -98,7 +99,7 @@ void announce(const Study& study, const Arguments& args, const Journal& journal)
 }
 
 /// The search with its files: what it finds is on disk before it goes on.
-TuneResult search(const Study& study, const Arguments& args, Workers& workers, Journal& journal,
+TuneResult search(const Study& study, const Arguments& args, CandidateRunner& workers, Journal& journal,
                   std::optional<Objective>& objective) {
   const auto began = Clock::now();
   std::optional<EvaluationsFile> evaluations;
@@ -143,7 +144,7 @@ TuneResult search(const Study& study, const Arguments& args, Workers& workers, J
   return result;
 }
 
-int run(Arguments args, Team& team) {
+int run(Arguments args, RankGroup& team) {
   const auto began = Clock::now();
   const Study study = load(args);
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
@@ -174,7 +175,7 @@ int run(Arguments args, Team& team) {
   warn_of_clamped(study);
   // Before the start gains are simulated: a task that none can do may be why they do not complete it.
   for (const Scenario& scenario : study.scenarios) warn_of_task(scenario, study.space.start);
-  Workers workers(team.crew(), study.robust);
+  CandidateRunner workers(team.pool(), study.robust);
   std::optional<Objective> objective;
   TuneResult result;
   try {

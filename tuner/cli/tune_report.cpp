@@ -103,9 +103,9 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
 }
 
 std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result,
-                                       const ReportOptions& options, Team& team) {
+                                       const ReportOptions& options, RankGroup& team) {
   const std::atomic<bool> never{false};
-  Workers fresh(team.crew(), study.robust);
+  CandidateRunner fresh(team.pool(), study.robust);
   const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never, {});
   std::vector<ComparedSet> sets = {{"start", {}}, {name(outcome_of(result)), {}}};
   for (std::size_t i = 0; i < sets.size(); ++i) {

@@ -9,7 +9,7 @@
 #include "tuner/run/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/search/tune.hpp"
-#include "tuner/workers/team.hpp"
+#include "tuner/workers/rank_group.hpp"
 
 namespace armtune::cli {
 
@@ -42,7 +42,7 @@ std::vector<ComparedSet> verify(const Study& study, const TuneResult& result, co
 /// Of a study on many arms: the measure of fresh rollouts of all of them, as robust_errors.csv and for the
 /// table. Throws std::runtime_error if it is not what the search saw in Simbody.
 std::vector<ComparedSet> verify_robust(const Study& study, const TuneResult& result,
-                                       const ReportOptions& options, Team& team);
+                                       const ReportOptions& options, RankGroup& team);
 
 /// Takes Simbody's fresh rollouts of the best gains for what they are, where an interrupted search ended with
 /// another engine's. simulated: those the objective is of.

@@ -10,7 +10,8 @@
 
 namespace armtune {
 
-Evaluator::Evaluator(const Study& study, Workers& workers, const std::atomic<bool>& stop, Journal* journal)
+Evaluator::Evaluator(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
+                     Journal* journal)
     : study_(study), workers_(workers), stop_(stop), journal_(journal) {
   const std::chrono::duration<double> before(journal_ != nullptr ? journal_->seconds() : 0.0);
   began_ = std::chrono::steady_clock::now() -

@@ -9,7 +9,7 @@
 
 #include "tuner/journal/journal.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
 
@@ -22,7 +22,7 @@ struct Candidate {
 class Evaluator {
  public:
   /// journal: may be null, then nothing is recorded or recalled.
-  Evaluator(const Study& study, Workers& workers, const std::atomic<bool>& stop, Journal* journal);
+  Evaluator(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop, Journal* journal);
 
   using TakeIn = std::function<void(const char* phase, Evaluation e)>;
 
@@ -59,7 +59,7 @@ class Evaluator {
   std::optional<Evaluation> recall(std::uint64_t number, const Candidate& candidate, Engine engine) const;
 
   const Study& study_;
-  Workers& workers_;
+  CandidateRunner& workers_;
   const std::atomic<bool>& stop_;
   Journal* journal_;
   std::uint64_t count_ = 0;  ///< given out so far

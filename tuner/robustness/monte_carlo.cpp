@@ -24,13 +24,13 @@ RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const Monte
 
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop) {
-  Crew crew(monte_carlo_plan(scenarios, options), options.workers);
-  return monte_carlo(crew, gains, options, stop);
+  RolloutPool pool(monte_carlo_plan(scenarios, options), options.workers);
+  return monte_carlo(pool, gains, options, stop);
 }
 
-std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const MonteCarloOptions& options,
-                                          const std::atomic<bool>& stop) {
-  const std::vector<Scenario>& scenarios = crew.plan().scenarios;
+std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
+                                          const MonteCarloOptions& options, const std::atomic<bool>& stop) {
+  const std::vector<Scenario>& scenarios = pool.plan().scenarios;
   std::vector<MonteCarloSample> samples(options.samples);
   std::vector<std::size_t> done(samples.size(), 0);
   std::vector<std::size_t> missing;
@@ -77,12 +77,12 @@ std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const 
     return true;
   };
   std::vector<std::size_t> doubtful;
-  crew.run(
+  pool.run(
       jobs, [&](std::size_t job) { return job_of(job, options.engine); }, stop,
       [&](std::size_t job, RolloutResult&& result) {
         if (!keep(job, options.engine, std::move(result))) doubtful.push_back(job);
       });
-  crew.run(
+  pool.run(
       doubtful.size(), [&](std::size_t i) { return job_of(doubtful[i], Engine::kSimbody); }, stop,
       [&](std::size_t i, RolloutResult&& result) { keep(doubtful[i], Engine::kSimbody, std::move(result)); });
   std::vector<MonteCarloSample> whole;

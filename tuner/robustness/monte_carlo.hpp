@@ -8,7 +8,7 @@
 
 #include "sim/scenario/perturbation.hpp"
 #include "tuner/robustness/limits.hpp"
-#include "tuner/workers/crew.hpp"
+#include "tuner/workers/rollout_pool.hpp"
 
 namespace armtune {
 
@@ -49,8 +49,8 @@ RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const Monte
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 /// The same with workers of that plan: the options' own number of them does not count.
-std::vector<MonteCarloSample> monte_carlo(Crew& crew, const Gains& gains, const MonteCarloOptions& options,
-                                          const std::atomic<bool>& stop);
+std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
+                                          const MonteCarloOptions& options, const std::atomic<bool>& stop);
 
 /// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric.
 /// Numbers read back to the same bits.

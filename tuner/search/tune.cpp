@@ -31,8 +31,8 @@ constexpr const char* kSweep = "sweep";
 /// One run of the loop: what was seen so far and how to see more.
 class Run {
  public:
-  Run(const Study& study, Workers& workers, const std::atomic<bool>& stop, const TuneCallbacks& callbacks,
-      Journal* journal)
+  Run(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
+      const TuneCallbacks& callbacks, Journal* journal)
       : study_(study),
         callbacks_(callbacks),
         evaluator_(study, workers, stop, journal),
@@ -272,7 +272,7 @@ double largest_velocity_ratio(const Study& study, const Evaluation& e) {
   return largest;
 }
 
-TuneResult tune(const Study& study, Workers& workers, const std::atomic<bool>& stop,
+TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal) {
   Run run(study, workers, stop, callbacks, journal);
   if (run.start() && run.sweep()) {

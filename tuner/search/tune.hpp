@@ -8,7 +8,7 @@
 
 #include "tuner/journal/journal.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
 
@@ -45,7 +45,7 @@ struct TuneResult {
 /// a function of the study alone, unless max_minutes is set. journal: where evaluations are recorded and, if
 /// the run goes on after it was killed, recalled from. Throws InputError if the start gains give no
 /// reference.
-TuneResult tune(const Study& study, Workers& workers, const std::atomic<bool>& stop,
+TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);
 
 /// Largest |q'|/limit over an evaluation's scenarios, the corners of margins aside.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tuner/study/study.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
 
@@ -26,8 +26,8 @@ class Merits {
   using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
   /// All outlive this. progress: of the evaluations asked for so far; may be empty.
-  Merits(const Study& study, const Objective& objective, Workers& workers, const std::atomic<bool>& stop,
-         const Progress& progress)
+  Merits(const Study& study, const Objective& objective, CandidateRunner& workers,
+         const std::atomic<bool>& stop, const Progress& progress)
       : study_(study), objective_(objective), workers_(workers), stop_(stop), progress_(progress) {}
 
   /// In order. Nothing if `stop` became true before all were done.
@@ -42,7 +42,7 @@ class Merits {
  private:
   const Study& study_;
   const Objective& objective_;
-  Workers& workers_;
+  CandidateRunner& workers_;
   const std::atomic<bool>& stop_;
   const Progress& progress_;
   std::size_t done_ = 0;

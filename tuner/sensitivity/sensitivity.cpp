@@ -68,7 +68,7 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
 
 std::optional<Sensitivity> sensitivity(
     const Study& study, const Objective& objective, const Gains& best,
-    const std::vector<EvaluationRow>& journal, Workers& workers, const std::atomic<bool>& stop,
+    const std::vector<EvaluationRow>& journal, CandidateRunner& workers, const std::atomic<bool>& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const std::size_t n = study.space.free.size();
   const std::vector<double> x = study.space.point_of(best);

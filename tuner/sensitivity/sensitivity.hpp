@@ -12,7 +12,7 @@
 
 #include "tuner/journal/evaluations_reader.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
 
@@ -47,7 +47,7 @@ struct Sensitivity {
 /// before. objective: of the study. progress(done, all): evaluations; all may still grow.
 std::optional<Sensitivity> sensitivity(
     const Study& study, const Objective& objective, const Gains& best,
-    const std::vector<EvaluationRow>& journal, Workers& workers, const std::atomic<bool>& stop,
+    const std::vector<EvaluationRow>& journal, CandidateRunner& workers, const std::atomic<bool>& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
 /// Spearman's rank correlation of two series of one length, ties at their mean rank; NaN where it is not

@@ -11,7 +11,7 @@
 
 namespace armtune {
 
-AimedSearch::AimedSearch(const Study& study, const ParetoOptions& options, Workers& workers,
+AimedSearch::AimedSearch(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
                          const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal)
     : study_(study),
       options_(options),

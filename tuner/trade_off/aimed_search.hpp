@@ -25,7 +25,7 @@ struct Aim {
 class AimedSearch {
  public:
   /// All but the journal, which may be null, must outlive it; callbacks as of pareto().
-  AimedSearch(const Study& study, const ParetoOptions& options, Workers& workers,
+  AimedSearch(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
               const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal);
 
   /// Simulates the start and where a warm start begins. False if the run was interrupted. Throws InputError

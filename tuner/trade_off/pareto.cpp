@@ -137,7 +137,7 @@ void Front::levels() {
 
 }  // namespace
 
-ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,
+ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal) {
   AimedSearch search(study, options, workers, stop, callbacks, journal);
   Front front(study, options, search);

@@ -16,7 +16,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/trade_off/criterion.hpp"
 #include "tuner/trade_off/front.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
 
@@ -76,7 +76,7 @@ struct ParetoCallbacks {
 /// the least of the first criterion, and the least of each other one with none of the rest worse than the
 /// start's (as far as feasible points are that good). Throws InputError if the start gains give no reference
 /// for the objective or a criterion. journal: as of tune().
-ParetoResult pareto(const Study& study, const ParetoOptions& options, Workers& workers,
+ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
                     const std::atomic<bool>& stop, const ParetoCallbacks& callbacks,
                     Journal* journal = nullptr);
 
@@ -87,6 +87,6 @@ void settle(ParetoResult& result, const std::vector<ParetoPoint>& points);
 /// std::runtime_error if one differs from what the search saw: to the bit if that was Simbody too. What
 /// another engine found is judged anew: it may leave the front. False if `stop` became true before.
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
-            ParetoResult& result, Workers& workers, const std::atomic<bool>& stop);
+            ParetoResult& result, CandidateRunner& workers, const std::atomic<bool>& stop);
 
 }  // namespace armtune

@@ -26,7 +26,7 @@ bool agree(const Costs& a, const Costs& b, double tolerance) {
 }  // namespace
 
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
-            ParetoResult& result, Workers& workers, const std::atomic<bool>& stop) {
+            ParetoResult& result, CandidateRunner& workers, const std::atomic<bool>& stop) {
   std::vector<std::vector<double>> points;
   points.reserve(result.front.size());
   for (const ParetoPoint& point : result.front) points.push_back(point.e.x);

@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "tuner/workers/rollout_worker.hpp"
 #include "tuner/workers/single_rollouts.hpp"
-#include "tuner/workers/worker.hpp"
 
 namespace armtune {
 
-class LaneWorker : public Worker {
+class LaneWorker : public RolloutWorker {
  public:
   /// plan: outlives the worker.
   explicit LaneWorker(const RolloutPlan& plan);

@@ -5,7 +5,7 @@ namespace armtune {
 LeaderJobs::LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others)
     : transport_(transport), others_(others) {
   NumberedJob job = read_job(first);
-  crew_ = job.crew;
+  pool_ = job.pool;
   take(std::move(job));
 }
 
@@ -26,7 +26,7 @@ void LeaderJobs::look() {
     }
     if (kind_of(*message) == MessageKind::kJob) {
       NumberedJob job = read_job(*message);
-      if (job.crew == crew_) {
+      if (job.pool == pool_) {
         take(std::move(job));
         continue;
       }

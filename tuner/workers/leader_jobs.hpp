@@ -8,18 +8,18 @@
 #include <string>
 
 #include "tuner/workers/messages.hpp"
+#include "tuner/workers/rollout_worker.hpp"
 #include "tuner/workers/transport.hpp"
-#include "tuner/workers/worker.hpp"
 
 namespace armtune {
 
 class LeaderJobs final : public JobSource {
  public:
-  /// first: a job message. others: gets what comes meanwhile and is no job of the same crew; it ends the
+  /// first: a job message. others: gets what comes meanwhile and is no job of the same pool; it ends the
   /// work.
   LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others);
 
-  std::uint64_t crew() const { return crew_; }
+  std::uint64_t pool() const { return pool_; }
 
   std::size_t share() const override { return share_; }
   std::optional<GivenJob> next() override;
@@ -36,7 +36,7 @@ class LeaderJobs final : public JobSource {
 
   Transport& transport_;
   std::deque<std::string>& others_;
-  std::uint64_t crew_ = 0;
+  std::uint64_t pool_ = 0;
   std::size_t share_ = 1;
   std::map<std::uint64_t, RolloutJob> open_;  ///< by number: came and not finished
   std::deque<std::uint64_t> waiting_;         ///< of those, not given out yet

@@ -130,7 +130,7 @@ Hello read_hello(const std::string& message) {
 std::string job_message(const NumberedJob& job) {
   ByteWriter writer = begun(MessageKind::kJob);
   writer.add(job.number);
-  writer.add(job.crew);
+  writer.add(job.pool);
   writer.add(job.share);
   // A member that is added has to be sent too: then these do not compile.
   const auto& [scenario, sample, gains, limits, engine] = job.job;
@@ -150,7 +150,7 @@ NumberedJob read_job(const std::string& message) {
   ByteReader reader = opened(message, MessageKind::kJob);
   NumberedJob job;
   job.number = reader.integer();
-  job.crew = reader.integer();
+  job.pool = reader.integer();
   job.share = reader.integer();
   job.job.scenario = reader.integer();
   job.job.sample = reader.integer();

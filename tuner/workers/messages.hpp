@@ -32,7 +32,7 @@ struct Hello {
 /// A job under way.
 struct NumberedJob {
   std::uint64_t number = 0;  ///< of this rank's jobs
-  std::uint64_t crew = 0;    ///< a worker makes its plants anew for another crew
+  std::uint64_t pool = 0;    ///< a worker makes its plants anew for another pool
   std::uint64_t share = 1;   ///< jobs that the rank is given at once, at most
   RolloutJob job;
 };

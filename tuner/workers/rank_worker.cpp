@@ -9,7 +9,7 @@
 #include "sim/lanes/arm_lanes.hpp"
 #include "tuner/workers/messages.hpp"
 #include "tuner/workers/patience.hpp"
-#include "tuner/workers/team.hpp"
+#include "tuner/workers/rank_group.hpp"
 
 namespace armtune {
 namespace {
@@ -17,11 +17,11 @@ namespace {
 /// Past its deadline a rank says so within a control period. [s]
 constexpr double kGrace = 5.0;
 
-class RankWorker final : public Worker {
+class RankWorker final : public RolloutWorker {
  public:
-  RankWorker(Transport& transport, Peer& peer, std::uint64_t crew, const RolloutPlan& plan,
+  RankWorker(Transport& transport, Peer& peer, std::uint64_t pool, const RolloutPlan& plan,
              const Notice& notice)
-      : transport_(transport), peer_(peer), crew_(crew), plan_(plan), notice_(notice) {}
+      : transport_(transport), peer_(peer), pool_(pool), plan_(plan), notice_(notice) {}
 
   void work(JobSource& jobs) override {
     open_.clear();
@@ -57,7 +57,7 @@ class RankWorker final : public Worker {
       const auto lanes = static_cast<std::size_t>(most_lanes(best_processor()));
       most_ = one->job.engine == Engine::kNative ? std::clamp<std::size_t>(jobs.share(), 1, lanes) : 1;
       const std::uint64_t number = ++peer_.jobs;
-      transport_.send(peer_.rank, job_message({number, crew_, most_, one->job}));
+      transport_.send(peer_.rank, job_message({number, pool_, most_, one->job}));
       open_.emplace(number, std::move(*one));
     }
   }
@@ -106,7 +106,7 @@ class RankWorker final : public Worker {
 
   Transport& transport_;
   Peer& peer_;
-  std::uint64_t crew_;
+  std::uint64_t pool_;
   const RolloutPlan& plan_;
   const Notice& notice_;
   std::map<std::uint64_t, GivenJob> open_;  ///< sent and not answered, by the rank's own number
@@ -115,9 +115,9 @@ class RankWorker final : public Worker {
 
 }  // namespace
 
-std::unique_ptr<Worker> rank_worker(Transport& transport, Peer& peer, std::uint64_t crew,
-                                    const RolloutPlan& plan, const Notice& notice) {
-  return std::make_unique<RankWorker>(transport, peer, crew, plan, notice);
+std::unique_ptr<RolloutWorker> rank_worker(Transport& transport, Peer& peer, std::uint64_t pool,
+                                           const RolloutPlan& plan, const Notice& notice) {
+  return std::make_unique<RankWorker>(transport, peer, pool, plan, notice);
 }
 
 }  // namespace armtune

@@ -12,7 +12,7 @@ RolloutPlan plan_of(const Study& study, double deadline) {
 }
 
 std::optional<std::vector<Evaluation>> simulate_points(
-    const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
+    const Study& study, const std::vector<std::vector<double>>& points, CandidateRunner& workers,
     const std::atomic<bool>& stop, const Conditions& conditions,
     const std::function<void(std::size_t, const Evaluation&)>& finished) {
   std::vector<Gains> gains;

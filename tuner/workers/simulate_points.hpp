@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tuner/study/study.hpp"
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune {
 
@@ -19,7 +19,7 @@ RolloutPlan plan_of(const Study& study, double deadline);
 /// conditions: with limits per scenario (Objective::end_limits), or without, as for the start gains.
 /// finished: once per point, as soon as it is whole: in any order, one call at a time, from any thread.
 std::optional<std::vector<Evaluation>> simulate_points(
-    const Study& study, const std::vector<std::vector<double>>& points, Workers& workers,
+    const Study& study, const std::vector<std::vector<double>>& points, CandidateRunner& workers,
     const std::atomic<bool>& stop, const Conditions& conditions = {},
     const std::function<void(std::size_t, const Evaluation&)>& finished = {});
 

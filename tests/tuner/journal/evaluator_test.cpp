@@ -40,7 +40,7 @@ class Recall : public testing::Test {
 
 TEST_F(Recall, WhatIsInTheJournalIsNotSimulatedAgain) {
   const std::vector<std::vector<double>> points = {{0.2, 0.3}, {0.5, 0.5}, {0.9, 0.1}};
-  Workers workers(study_.scenarios, study_.stepper, 2);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 2);
   std::vector<Evaluation> first;
   {
     const auto journal = begin();
@@ -48,7 +48,7 @@ TEST_F(Recall, WhatIsInTheJournalIsNotSimulatedAgain) {
     first = next(evaluator, "sweep", {points[0], points[1]});
   }
   EXPECT_EQ(workers.rollouts_done(), 4);
-  Workers fresh(study_.scenarios, study_.stepper, 2);
+  CandidateRunner fresh(study_.scenarios, study_.stepper, 2);
   const auto journal = resume();
   Evaluator evaluator(study_, fresh, stop_, journal.get());
   const auto again = next(evaluator, "sweep", points);
@@ -66,7 +66,7 @@ TEST_F(Recall, WhatIsInTheJournalIsNotSimulatedAgain) {
 }
 
 TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
-  Workers workers(study_.scenarios, study_.stepper, 1);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 1);
   {
     const auto journal = begin();
     Evaluator evaluator(study_, workers, stop_, journal.get());
@@ -87,7 +87,7 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
 TEST_F(Recall, TheTimeIsUpWhereItWas) {
   study_.max_evaluations = 100000;
   study_.solver.x_tolerance = 0.0;
-  Workers workers(study_.scenarios, study_.stepper, 1);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 1);
   // Time for some ten evaluations, on whatever machine.
   const auto began = std::chrono::steady_clock::now();
   workers.run({&study_.space.start, 1}, stop_);
@@ -102,7 +102,7 @@ TEST_F(Recall, TheTimeIsUpWhereItWas) {
     EXPECT_EQ(*journal->time_was_up(), static_cast<std::uint64_t>(whole.evaluations));
   }
   ASSERT_GT(whole.evaluations, 1);
-  Workers fresh(study_.scenarios, study_.stepper, 1);
+  CandidateRunner fresh(study_.scenarios, study_.stepper, 1);
   const auto journal = resume();
   const TuneResult again = tune(study_, fresh, stop_, {}, journal.get());
   EXPECT_EQ(again.evaluations, whole.evaluations) << "although no minute has passed";
@@ -113,7 +113,7 @@ TEST_F(Recall, TheTimeIsUpWhereItWas) {
 
 TEST_F(Recall, ABatchEndsSoonAfterTheTimeIsUp) {
   study_.max_minutes = 1e-6;
-  Workers workers(study_.scenarios, study_.stepper, 2);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 2);
   const auto journal = begin();
   Evaluator evaluator(study_, workers, stop_, journal.get());
   std::vector<Candidate> candidates;
@@ -132,14 +132,14 @@ TEST_F(Recall, ABatchOfManyWorkersEndsWhereItDidWithFewer) {
   std::size_t taken = 0;
   const auto count = [&taken](const char*, const Evaluation&) { ++taken; };
   {
-    Workers workers(study_.scenarios, study_.stepper, 6);
+    CandidateRunner workers(study_.scenarios, study_.stepper, 6);
     const auto journal = begin();
     EXPECT_TRUE(Evaluator(study_, workers, stop_, journal.get()).next(candidates, {}, count));
     EXPECT_EQ(taken, 12U) << "two for each worker";
     EXPECT_EQ(journal->time_was_up(), 12U);
   }
   taken = 0;
-  Workers one(study_.scenarios, study_.stepper, 1);
+  CandidateRunner one(study_.scenarios, study_.stepper, 1);
   const auto journal = resume();
   EXPECT_TRUE(Evaluator(study_, one, stop_, journal.get()).next(candidates, {}, count));
   EXPECT_EQ(taken, 12U);
@@ -148,7 +148,7 @@ TEST_F(Recall, ABatchOfManyWorkersEndsWhereItDidWithFewer) {
 
 TEST_F(Recall, MinutesOfEarlierSessionsCount) {
   study_.max_minutes = 1.0;
-  Workers workers(study_.scenarios, study_.stepper, 1);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 1);
   {
     const auto journal = begin();
     journal->append(
@@ -168,7 +168,7 @@ TEST_F(Recall, MinutesOfEarlierSessionsCount) {
 
 TEST_F(Recall, ASearchLeavesTheTimeThatIsKept) {
   study_.max_minutes = 1.0;
-  Workers workers(study_.scenarios, study_.stepper, 1);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 1);
   const std::vector<double> x = study_.space.start_point();
   const std::vector<RolloutResult> results(study_.scenarios.size());
   {

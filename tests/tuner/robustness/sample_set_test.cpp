@@ -115,7 +115,7 @@ TEST_F(RobustStudy, ItsWorkersGiveTheMeasureOfRolloutsOfEachArm) {
   ASSERT_TRUE(study_.robust);
   EXPECT_EQ(study_.robust->perturbation.mass, 0.3);
   EXPECT_EQ(study_.robust->perturbation.inertia, Perturbation{}.inertia) << "not named: the default";
-  Workers workers(study_.scenarios, study_.stepper, 2, study_.robust);
+  CandidateRunner workers(study_.scenarios, study_.stepper, 2, study_.robust);
   const std::vector<Gains> gains = {study_.space.start};
   const auto results = workers.run(gains, kNever);
   ASSERT_EQ((*results)[0].size(), study_.scenarios.size());
@@ -140,7 +140,7 @@ TEST_F(RobustStudy, TunesOnTheScenariosOwnArmToo) {
   set.perturbation.payload = 1e-9;
   Scenario loaded = study_.scenarios[1];
   loaded.plant.payload.mass = 6.0;
-  Workers workers({loaded}, study_.stepper, 2, set);
+  CandidateRunner workers({loaded}, study_.stepper, 2, set);
   const std::vector<Gains> gains = {study_.space.start};
   const auto results = workers.run(gains, kNever);
   const auto error = [&](const Scenario& s) {
@@ -153,13 +153,13 @@ TEST_F(RobustStudy, TunesOnTheScenariosOwnArmToo) {
 
 TEST_F(RobustStudy, IsTunedOnThemTheSameForAnyNumberOfWorkers) {
   const auto best = [this](int count) {
-    Workers workers(study_.scenarios, study_.stepper, count, study_.robust);
+    CandidateRunner workers(study_.scenarios, study_.stepper, count, study_.robust);
     return tune(study_, workers, kNever, {}).best;
   };
   const Evaluation one = best(1);
   EXPECT_EQ(one.objective, best(3).objective);
   EXPECT_LT(one.objective, 1.0);
-  Workers nominal(study_.scenarios, study_.stepper, 2);
+  CandidateRunner nominal(study_.scenarios, study_.stepper, 2);
   Study plain = study_;
   plain.robust.reset();
   EXPECT_NE(tune(plain, nominal, kNever, {}).best.objective, one.objective);

@@ -54,7 +54,7 @@ class HalfDiverges : public testing::TestWithParam<Search> {};
 TEST_P(HalfDiverges, EndsWithAFiniteFeasibleBest) {
   const test::ShortStudy files = files_of(GetParam().keys);
   const Study study = load_study(files.path());
-  Workers pool(study.scenarios, study.stepper, 2);
+  CandidateRunner pool(study.scenarios, study.stepper, 2);
   std::atomic<bool> stop{false};
   long all = 0, lost = 0;
   TuneCallbacks callbacks;

@@ -65,7 +65,7 @@ class LastStepsInTime : public testing::Test {
   void begin(double units) {
     study_ = load_study(files_.path());
     study_.solver.x_tolerance = 0.0;
-    Workers workers(study_.scenarios, study_.stepper, 1);
+    CandidateRunner workers(study_.scenarios, study_.stepper, 1);
     const auto began = std::chrono::steady_clock::now();
     workers.run({&study_.space.start, 1}, stop_);
     unit_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -82,7 +82,7 @@ class LastStepsInTime : public testing::Test {
 
   Done tune(Journal* journal) {
     Done done;
-    Workers workers(study_.scenarios, study_.stepper, 1);
+    CandidateRunner workers(study_.scenarios, study_.stepper, 1);
     TuneCallbacks callbacks;
     callbacks.evaluated = [&done](const char* phase, const Evaluation& e) {
       done.phases.push_back(std::string(phase) + " " + name(e.engine));

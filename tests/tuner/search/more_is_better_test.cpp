@@ -33,7 +33,7 @@ TEST(MoreIsBetter, TheSearchRaisesTheBandwidth) {
                               "objective:\n"
                               "  - {metric: response/bandwidth}\n"
                               "search: {algorithm: COBYLA, max_evaluations: 16, engine: native}\n"));
-  Workers workers(study.scenarios, study.stepper, 2);
+  CandidateRunner workers(study.scenarios, study.stepper, 2);
   const std::atomic<bool> never{false};
   const TuneResult result = tune(study, workers, never, {});
   const double start = result.start.results[0].metrics[Metric::kResponseBandwidth];

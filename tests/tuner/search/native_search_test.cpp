@@ -36,7 +36,7 @@ class NativeSearch : public testing::Test {
   TuneResult tune(const Study& study, int workers = 2, std::size_t stop_after = 0) {
     seen_.clear();
     std::atomic<bool> stop{false};
-    Workers pool(study.scenarios, study.stepper, workers);
+    CandidateRunner pool(study.scenarios, study.stepper, workers);
     TuneCallbacks callbacks;
     callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
       seen_.push_back({phase, e});

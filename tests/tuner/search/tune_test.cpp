@@ -57,7 +57,7 @@ TEST(Tune, TheBestIsFeasibleIfAnyPointWas) {
   const ShortStudy probe;
   Study study = load_study(probe.path());
   std::atomic<bool> never{false};
-  Workers workers(study.scenarios, study.stepper, 2);
+  CandidateRunner workers(study.scenarios, study.stepper, 2);
   study.max_evaluations = 1;
   const TuneResult start = tune(study, workers, never, {});
   study.constraints = {{Metric::kOrientationMax, true, {}, {0, 1}}};
@@ -91,7 +91,7 @@ TEST(Tune, StoppedBeforeItBeganItHasNothing) {
   const ShortStudy files;
   const Study study = load_study(files.path());
   std::atomic<bool> stop{true};
-  Workers workers(study.scenarios, study.stepper, 1);
+  CandidateRunner workers(study.scenarios, study.stepper, 1);
   const TuneResult result = tune(study, workers, stop, {});
   EXPECT_TRUE(result.interrupted);
   EXPECT_EQ(result.evaluations, 0);
@@ -105,7 +105,7 @@ TEST(Tune, SweepsBeforeItSearchesAndRemembersTheBestOfTheSweep) {
                          "search: {max_evaluations: 9}\n");
   const Study study = load_study(files.path());
   std::atomic<bool> never{false};
-  Workers workers(study.scenarios, study.stepper, 2);
+  CandidateRunner workers(study.scenarios, study.stepper, 2);
   std::vector<std::string> phases;
   std::vector<Evaluation> swept;
   TuneCallbacks callbacks;

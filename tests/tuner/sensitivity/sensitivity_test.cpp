@@ -86,7 +86,7 @@ class Sensitive : public ::testing::Test {
 
   std::optional<test::ShortStudy> files_;
   std::optional<Study> study_;
-  std::optional<Workers> workers_;
+  std::optional<CandidateRunner> workers_;
   std::optional<Objective> objective_;
   Gains best_;
 };

@@ -105,7 +105,7 @@ TEST(Corner, RolloutsAreOfTheNominalArmAndWhatIsMissingIsTheConstraint) {
       test::kShortParameters, test::kShortObjective, test::kShortConstraints,
       test::kShortSearch + "margins: {gain: 1.2, rate: 0.8}\n" + "robust: {samples: 2, measure: worst}\n");
   const Study study = load_study(files.path());
-  Workers workers(simulated_scenarios(study), study.stepper, 2, study.robust);
+  CandidateRunner workers(simulated_scenarios(study), study.stepper, 2, study.robust);
   Conditions native;
   native.engine = Engine::kNative;
   const auto found = simulate_points(study, {study.space.start_point()}, workers, kNever, native);

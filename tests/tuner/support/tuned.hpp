@@ -28,7 +28,7 @@ inline Tuned run(const Study& study, int workers, const std::string& journal_pat
                  std::atomic<bool>* stop = nullptr, long stop_after = 0) {
   std::atomic<bool> never{false};
   std::atomic<bool>& flag = stop != nullptr ? *stop : never;
-  Workers pool(study.scenarios, study.stepper, workers);
+  CandidateRunner pool(study.scenarios, study.stepper, workers);
   std::unique_ptr<EvaluationsFile> journal;
   Tuned tuned;
   TuneCallbacks callbacks;

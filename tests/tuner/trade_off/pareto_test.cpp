@@ -24,7 +24,7 @@ class Pareto : public ::testing::Test {
     options_.max_evaluations = 24;
   }
   ParetoResult run(int workers, const std::atomic<bool>& stop = kNever) {
-    Workers pool(study_.scenarios, study_.stepper, workers);
+    CandidateRunner pool(study_.scenarios, study_.stepper, workers);
     ParetoCallbacks callbacks;
     callbacks.begin = [this](const Objective& o) { objective_ = o; };
     callbacks.evaluated = [this](const char*, const Evaluation& e) {
@@ -107,7 +107,7 @@ TEST_F(Pareto, IsTheSameForAnyNumberOfWorkersAndAgainInFreshRollouts) {
   ParetoResult one = run(1);
   const std::string text = pareto_csv(study_, options_, one);
   EXPECT_EQ(pareto_csv(study_, options_, run(3)), text);
-  Workers fresh(study_.scenarios, study_.stepper, 2);
+  CandidateRunner fresh(study_.scenarios, study_.stepper, 2);
   EXPECT_TRUE(verify(study_, *objective_, options_, one, fresh, kNever));
   EXPECT_EQ(pareto_csv(study_, options_, one), text);
   one.front.back().costs[1] *= 1.0 + 1e-12;
@@ -117,7 +117,7 @@ TEST_F(Pareto, IsTheSameForAnyNumberOfWorkersAndAgainInFreshRollouts) {
 TEST_F(Pareto, FoundInTheNativeEngineItsFiguresAreStillSimbodys) {
   study_.engine = Engine::kNative;
   ParetoResult result = run(2);
-  Workers fresh(study_.scenarios, study_.stepper, 2);
+  CandidateRunner fresh(study_.scenarios, study_.stepper, 2);
   const auto found = result.front;
   ASSERT_GE(found.size(), 3U);
   ASSERT_TRUE(verify(study_, *objective_, options_, result, fresh, kNever));
@@ -211,7 +211,7 @@ TEST_F(Pareto, SpreadsItsLevelsAlsoIfTheStartBreaksAConstraint) {
   // Better gaze than the start's costs more effort than the start's: no feasible point is as good in both.
   options_.criteria = {criterion_from_name("effort_rate/rms"), criterion_from_name("objective")};
   options_.max_evaluations = 40;
-  Workers pool(study_.scenarios, study_.stepper, 2);
+  CandidateRunner pool(study_.scenarios, study_.stepper, 2);
   const std::vector<Gains> start = {study_.space.start};
   Constraint sharp;
   sharp.metric = Metric::kGazeRms;

@@ -87,7 +87,7 @@ TEST(Messages, AJobComesBackWithEveryGain) {
   const NumberedJob sent = some_job();
   const NumberedJob got = read_job(job_message(sent));
   EXPECT_EQ(got.number, sent.number);
-  EXPECT_EQ(got.crew, sent.crew);
+  EXPECT_EQ(got.pool, sent.pool);
   EXPECT_EQ(got.share, sent.share);
   EXPECT_EQ(got.job.scenario, sent.job.scenario);
   EXPECT_EQ(got.job.sample, sent.job.sample);

@@ -1,4 +1,4 @@
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(Workers, GiveEachCandidateItsRolloutsWhateverTheirNumber) {
   candidates[1].task_space_gains_p *= 1.2;
   const std::atomic<bool> never{false};
   for (const int count : {1, 2, 5}) {
-    Workers workers(scenarios, Stepper::kMidpoint, count);
+    CandidateRunner workers(scenarios, Stepper::kMidpoint, count);
     const auto results = workers.run(candidates, never);
     ASSERT_TRUE(results.has_value());
     ASSERT_EQ(results->size(), candidates.size());
@@ -53,7 +53,7 @@ TEST(Workers, SimulateSideBySideWhatTheySimulateAlone) {
   limits[2] = {{Metric::kJointVelocityMaxRatio, 0.2}};
   const std::atomic<bool> never{false};
   for (const int count : {1, 2, 5}) {
-    Workers workers(scenarios, Stepper::kMidpoint, count);
+    CandidateRunner workers(scenarios, Stepper::kMidpoint, count);
     const auto results = *workers.run(candidates, never, {}, {Engine::kNative, limits});
     EXPECT_EQ(workers.rollouts_done(), 12);
     for (std::size_t c = 0; c < candidates.size(); ++c) {
@@ -72,7 +72,7 @@ TEST(Workers, SimulateSideBySideWhatTheySimulateAlone) {
   set.measure = RiskMeasure::kWorst;
   scenarios = {test::scenario_of("moving_target", 2.2)};
   const std::size_t arms_of_set = arms(set);
-  Workers on_arms(scenarios, Stepper::kMidpoint, 2, set);
+  CandidateRunner on_arms(scenarios, Stepper::kMidpoint, 2, set);
   const auto folded_results = (*on_arms.run({candidates.data(), 1}, never, {}, {Engine::kNative}))[0];
   double largest = 0.0;
   for (std::size_t k = 0; k < arms_of_set; ++k) {
@@ -88,7 +88,7 @@ TEST(Workers, SideBySideAreStoppedAndKeepToTheirDeadline) {
   const std::vector<Gains> candidates(20, test::quick_gains(scenarios[0]));  // more than there are lanes
   RolloutPlan plan = plan_of(scenarios, Stepper::kMidpoint, std::nullopt);
   plan.deadline = 1e-6;
-  Workers late(std::make_unique<Crew>(plan, 1), std::nullopt);
+  CandidateRunner late(std::make_unique<RolloutPool>(plan, 1), std::nullopt);
   std::atomic<bool> stop{false};
   const Conditions native{.engine = Engine::kNative};
   try {
@@ -98,9 +98,9 @@ TEST(Workers, SideBySideAreStoppedAndKeepToTheirDeadline) {
     EXPECT_NE(std::string(e.what()).find("moving_target: the rollout came to"), std::string::npos)
         << e.what();
   }
-  // A crew whose results threw is of use again, and one that is stopped returns nothing.
+  // A pool whose results threw is of use again, and one that is stopped returns nothing.
   plan.deadline = 0.0;
-  Workers workers(std::make_unique<Crew>(plan, 1), std::nullopt);
+  CandidateRunner workers(std::make_unique<RolloutPool>(plan, 1), std::nullopt);
   const auto expected = workers.run({candidates.data(), 2}, stop, {}, native);
   const auto full = [](std::size_t, const std::vector<RolloutResult>&) {
     throw std::runtime_error("the disk is full");
@@ -133,7 +133,7 @@ TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
   set.measure = RiskMeasure::kWorst;
   const std::atomic<bool> never{false};
   for (const int count : {1, 3}) {
-    Workers plain(scenarios, Stepper::kMidpoint, count);
+    CandidateRunner plain(scenarios, Stepper::kMidpoint, count);
     const auto ended = (*plain.run(candidates, never, {}, {Engine::kSimbody, limits}))[0];
     EXPECT_EQ(ended[0].status, RolloutStatus::kNoSamples) << "it ran whole";
     EXPECT_EQ(ended[1].status, RolloutStatus::kHopeless);
@@ -141,7 +141,7 @@ TEST(Workers, EndEveryArmOfAScenarioAtThatScenariosLimits) {
     EXPECT_EQ(test::bits(ended[1].metrics), test::bits(alone.metrics));
     EXPECT_EQ(ended[1].end_time, alone.end_time);
 
-    Workers on_arms(scenarios, Stepper::kMidpoint, count, set);
+    CandidateRunner on_arms(scenarios, Stepper::kMidpoint, count, set);
     const auto folded_results = (*on_arms.run(candidates, never, {}, {Engine::kSimbody, limits}))[0];
     double first = HUGE_VAL;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ TEST(Workers, FinishOneCandidateBeforeTheyBeginTheNext) {
                                            test::scenario_of("realistic_moving_target", 3.0)};
   const std::vector<Gains> candidates(3, test::quick_gains(scenarios[0]));
   const std::atomic<bool> never{false};
-  Workers workers(scenarios, Stepper::kMidpoint, 1);
+  CandidateRunner workers(scenarios, Stepper::kMidpoint, 1);
   std::vector<long> rollouts;
   workers.run(candidates, never, [&](std::size_t candidate, const std::vector<RolloutResult>&) {
     EXPECT_EQ(candidate, rollouts.size());
@@ -171,7 +171,7 @@ TEST(Workers, FinishOneCandidateBeforeTheyBeginTheNext) {
 TEST(Workers, StoppedTheyGiveNothing) {
   const std::vector<Scenario> scenarios = {test::scenario_of("moving_target", 3.0)};
   const std::atomic<bool> stop{true};
-  Workers workers(scenarios, Stepper::kMidpoint, 2);
+  CandidateRunner workers(scenarios, Stepper::kMidpoint, 2);
   EXPECT_FALSE(workers.run(std::vector<Gains>{test::quick_gains(scenarios[0])}, stop).has_value());
 }
 

@@ -6,16 +6,16 @@
 #include <memory>
 #include <vector>
 
-#include "tuner/workers/worker.hpp"
+#include "tuner/workers/rollout_worker.hpp"
 
 namespace armtune {
 
-class Crew {
+class RolloutPool {
  public:
   /// `threads` (>= 1) workers in this process.
-  Crew(RolloutPlan plan, int threads);
+  RolloutPool(RolloutPlan plan, int threads);
   /// Workers (at least one) made for that plan; each is called from one thread at a time.
-  Crew(std::shared_ptr<const RolloutPlan> plan, std::vector<std::unique_ptr<Worker>> workers);
+  RolloutPool(std::shared_ptr<const RolloutPlan> plan, std::vector<std::unique_ptr<RolloutWorker>> workers);
 
   const RolloutPlan& plan() const { return *plan_; }
   int count() const { return static_cast<int>(workers_.size()); }
@@ -31,7 +31,7 @@ class Crew {
 
  private:
   std::shared_ptr<const RolloutPlan> plan_;
-  std::vector<std::unique_ptr<Worker>> workers_;
+  std::vector<std::unique_ptr<RolloutWorker>> workers_;
   std::atomic<long> done_{0};
   std::atomic<double> simulated_{0.0};
 };

@@ -1,4 +1,4 @@
-#include "tuner/workers/workers.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -17,13 +17,13 @@ RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
   return plan;
 }
 
-Workers::Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
-                 std::optional<SampleSet> samples)
-    : Workers(std::make_unique<Crew>(plan_of(scenarios, stepper, samples), count), samples) {}
+CandidateRunner::CandidateRunner(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
+                                 std::optional<SampleSet> samples)
+    : CandidateRunner(std::make_unique<RolloutPool>(plan_of(scenarios, stepper, samples), count), samples) {}
 
-Workers::Workers(std::unique_ptr<Crew> crew, std::optional<SampleSet> samples)
-    : crew_(std::move(crew)), samples_(std::move(samples)) {
-  const auto& all = crew_->plan().scenarios;
+CandidateRunner::CandidateRunner(std::unique_ptr<RolloutPool> pool, std::optional<SampleSet> samples)
+    : pool_(std::move(pool)), samples_(std::move(samples)) {
+  const auto& all = pool_->plan().scenarios;
   std::size_t place = 0;
   std::vector<std::size_t> longest_first(all.size());
   std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});
@@ -38,11 +38,11 @@ Workers::Workers(std::unique_ptr<Crew> crew, std::optional<SampleSet> samples)
   }
 }
 
-std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) const {
+std::vector<RolloutResult> CandidateRunner::fold(std::vector<RolloutResult> results) const {
   if (!samples_) return results;
   std::vector<RolloutResult> one_each;
   for (std::size_t s = 0; s < scenarios(); ++s) {
-    if (s >= crew_->plan().drawn) {
+    if (s >= pool_->plan().drawn) {
       one_each.push_back(std::move(results[place_[s]]));
     } else {
       one_each.push_back(folded(*samples_, std::span(results).subspan(place_[s], samples(s))));
@@ -51,10 +51,10 @@ std::vector<RolloutResult> Workers::fold(std::vector<RolloutResult> results) con
   return one_each;
 }
 
-std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<const Gains> candidates,
-                                                                    const std::atomic<bool>& stop,
-                                                                    const Finished& finished,
-                                                                    const Conditions& conditions) {
+std::optional<std::vector<std::vector<RolloutResult>>> CandidateRunner::run(std::span<const Gains> candidates,
+                                                                            const std::atomic<bool>& stop,
+                                                                            const Finished& finished,
+                                                                            const Conditions& conditions) {
   const std::vector<EndLimits>& limits = conditions.limits;
   const std::size_t each = units_.size();
   std::vector<std::vector<RolloutResult>> results(candidates.size(), std::vector<RolloutResult>(each));
@@ -64,7 +64,7 @@ std::optional<std::vector<std::vector<RolloutResult>>> Workers::run(std::span<co
   const auto candidate_of = [&](std::size_t i) { return i / each; };
   const auto scenario_of = [&](std::size_t i) { return units_[i % each].scenario; };
   const auto sample_of = [&](std::size_t i) { return units_[i % each].sample; };
-  crew_->run(
+  pool_->run(
       candidates.size() * each,
       [&](std::size_t i) {
         return RolloutJob{scenario_of(i), sample_of(i), candidates[candidate_of(i)],

@@ -1,4 +1,4 @@
-#include "tuner/workers/team.hpp"
+#include "tuner/workers/rank_group.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -52,15 +52,15 @@ void say_waiting(Peer& peer, double seconds, const std::string& what, double lim
       peer.rank, peer.host, seconds, what.empty() ? "" : fmt::format(" ({})", what), limit));
 }
 
-Team::Team(std::unique_ptr<Transport> transport, Notice notice)
+RankGroup::RankGroup(std::unique_ptr<Transport> transport, Notice notice)
     : transport_(std::move(transport)), notice_(std::move(notice)), parent_(::getppid()) {
   if (!several() || !leads()) return;
   for (int rank = 1; rank < ranks(); ++rank) peers_.push_back({rank, "an unknown host", 0, false});
 }
 
-Team::~Team() = default;
+RankGroup::~RankGroup() = default;
 
-bool Team::call_roll(const std::string& command_line) {
+bool RankGroup::call_roll(const std::string& command_line) {
   if (!several()) return true;
   const Hello own{host_name(), {}, program_facts(command_line)};
   if (leads()) {
@@ -74,7 +74,7 @@ bool Team::call_roll(const std::string& command_line) {
   return false;
 }
 
-bool Team::begin(RolloutPlan plan, int threads) {
+bool RankGroup::begin(RolloutPlan plan, int threads) {
   plan_ = std::make_shared<const RolloutPlan>(std::move(plan));
   threads_ = threads;
   if (!several()) return true;
@@ -94,7 +94,7 @@ bool Team::begin(RolloutPlan plan, int threads) {
   return true;
 }
 
-std::string Team::hear(Peer& peer, double limit) {
+std::string RankGroup::hear(Peer& peer, double limit) {
   for (Patience patience;; patience.sleep()) {
     if (auto message = transport_->receive(peer.rank)) return std::move(*message);
     const double seconds = patience.seconds();
@@ -107,7 +107,7 @@ std::string Team::hear(Peer& peer, double limit) {
   }
 }
 
-void Team::compare(const Hello& own) {
+void RankGroup::compare(const Hello& own) {
   for (Peer& peer : peers_) {
     const Hello hello = read_hello(hear(peer, kStartSeconds));
     peer.host = hello.host;
@@ -124,29 +124,29 @@ void Team::compare(const Hello& own) {
   for (const Peer& peer : peers_) transport_->send(peer.rank, plain_message(MessageKind::kGo));
 }
 
-std::unique_ptr<Crew> Team::crew() {
-  if (!several()) return std::make_unique<Crew>(*plan_, threads_);
-  ++crews_;
-  std::vector<std::unique_ptr<Worker>> workers;
+std::unique_ptr<RolloutPool> RankGroup::pool() {
+  if (!several()) return std::make_unique<RolloutPool>(*plan_, threads_);
+  ++pools_;
+  std::vector<std::unique_ptr<RolloutWorker>> workers;
   workers.reserve(peers_.size() + 1);
   workers.push_back(std::make_unique<LaneWorker>(*plan_));
-  for (Peer& peer : peers_) workers.push_back(rank_worker(*transport_, peer, crews_, *plan_, notice_));
-  return std::make_unique<Crew>(plan_, std::move(workers));
+  for (Peer& peer : peers_) workers.push_back(rank_worker(*transport_, peer, pools_, *plan_, notice_));
+  return std::make_unique<RolloutPool>(plan_, std::move(workers));
 }
 
-void Team::fail(const std::string& what) {
+void RankGroup::fail(const std::string& what) {
   transport_->send(0, hello_message({host_name(), what, {}}));
   serve();
 }
 
-void Team::leave(const std::string& bye) {
+void RankGroup::leave(const std::string& bye) {
   exit_code_ = read_bye(bye);
   transport_->send(0, plain_message(MessageKind::kLeaving));
   transport_->end();
   left_ = true;
 }
 
-std::string Team::next_from_leader() {
+std::string RankGroup::next_from_leader() {
   if (!pending_.empty()) {
     std::string message = std::move(pending_.front());
     pending_.pop_front();
@@ -159,7 +159,7 @@ std::string Team::next_from_leader() {
   }
 }
 
-void Team::serve() {
+void RankGroup::serve() {
   for (;;) {
     const std::string message = next_from_leader();
     switch (kind_of(message)) {
@@ -178,10 +178,10 @@ void Team::serve() {
   }
 }
 
-void Team::work(const std::string& message) {
+void RankGroup::work(const std::string& message) {
   LeaderJobs jobs(*transport_, message, pending_);
-  if (!worker_ || jobs.crew() != crew_) worker_ = std::make_unique<LaneWorker>(*plan_);
-  crew_ = jobs.crew();
+  if (!worker_ || jobs.pool() != pool_) worker_ = std::make_unique<LaneWorker>(*plan_);
+  pool_ = jobs.pool();
   try {
     worker_->work(jobs);
     jobs.interrupt();
@@ -190,7 +190,7 @@ void Team::work(const std::string& message) {
   }
 }
 
-bool Team::end(int exit_code) {
+bool RankGroup::end(int exit_code) {
   if (!several()) return true;
   if (std::any_of(peers_.begin(), peers_.end(), [](const Peer& peer) { return peer.lost; })) return false;
   for (const Peer& peer : peers_) transport_->send(peer.rank, bye_message(exit_code));

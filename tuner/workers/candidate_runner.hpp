@@ -11,7 +11,7 @@
 
 #include "tuner/robustness/sample_set.hpp"
 #include "tuner/workers/conditions.hpp"
-#include "tuner/workers/crew.hpp"
+#include "tuner/workers/rollout_pool.hpp"
 
 namespace armtune {
 
@@ -20,19 +20,19 @@ namespace armtune {
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples);
 
-class Workers {
+class CandidateRunner {
  public:
   /// count: threads (>= 1). With a sample set every scenario is run as each of its arms, and results are
   /// folded to one per scenario.
-  Workers(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
-          std::optional<SampleSet> samples = std::nullopt);
-  /// crew: of the plan_of these samples.
-  Workers(std::unique_ptr<Crew> crew, std::optional<SampleSet> samples);
+  CandidateRunner(const std::vector<Scenario>& scenarios, Stepper stepper, int count,
+                  std::optional<SampleSet> samples = std::nullopt);
+  /// pool: of the plan_of these samples.
+  CandidateRunner(std::unique_ptr<RolloutPool> pool, std::optional<SampleSet> samples);
 
-  int count() const { return crew_->count(); }
-  long rollouts_done() const { return crew_->rollouts_done(); }
+  int count() const { return pool_->count(); }
+  long rollouts_done() const { return pool_->rollouts_done(); }
   /// Of all of them together [s].
-  double simulated() const { return crew_->simulated(); }
+  double simulated() const { return pool_->simulated(); }
 
   /// Called once per candidate, as soon as all its scenarios are done: in any order, one call at a time, from
   /// any thread.
@@ -53,13 +53,13 @@ class Workers {
   };
   /// One result per scenario as given.
   std::vector<RolloutResult> fold(std::vector<RolloutResult> results) const;
-  std::size_t scenarios() const { return crew_->plan().scenarios.size(); }
+  std::size_t scenarios() const { return pool_->plan().scenarios.size(); }
   /// The arms that a scenario is simulated with.
   std::size_t samples(std::size_t scenario) const {
-    return samples_ && scenario < crew_->plan().drawn ? arms(*samples_) : 1;
+    return samples_ && scenario < pool_->plan().drawn ? arms(*samples_) : 1;
   }
 
-  std::unique_ptr<Crew> crew_;
+  std::unique_ptr<RolloutPool> pool_;
   std::optional<SampleSet> samples_;
   std::vector<Unit> units_;         ///< of a candidate, the longest scenario first
   std::vector<std::size_t> place_;  ///< [scenario]: of the result of its first sample

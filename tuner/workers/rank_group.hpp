@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tuner/workers/crew.hpp"
+#include "tuner/workers/rollout_pool.hpp"
 #include "tuner/workers/transport.hpp"
 
 namespace armtune {
@@ -24,14 +24,14 @@ struct Peer {
   bool told = false;       ///< the user knows that rank 0 waits for it
 };
 
-class Team {
+class RankGroup {
  public:
   /// transport: none where this process is alone. While rank 0 waits for another rank for more than
   /// kSayAfter, it says so to `notice`, once for each rank.
-  explicit Team(std::unique_ptr<Transport> transport, Notice notice = {});
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  explicit RankGroup(std::unique_ptr<Transport> transport, Notice notice = {});
+  ~RankGroup();
+  RankGroup(const RankGroup&) = delete;
+  RankGroup& operator=(const RankGroup&) = delete;
 
   bool several() const { return transport_ != nullptr; }
   bool leads() const { return !transport_ || transport_->rank() == 0; }
@@ -51,7 +51,7 @@ class Team {
 
   /// Workers of the plan that have done nothing yet, for the process that leads. Those of an earlier call
   /// may be used again, but not at the same time.
-  std::unique_ptr<Crew> crew();
+  std::unique_ptr<RolloutPool> pool();
 
   /// In any rank but 0: what kept it from calling begin(). Rank 0 throws it; here it returns once the leader
   /// has heard it.
@@ -82,12 +82,12 @@ class Team {
   int threads_ = 1;
   std::vector<Peer> peers_;
   bool met_ = false;
-  std::uint64_t crews_ = 0;
+  std::uint64_t pools_ = 0;
 
   // Of a rank that works.
   std::deque<std::string> pending_;  ///< came while jobs were under way
   std::unique_ptr<LaneWorker> worker_;
-  std::uint64_t crew_ = 0;
+  std::uint64_t pool_ = 0;
   bool left_ = false;
   int exit_code_ = 0;
 };
@@ -97,7 +97,7 @@ class Team {
 void say_waiting(Peer& peer, double seconds, const std::string& what, double limit, const Notice& notice);
 
 /// In rank 0: the worker that is `peer`. All but the number outlive it.
-std::unique_ptr<Worker> rank_worker(Transport& transport, Peer& peer, std::uint64_t crew,
-                                    const RolloutPlan& plan, const Notice& notice);
+std::unique_ptr<RolloutWorker> rank_worker(Transport& transport, Peer& peer, std::uint64_t pool,
+                                           const RolloutPlan& plan, const Notice& notice);
 
 }  // namespace armtune

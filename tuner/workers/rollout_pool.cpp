@@ -1,4 +1,4 @@
-#include "tuner/workers/crew.hpp"
+#include "tuner/workers/rollout_pool.hpp"
 
 #include <mutex>
 
@@ -8,7 +8,7 @@
 namespace armtune {
 namespace {
 
-/// Jobs 0 .. count - 1 for all workers of a crew.
+/// Jobs 0 .. count - 1 for all workers of a pool.
 class SharedJobs final : public JobSource {
  public:
   SharedJobs(std::size_t count, std::size_t workers, const std::function<RolloutJob(std::size_t)>& job,
@@ -42,17 +42,19 @@ class SharedJobs final : public JobSource {
 
 }  // namespace
 
-Crew::Crew(RolloutPlan plan, int threads) : plan_(std::make_shared<const RolloutPlan>(std::move(plan))) {
+RolloutPool::RolloutPool(RolloutPlan plan, int threads)
+    : plan_(std::make_shared<const RolloutPlan>(std::move(plan))) {
   workers_.reserve(static_cast<std::size_t>(threads));
   for (int w = 0; w < threads; ++w) workers_.push_back(std::make_unique<LaneWorker>(*plan_));
 }
 
-Crew::Crew(std::shared_ptr<const RolloutPlan> plan, std::vector<std::unique_ptr<Worker>> workers)
+RolloutPool::RolloutPool(std::shared_ptr<const RolloutPlan> plan,
+                         std::vector<std::unique_ptr<RolloutWorker>> workers)
     : plan_(std::move(plan)), workers_(std::move(workers)) {}
 
-void Crew::run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
-               const std::atomic<bool>& stop,
-               const std::function<void(std::size_t, RolloutResult&&)>& finished) {
+void RolloutPool::run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
+                      const std::atomic<bool>& stop,
+                      const std::function<void(std::size_t, RolloutResult&&)>& finished) {
   const std::function<void(std::size_t, RolloutResult &&)> count_and_finish = [&](std::size_t i,
                                                                                   RolloutResult&& result) {
     if (result.status == RolloutStatus::kInterrupted) return;

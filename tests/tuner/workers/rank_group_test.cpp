@@ -1,6 +1,6 @@
 // Ranks as threads of one process: everything but MPI itself.
 
-#include "tuner/workers/team.hpp"
+#include "tuner/workers/rank_group.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 #include "sim/lanes/arm_lanes.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
+#include "tuner/workers/candidate_runner.hpp"
 #include "tuner/workers/messages.hpp"
-#include "tuner/workers/workers.hpp"
 
 namespace armtune {
 namespace {
@@ -76,12 +76,12 @@ RolloutPlan short_plan() {
 }
 
 /// plan_of: what a rank begins with, or it throws. Returns the most jobs that a rank had at once.
-int among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::function<void(Team&)>& lead) {
+int among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::function<void(RankGroup&)>& lead) {
   const auto post = std::make_shared<Post>();
   std::vector<std::jthread> others;
   for (int rank = 1; rank < kRanks; ++rank) {
     others.emplace_back([&plan_of, post, rank] {
-      Team team(std::make_unique<PostTransport>(post, rank));
+      RankGroup team(std::make_unique<PostTransport>(post, rank));
       std::optional<RolloutPlan> plan;
       try {
         plan = plan_of(rank);
@@ -92,7 +92,7 @@ int among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::funct
       EXPECT_FALSE(team.begin(*plan, 1));
     });
   }
-  Team team(std::make_unique<PostTransport>(post, 0));
+  RankGroup team(std::make_unique<PostTransport>(post, 0));
   lead(team);
   EXPECT_TRUE(team.end(0));
   return post->most_under_way;
@@ -112,15 +112,15 @@ TEST_P(TeamOf, RanksGiveWhatThreadsGive) {
   std::vector<Gains> candidates(2, gains);
   candidates[1].task_space_gains_p *= 1.2;
   candidates[1].gaze_feedforward = true;  // switches travel too
-  Workers threads(plan.scenarios, plan.stepper, 1, set);
+  CandidateRunner threads(plan.scenarios, plan.stepper, 1, set);
   const Conditions conditions{GetParam()};
   const auto expected = threads.run(candidates, never, {}, conditions);
   ASSERT_TRUE(expected.has_value());
   const int at_once = among_ranks([&plan](int) { return RolloutPlan(plan); },
-                                  [&](Team& team) {
+                                  [&](RankGroup& team) {
                                     ASSERT_TRUE(team.begin(plan, 1));
                                     for (int again = 0; again < 2; ++again) {
-                                      Workers ranks(team.crew(), set);
+                                      CandidateRunner ranks(team.pool(), set);
                                       EXPECT_EQ(ranks.count(), kRanks);
                                       const auto found = ranks.run(candidates, never, {}, conditions);
                                       ASSERT_TRUE(found.has_value());
@@ -143,14 +143,14 @@ TEST_P(TeamOf, AStopInterruptsTheRollouts) {
   for (Scenario& scenario : plan.scenarios) scenario.duration = 10000.0;  // never done within a test
   std::atomic<bool> stop{false};
   among_ranks([&plan](int) { return RolloutPlan(plan); },
-              [&](Team& team) {
+              [&](RankGroup& team) {
                 ASSERT_TRUE(team.begin(plan, 1));
                 const Gains gains = test::quick_gains(plan.scenarios[0]);
                 const std::jthread later([&stop] {
                   std::this_thread::sleep_for(std::chrono::milliseconds(100));
                   stop = true;
                 });
-                team.crew()->run(
+                team.pool()->run(
                     10, [&gains](std::size_t k) { return RolloutJob{0, k, gains, {}, GetParam(), {}}; }, stop,
                     [](std::size_t, RolloutResult&&) { ADD_FAILURE() << "a rollout was done"; });
               });
@@ -162,11 +162,11 @@ TEST_P(TeamOf, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
   plan.deadline = 0.5;
   const std::atomic<bool> never{false};
   among_ranks([&plan](int) { return RolloutPlan(plan); },
-              [&](Team& team) {
+              [&](RankGroup& team) {
                 ASSERT_TRUE(team.begin(plan, 1));
                 const Gains gains = test::quick_gains(plan.scenarios[0]);
                 try {
-                  team.crew()->run(
+                  team.pool()->run(
                       3, [&gains](std::size_t k) { return RolloutJob{1, k, gains, {}, GetParam(), {}}; },
                       never, [](std::size_t, RolloutResult&&) {});
                   FAIL() << "nothing was thrown";
@@ -184,11 +184,11 @@ INSTANTIATE_TEST_SUITE_P(Every, TeamOf, ::testing::Values(Engine::kSimbody, Engi
 std::string refused(const std::function<RolloutPlan()>& of_rank_2) {
   std::string said;
   among_ranks([&](int rank) { return rank == 2 ? of_rank_2() : short_plan(); },
-              [&said](Team& team) { said = test::refusal([&team] { team.begin(short_plan(), 1); }); });
+              [&said](RankGroup& team) { said = test::refusal([&team] { team.begin(short_plan(), 1); }); });
   return said;
 }
 
-TEST(Team, ARankWithAnotherPlanIsRefused) {
+TEST(RankGroup, ARankWithAnotherPlanIsRefused) {
   EXPECT_THAT(
       refused([] {
         RolloutPlan other = short_plan();
@@ -212,41 +212,41 @@ TEST(Team, ARankWithAnotherPlanIsRefused) {
               AllOf(HasSubstr("rank 2 on "), HasSubstr("study.yaml: cannot be read")));
 }
 
-TEST(Team, ARankWithAnotherCommandLineIsRefusedAndAllGetTheExitCode) {
+TEST(RankGroup, ARankWithAnotherCommandLineIsRefusedAndAllGetTheExitCode) {
   const auto post = std::make_shared<Post>();
   std::vector<std::jthread> others;
   for (int rank = 1; rank < kRanks; ++rank) {
     others.emplace_back([post, rank] {
-      Team team(std::make_unique<PostTransport>(post, rank));
+      RankGroup team(std::make_unique<PostTransport>(post, rank));
       EXPECT_FALSE(team.call_roll(rank == 2 ? "armtune robustness a" : "armtune tune a"));
       EXPECT_TRUE(team.left());
       EXPECT_EQ(team.exit_code(), 2);
     });
   }
-  Team team(std::make_unique<PostTransport>(post, 0));
+  RankGroup team(std::make_unique<PostTransport>(post, 0));
   EXPECT_THAT(test::refusal([&team] { team.call_roll("armtune tune a"); }),
               AllOf(HasSubstr("rank 2 on "), HasSubstr("armtune robustness a"), HasSubstr("armtune tune a")));
   EXPECT_TRUE(team.end(2));
 }
 
-TEST(Team, RanksOfOneCommandLineBegin) {
+TEST(RankGroup, RanksOfOneCommandLineBegin) {
   const auto post = std::make_shared<Post>();
   std::vector<std::jthread> others;
   for (int rank = 1; rank < kRanks; ++rank) {
     others.emplace_back([post, rank] {
-      Team team(std::make_unique<PostTransport>(post, rank));
+      RankGroup team(std::make_unique<PostTransport>(post, rank));
       ASSERT_TRUE(team.call_roll("armtune tune a"));
       EXPECT_FALSE(team.begin(short_plan(), 1));
       EXPECT_EQ(team.exit_code(), 3);
     });
   }
-  Team team(std::make_unique<PostTransport>(post, 0));
+  RankGroup team(std::make_unique<PostTransport>(post, 0));
   EXPECT_TRUE(team.call_roll("armtune tune a"));
   EXPECT_TRUE(team.begin(short_plan(), 1));
   EXPECT_TRUE(team.end(3));
 }
 
-TEST(Team, AWaitIsSaidOnceForEachRank) {
+TEST(RankGroup, AWaitIsSaidOnceForEachRank) {
   std::vector<std::string> said;
   const Notice notice = [&said](const std::string& what) { said.push_back(what); };
   Peer peer{3, "somewhere", 0, false, false};
@@ -260,9 +260,9 @@ TEST(Team, AWaitIsSaidOnceForEachRank) {
                                   HasSubstr("25 s")));
 }
 
-TEST(Team, ThreadsBesideRanksAreRefused) {
+TEST(RankGroup, ThreadsBesideRanksAreRefused) {
   among_ranks([](int) { return short_plan(); },
-              [](Team& team) {
+              [](RankGroup& team) {
                 EXPECT_THAT(
                     test::refusal([&team] { team.begin(short_plan(), 4); }),
                     AllOf(HasSubstr("--workers is 4"), HasSubstr("3 ranks"), HasSubstr("start more ranks")));

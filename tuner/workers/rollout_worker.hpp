@@ -28,12 +28,12 @@ class JobSource {
   virtual void finished(std::size_t number, RolloutResult&& result) = 0;
 };
 
-class Worker {
+class RolloutWorker {
  public:
-  Worker() = default;
-  virtual ~Worker() = default;
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
+  RolloutWorker() = default;
+  virtual ~RolloutWorker() = default;
+  RolloutWorker(const RolloutWorker&) = delete;
+  RolloutWorker& operator=(const RolloutWorker&) = delete;
 
   /// Jobs of the plan it was made for, until there are no more. A result depends on plan and job alone.
   /// Throws std::runtime_error past a rollout's deadline, or if the worker is lost.
