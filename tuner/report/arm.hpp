@@ -12,6 +12,7 @@ namespace armtune::report {
 struct Pose {
   Vec3 p = Vec3::Zero();  ///< [m]
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+  bool operator==(const Pose&) const = default;
 };
 
 struct ArmJoint {
@@ -22,6 +23,7 @@ struct ArmJoint {
   double effort_limit = 0.0;    ///< [N m, N]
   std::optional<double> lower;  ///< [rad, m]
   std::optional<double> upper;
+  bool operator==(const ArmJoint&) const = default;
 };
 
 struct ArmShape {
@@ -30,6 +32,7 @@ struct ArmShape {
   std::string kind;
   std::vector<double> size;  ///< as data.ts says
   std::string triangles;     ///< of a mesh: base64 of singles, nine per triangle
+  bool operator==(const ArmShape&) const = default;
 };
 
 struct Arm {
@@ -38,6 +41,7 @@ struct Arm {
   std::vector<ArmShape> shapes;
   std::size_t undrawn = 0;  ///< shapes of the URDF that could not be drawn
   Pose tool;                ///< in the last joint's frame
+  bool operator==(const Arm&) const = default;
 };
 
 /// Shapes as the URDF has them: of each link what is to be seen, else what is to collide. Meshes that cannot

@@ -242,7 +242,10 @@ struct ReportData {
   std::vector<std::string> thinned;   ///< what the page does not show so that it does not become too large
 };
 
-/// The object that web/src/data.ts calls ReportData.
+/// The object that web/src/data.ts calls ReportData. It may stand inside an HTML page: no `<` is in it.
 std::string report_json(const ReportData& data);
+
+/// What a scenario adds to that: the object that web/src/data.ts calls Scenario.
+std::string scenario_json(const ReportScenario& scenario);
 
 }  // namespace armtune::report

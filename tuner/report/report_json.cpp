@@ -1,219 +1,260 @@
-#include "tuner/report/arm_json.hpp"
-#include "tuner/report/json_array.hpp"
+// The data of a page as web/src/data.ts declares it, and scene.json, written by nlohmann's JSON library. It
+// writes NaN and infinity as null, and every other number so that it reads back to the same bits.
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/control/state_machine.hpp"
+#include "tuner/report/base64.hpp"
 #include "tuner/report/report_data.hpp"
-#include "tuner/report/scenario_json.hpp"
-#include "tuner/report/yardstick_json.hpp"
+#include "tuner/report/scene.hpp"
+
+using Json = nlohmann::ordered_json;
+
+namespace nlohmann {
+
+template <typename T>
+struct adl_serializer<std::optional<T>> {
+  static void to_json(Json& json, const std::optional<T>& value) { value ? json = *value : json = nullptr; }
+};
+
+template <>
+struct adl_serializer<armtune::Vec3> {
+  static void to_json(Json& json, const armtune::Vec3& v) { json = {v.x(), v.y(), v.z()}; }
+};
+
+}  // namespace nlohmann
 
 namespace armtune::report {
+
+/// An object of these members, each under its own name.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage)
+#define ARMTUNE_MEMBERS(Type, ...)                                           \
+  static void to_json(Json& nlohmann_json_j, const Type& nlohmann_json_t) {  \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__)) \
+  }
+
 namespace {
 
-void write_row(Json& json, const MetricRow& row) {
-  const MetricField& f = field(row.metric);
-  json.begin_object();
-  json.text("metric", f.name);
-  json.text("unit", f.unit);
-  json.text("words", f.words);
-  json.text("meaning", f.meaning);
-  json.numbers("values", row.values);
-  if (!row.text.empty()) json.texts("text", row.text);
-  if (f.better != Better::kNeither) json.text("better", f.better == Better::kMore ? "higher" : "lower");
-  json.end_object();
+/// Writes a list or an optional value under its key, and nothing where it is empty.
+template <typename T>
+void put_if_any(Json& json, const char* key, const std::vector<T>& values) {
+  if (!values.empty()) json[key] = values;
+}
+template <typename T>
+void put_if_any(Json& json, const char* key, const std::optional<T>& value) {
+  if (value) json[key] = *value;
 }
 
-void write_table(Json& json, const Table& table) {
-  json.begin_object();
-  json.text("scenario", table.scenario);
-  array(json, "rows", table.rows, write_row);
-  json.texts("status", table.status);
-  json.texts("reason", table.reason);
-  json.end_object();
+void put_pose(Json& json, const Pose& pose) {
+  json["p"] = pose.p;
+  json["q"] = {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()};
 }
 
-void write_judged(Json& json, const Judged& judged) {
-  json.begin_object();
-  json.text("measure", judged.measure);
-  array(json, "tables", judged.tables, write_table);
-  json.end_object();
-}
-
-void write_thinned(Json& json, const ThinnedEvaluations& thinned) {
-  const auto count = [&json](const char* key, std::size_t n) { json.integer(key, static_cast<long>(n)); };
-  json.begin_object();
-  array(json, "number", thinned.number,
-        [](Json& out, std::size_t number) { out.integer(static_cast<long>(number)); });
-  count("total", thinned.total);
-  count("feasible", thinned.feasible);
-  count("native", thinned.native);
-  count("without_objective", thinned.without_objective);
-  array(json, "phase_runs", thinned.phase_runs, [](Json& out, const PhaseRun& run) {
-    out.begin_array();
-    for (const std::size_t n : {run.phase, run.from, run.to}) out.integer(static_cast<long>(n));
-    out.end_array();
-  });
-  json.boolean("more_phase_runs", thinned.more_phase_runs);
-  json.end_object();
-}
-
-void write_evaluations(Json& json, const Evaluations& e) {
-  json.begin_object();
-  json.texts("phase", e.phases);
-  array(json, "of", e.of, [](Json& out, std::size_t phase) { out.integer(static_cast<long>(phase)); });
-  json.numbers("objective", e.objective);
-  array(json, "feasible", e.feasible, [](Json& out, bool feasible) { out.boolean(feasible); });
-  json.numbers("violation", e.violation);
-  array_if_any(json, "native", e.native, [](Json& out, bool native) { out.boolean(native); });
-  json.integer("start", e.start);
-  json.integer("chosen", e.chosen);
-  value_if_any(json, "thinned", e.thinned, write_thinned);
-  json.end_object();
-}
-
-void write_gain(Json& json, const Gain& gain) {
-  json.begin_object();
-  json.text("name", gain.name);
-  json.text("unit", gain.unit);
-  json.number("lower", gain.lower);
-  json.number("upper", gain.upper);
-  json.text("scale", gain.scale);
-  json.numbers("values", gain.values);
-  json.end_object();
-}
-
-void write_sensitivity(Json& json, const Sensitivity& s) {
-  json.begin_object();
-  json.text("gain", s.gain);
-  json.number("importance", s.importance);
-  json.number("local", s.local);
-  json.number("elasticity", s.elasticity);
-  json.number("rank_correlation", s.rank_correlation);
-  json.end_object();
-}
-
-void write_margin(Json& json, const MarginRow& row) {
-  json.begin_object();
-  json.text("margin", row.margin);
-  json.text("unit", row.unit);
-  json.text("scenario", row.scenario);
-  json.numbers("values", row.values);
-  json.texts("text", row.text);
-  json.texts("reason", row.reason);
-  json.end_object();
-}
-
-void write_front(Json& json, const Front& front) {
-  json.begin_object();
-  array(json, "criteria", front.criteria,
-        [](Json& out, const std::pair<std::string, std::string>& criterion) {
-          out.begin_object();
-          out.text("name", criterion.first);
-          out.text("unit", criterion.second);
-          out.end_object();
-        });
-  array(json, "points", front.points, [](Json& out, const FrontPoint& point) {
-    out.begin_object();
-    out.numbers("values", point.values);
-    out.text("label", point.label);
-    out.boolean("feasible", point.feasible);
-    out.text("role", point.role);
-    out.end_object();
-  });
-  array(json, "limits", front.limits, [](Json& out, const std::pair<std::size_t, double>& limit) {
-    out.begin_object();
-    out.integer("criterion", static_cast<long>(limit.first));
-    out.number("value", limit.second);
-    out.end_object();
-  });
-  json.number("hypervolume", front.hypervolume);
-  json.end_object();
-}
-
-void write_histogram(Json& json, const Histogram& histogram) {
-  json.begin_object();
-  json.text("metric", field(histogram.metric).name);
-  json.text("unit", field(histogram.metric).unit);
-  json.text("scenario", histogram.scenario);
-  json.number("limit", histogram.limit);
-  array(json, "counts", histogram.counts,
-        [](Json& out, std::size_t count) { out.integer(static_cast<long>(count)); });
-  json.integer("failed", static_cast<long>(histogram.failed));
-  json.numbers("edges", histogram.edges);
-  json.number("nominal", histogram.nominal);
-  json.end_object();
-}
-
-void write_robustness(Json& json, const Robustness& r) {
-  json.begin_object();
-  json.integer("samples", static_cast<long>(r.samples));
-  json.number("yield", r.samples > 0 ? static_cast<double>(r.kept) / static_cast<double>(r.samples) : 0.0);
-  json.numbers("interval", {r.interval.first, r.interval.second});
-  array(json, "histograms", r.histograms, write_histogram);
-  array(json, "worst", r.worst, [](Json& out, const WorstSample& worst) {
-    out.begin_object();
-    out.integer("sample", worst.sample);
-    out.text("text", worst.text);
-    out.end_object();
-  });
-  json.end_object();
-}
-
-void write_pairs(Json& json, const char* key, const std::vector<std::pair<std::string, std::string>>& pairs) {
-  array(json, key, pairs, [](Json& out, const std::pair<std::string, std::string>& entry) {
-    out.texts({entry.first, entry.second});
-  });
-}
-
-void write_live(Json& json, const Live& live) {
-  json.begin_object();
-  json.integer("evaluations", live.evaluations);
-  json.integer("most_evaluations", live.most_evaluations);
-  json.number("seconds_left", live.seconds_left);
-  json.number("every", live.every);
-  json.integer("written", live.written);
-  json.end_object();
-}
-
-void write_plan(Json& json, const Plan& plan) {
-  json.begin_object();
-  json.number("start", plan.start);
-  json.text("scenario", plan.scenario);
-  write_pairs(json, "figures", plan.figures);
-  json.end_object();
+/// `<` is written as `\u003c`, so that nothing in the text ends a script element or begins a comment, and DEL
+/// as `\u007f`, which YAML's readers want. Bytes that are not UTF-8 become U+FFFD.
+std::string text_of(const Json& json) {
+  const std::string plain = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text;
+  text.reserve(plain.size());
+  for (const char c : plain) {
+    if (c == '<' || c == '\x7f') {
+      text += c == '<' ? "\\u003c" : "\\u007f";
+    } else {
+      text += c;
+    }
+  }
+  return text;
 }
 
 }  // namespace
 
+static void to_json(Json& json, const MetricRow& row) {
+  const MetricField& f = field(row.metric);
+  json = {{"metric", f.name},
+          {"unit", f.unit},
+          {"words", f.words},
+          {"meaning", f.meaning},
+          {"values", row.values}};
+  put_if_any(json, "text", row.text);
+  if (f.better != Better::kNeither) json["better"] = f.better == Better::kMore ? "higher" : "lower";
+}
+
+ARMTUNE_MEMBERS(Table, scenario, rows, status, reason)
+ARMTUNE_MEMBERS(Judged, measure, tables)
+
+static void to_json(Json& json, const PhaseRun& run) {
+  json = {run.phase, run.from, run.to};
+}
+
+ARMTUNE_MEMBERS(ThinnedEvaluations, number, total, feasible, native, without_objective, phase_runs,
+                more_phase_runs)
+
+static void to_json(Json& json, const Evaluations& e) {
+  json = {
+      {"phase", e.phases},        {"of", e.of},       {"objective", e.objective}, {"feasible", e.feasible},
+      {"violation", e.violation}, {"start", e.start}, {"chosen", e.chosen}};
+  put_if_any(json, "native", e.native);
+  put_if_any(json, "thinned", e.thinned);
+}
+
+ARMTUNE_MEMBERS(Gain, name, unit, lower, upper, scale, values)
+ARMTUNE_MEMBERS(Sensitivity, gain, importance, local, elasticity, rank_correlation)
+ARMTUNE_MEMBERS(MarginRow, margin, unit, scenario, values, text, reason)
+ARMTUNE_MEMBERS(YardstickRow, set, scenario, event, time, reached, limit, ratio, unit, held_back_by, words)
+ARMTUNE_MEMBERS(FrontPoint, values, label, feasible, role)
+
+static void to_json(Json& json, const Front& front) {
+  json = {{"criteria", Json::array()},
+          {"points", front.points},
+          {"limits", Json::array()},
+          {"hypervolume", front.hypervolume}};
+  for (const auto& [name, unit] : front.criteria)
+    json["criteria"].push_back({{"name", name}, {"unit", unit}});
+  for (const auto& [criterion, value] : front.limits)
+    json["limits"].push_back({{"criterion", criterion}, {"value", value}});
+}
+
+static void to_json(Json& json, const Histogram& histogram) {
+  const MetricField& f = field(histogram.metric);
+  json = {{"metric", f.name},
+          {"unit", f.unit},
+          {"scenario", histogram.scenario},
+          {"limit", histogram.limit},
+          {"counts", histogram.counts},
+          {"failed", histogram.failed},
+          {"edges", histogram.edges},
+          {"nominal", histogram.nominal}};
+}
+
+ARMTUNE_MEMBERS(WorstSample, sample, text)
+
+static void to_json(Json& json, const Robustness& r) {
+  json = {{"samples", r.samples},
+          {"yield", r.samples > 0 ? static_cast<double>(r.kept) / static_cast<double>(r.samples) : 0.0},
+          {"interval", r.interval},
+          {"histograms", r.histograms},
+          {"worst", r.worst}};
+}
+
+ARMTUNE_MEMBERS(Live, evaluations, most_evaluations, seconds_left, every, written)
+ARMTUNE_MEMBERS(Plan, start, scenario, figures)
+ARMTUNE_MEMBERS(Verdict, sentence, details)
+
+static void to_json(Json& json, const Series& series) {
+  json = {{"lo", series.lo}, {"hi", series.hi}, {"u16", base64_u16(series.steps)}};
+}
+
+ARMTUNE_MEMBERS(Replay, dt, n, q, target, obstacles, tool, error, velocity_ratio)
+ARMTUNE_MEMBERS(PlotColumn, name, group, unit, series)
+
+static void to_json(Json& json, const StateChange& change) {
+  json = {{"t", change.time}, {"state", change.state}};
+}
+
+ARMTUNE_MEMBERS(Run, set, status, reason, start, end, states, slerps, time, columns, replay)
+ARMTUNE_MEMBERS(PlanLimit, limit, part, words, unit, lower, upper, from, to, at_knots, between_knots, active,
+                strength, active_lower, active_upper, group, column)
+
+static void to_json(Json& json, const ReportScenario& scenario) {
+  json = {{"name", scenario.name},
+          {"duration", scenario.duration},
+          {"path", Json::array()},
+          {"influence_radius", scenario.influence_radius},
+          {"obstacles", Json::array()},
+          {"states",
+           {name(ControlState::kLeaveSingularity), name(ControlState::kReturnToTrajectory),
+            name(ControlState::kFollowTrajectory), name(ControlState::kAvoidObstacles),
+            name(ControlState::kFollowPlan)}},
+          {"robot", scenario.arm},
+          {"runs", scenario.runs}};
+  // To a hundredth of a millimetre: it is drawn, no more.
+  for (const Vec3& p : scenario.path) json["path"].push_back(Vec3((1e5 * p).array().round() / 1e5));
+  for (const double radius : scenario.obstacles) json["obstacles"].push_back({{"body_radius", radius}});
+  put_if_any(json, "limits", scenario.limits);
+}
+
+static void to_json(Json& json, const ArmJoint& joint) {
+  json = {{"name", joint.name}, {"kind", joint.prismatic ? "prismatic" : "revolute"}};
+  put_pose(json, joint.pose);
+  json["velocity_limit"] = joint.velocity_limit;
+  json["effort_limit"] = joint.effort_limit;
+  json["lower"] = joint.lower;
+  json["upper"] = joint.upper;
+}
+
+static void to_json(Json& json, const ArmShape& shape) {
+  json = {{"joint", shape.joint}, {"kind", shape.kind}, {"size", shape.size}};
+  put_pose(json, shape.pose);
+  if (!shape.triangles.empty()) json["triangles"] = shape.triangles;
+}
+
+static void to_json(Json& json, const Arm& arm) {
+  json = {{"name", arm.name}, {"joints", arm.joints}, {"shapes", arm.shapes}, {"undrawn", arm.undrawn}};
+  put_pose(json["tool"], arm.tool);
+}
+
+ARMTUNE_MEMBERS(SceneSet, name, folder, errors)
+
+static Json path_json(const Path& path) {
+  Json json = {{"center", path.center},
+               {"frequency", path.frequency},
+               {"phase", path.phase},
+               {"terms", Json::array()}};
+  for (const HarmonicTerm& term : path.terms)
+    json["terms"].push_back({{"order", term.order}, {"cosine", term.cosine}, {"sine", term.sine}});
+  if (!path.spline) return json;
+  Json& rows = json["knots"] = Json::array();
+  for (std::size_t k = 0; k < path.spline->time().size(); ++k) {
+    const MotionPoint<Vec3>& knot = path.spline->knots()[k];
+    Json row = Json::array({path.spline->time()[k]});
+    for (const Vec3* v : {&knot.position, &knot.velocity, &knot.acceleration})
+      for (const double value : *v) row.push_back(value);
+    rows.push_back(std::move(row));
+  }
+  json["loops"] = path.spline->loops();
+  return json;
+}
+
+static void to_json(Json& json, const SceneObstacle& obstacle) {
+  json = {{"radius", obstacle.radius}, {"path", path_json(obstacle.path)}};
+}
+
+static void to_json(Json& json, const SceneScenario& s) {
+  json = {{"name", s.name},           {"duration", s.duration},
+          {"robot", s.arm},           {"path", path_json(s.path)},
+          {"obstacles", s.obstacles}, {"influence_radius", s.influence_radius}};
+}
+
+std::string scene_json(const Scene& scene) {
+  return text_of({{"sets", scene.sets}, {"scenarios", scene.scenarios}, {"robots", scene.arms}}) + '\n';
+}
+
+std::string scenario_json(const ReportScenario& scenario) {
+  return text_of(scenario);
+}
+
 std::string report_json(const ReportData& data) {
-  Json json;
-  json.begin_object();
-  json.integer("format", 1);
-  json.text("kind", name(data.kind));
-  json.text("title", data.title);
-  json.key("verdict");
-  json.begin_object();
-  json.text("sentence", data.verdict.sentence);
-  json.texts("details", data.verdict.details);
-  json.end_object();
-  value_if_any(json, "live", data.live, write_live);
-  json.texts("sets", data.sets);
-  array(json, "tables", data.tables, write_table);
-  value_if_any(json, "judged", data.judged, write_judged);
-  array(json, "robots", data.arms, write_arm);
-  array(json, "scenarios", data.scenarios, write_scenario);
-  value_if_any(json, "evaluations", data.evaluations, write_evaluations);
-  array_if_any(json, "gains", data.gains, write_gain);
-  array_if_any(json, "sensitivity", data.sensitivity, write_sensitivity);
-  array_if_any(json, "margins", data.margins, write_margin);
-  array_if_any(json, "yardstick", data.yardstick, write_yardstick);
-  value_if_any(json, "front", data.front, write_front);
-  value_if_any(json, "robustness", data.robustness, write_robustness);
-  value_if_any(json, "plan", data.plan, write_plan);
-  json.key("provenance");
-  json.begin_object();
-  json.text("command", data.command);
-  write_pairs(json, "entries", data.provenance);
-  json.end_object();
-  json.end_object();
-  return json.take();
+  Json json = {{"format", 1},
+               {"kind", name(data.kind)},
+               {"title", data.title},
+               {"verdict", data.verdict},
+               {"sets", data.sets},
+               {"tables", data.tables},
+               {"robots", data.arms},
+               {"scenarios", data.scenarios},
+               {"provenance", {{"command", data.command}, {"entries", data.provenance}}}};
+  put_if_any(json, "live", data.live);
+  put_if_any(json, "judged", data.judged);
+  put_if_any(json, "evaluations", data.evaluations);
+  put_if_any(json, "gains", data.gains);
+  put_if_any(json, "sensitivity", data.sensitivity);
+  put_if_any(json, "margins", data.margins);
+  put_if_any(json, "yardstick", data.yardstick);
+  put_if_any(json, "front", data.front);
+  put_if_any(json, "robustness", data.robustness);
+  put_if_any(json, "plan", data.plan);
+  return text_of(json);
 }
 
 }  // namespace armtune::report

@@ -8,7 +8,6 @@
 #include "core/common/error.hpp"
 #include "tuner/report/nearest_obstacles.hpp"
 #include "tuner/report/recording.hpp"
-#include "tuner/report/scenario_json.hpp"
 #include "tuner/report/telling.hpp"
 #include "tuner/run/run_file.hpp"
 
@@ -171,13 +170,12 @@ class Recordings {
       for (const SceneObstacle& obstacle : scenario->obstacles)
         with_runs.obstacles.push_back(obstacle.radius);
     }
-    Json json;
-    write_scenario(json, with_runs);
-    if (json.str().size() > room_) {
+    const std::size_t size = scenario_json(with_runs).size();
+    if (size > room_) {
       data_.thinned.push_back(fmt::format("plots and replay of {}", shown.name));
       return;
     }
-    room_ -= json.str().size();
+    room_ -= size;
     tell(with_runs, whole != nullptr ? whole->obstacles.size() : 0);
     shown = std::move(with_runs);
   }

@@ -5,7 +5,7 @@
 
 #include "core/common/error.hpp"
 #include "sim/yaml/map_reader.hpp"
-#include "tuner/report/arm_json.hpp"
+#include "tuner/report/arm_reader.hpp"
 #include "tuner/report/scene.hpp"
 
 namespace armtune::report {

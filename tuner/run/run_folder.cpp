@@ -143,6 +143,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"console_bridge", ARMTUNE_CONSOLE_BRIDGE_VERSION},
           {"yaml_cpp", ARMTUNE_YAML_VERSION},
           {"cli11", ARMTUNE_CLI11_VERSION},
+          {"nlohmann_json", ARMTUNE_JSON_VERSION},
           {"open_mpi", mpi_version()},
           {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
           {"three_js", ARMTUNE_THREE_VERSION},

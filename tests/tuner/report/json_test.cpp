@@ -1,13 +1,15 @@
-#include "tuner/report/json.hpp"
+// What must hold of every text and number that report_json writes into a page.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstdlib>
+#include <cstdint>
 #include <limits>
 
 #include "tests/tuner/report/support/decode.hpp"
+#include "tuner/report/report_data.hpp"
 
 namespace armtune::report {
 namespace {
@@ -15,79 +17,68 @@ namespace {
 using test::at;
 using test::parsed;
 
+std::string json_of(const std::string& title) {
+  ReportData data;
+  data.title = title;
+  return report_json(data);
+}
+
+std::string json_of(const std::vector<double>& values) {
+  ReportData data;
+  data.gains.emplace_back().values = values;
+  return report_json(data);
+}
+
 TEST(Json, TextReadsBackAsItWas) {
   std::string all;
   for (int c = 1; c < 128; ++c) all += static_cast<char>(c);
   for (const std::string& text :
        {all, std::string("\"quoted\" \\ back"), std::string("</script><script>alert(1)</script>"),
         std::string("<!-- <img src=x onerror=alert(1)>"), std::string("Gelenk \xc3\xa4"), std::string()}) {
-    Json json;
-    json.begin_object();
-    json.text("a", text);
-    json.end_object();
-    EXPECT_EQ(at(parsed(json.str()), "a").as_string(), text);
-    EXPECT_EQ(json.str().find('<'), std::string::npos) << json.str();
+    const std::string json = json_of(text);
+    EXPECT_EQ(at(parsed(json), "title").as_string(), text);
+    EXPECT_EQ(json.find('<'), std::string::npos) << json;
   }
 }
 
-TEST(Json, KeysAreGuardedAsTextIs) {
-  Json json;
-  json.begin_object();
-  json.number("</script> \"x\"", 1.0);
-  json.end_object();
-  EXPECT_EQ(json.str().find('<'), std::string::npos);
-  EXPECT_EQ(parsed(json.str()).entries().front().first, "</script> \"x\"");
+TEST(Json, BytesThatAreNotUtf8AreReplaced) {
+  EXPECT_EQ(at(parsed(json_of("a\xff<b\xc3")), "title").as_string(), "a\xef\xbf\xbd<b\xef\xbf\xbd");
 }
 
 TEST(Json, NumbersReadBackToTheSameBits) {
-  for (const double value : {0.0, 0.1, -1.0 / 3.0, 1e-300, 6.02214076e23, 12.0, -5e-324}) {
-    Json json;
-    json.begin_array();
-    json.number(value);
-    json.end_array();
-    EXPECT_EQ(std::strtod(json.str().c_str() + 1, nullptr), value) << json.str();
+  std::vector<double> values = {0.0,
+                                -0.0,
+                                0.1,
+                                -1.0 / 3.0,
+                                1e-300,
+                                6.02214076e23,
+                                12.0,
+                                -5e-324,
+                                1e21,
+                                5e-324,
+                                std::numeric_limits<double>::max()};
+  // And whatever else a double may be.
+  std::uint64_t bits = 1;
+  for (int i = 0; i < 5000; ++i) {
+    bits = bits * 6364136223846793005U + 1442695040888963407U;
+    if (const auto value = std::bit_cast<double>(bits); std::isfinite(value)) values.push_back(value);
+  }
+  const auto json = parsed(json_of(values));
+  const auto& written = at(json, "gains/0/values").items();
+  ASSERT_EQ(written.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(written[i].as_number()), std::bit_cast<std::uint64_t>(values[i]))
+        << values[i];
   }
 }
 
-TEST(Json, WhatIsNoNumberIsNull) {
-  Json values;
-  values.begin_array();
+TEST(Json, ValuesThatAreNotFiniteAreNull) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  for (const double value : std::vector<double>{NAN, -NAN, kInfinity, -kInfinity, 1.5}) {
-    values.number(value);
-  }
-  values.end_array();
-  EXPECT_EQ(values.str(), "[null,null,null,null,1.5]");
-}
-
-TEST(Json, NestsWithCommasBetweenAndNoneElse) {
-  Json json;
-  json.begin_object();
-  json.key("empty");
-  json.begin_array();
-  json.end_array();
-  json.key("list");
-  json.begin_array();
-  json.begin_object();
-  json.integer("i", -3);
-  json.boolean("b", true);
-  json.end_object();
-  json.null();
-  json.begin_array();
-  json.boolean(false);
-  json.text("x");
-  json.end_array();
-  json.end_array();
-  json.texts("t", {"p", "q"});
-  json.end_object();
-  const auto root = parsed(json.str());
-  EXPECT_TRUE(at(root, "empty").items().empty());
-  EXPECT_EQ(at(root, "list/0/i").as_integer(), -3);
-  EXPECT_TRUE(at(root, "list/0/b").as_boolean());
-  EXPECT_EQ(at(root, "list/1").kind(), yaml::Node::Kind::kNull);
-  EXPECT_FALSE(at(root, "list/2/0").as_boolean());
-  EXPECT_EQ(at(root, "list/2/1").as_string(), "x");
-  EXPECT_THAT(at(root, "t").as_strings(), testing::ElementsAre("p", "q"));
+  const auto json = parsed(json_of(std::vector<double>{NAN, -NAN, kInfinity, -kInfinity, 1.5}));
+  const auto& written = at(json, "gains/0/values").items();
+  ASSERT_EQ(written.size(), 5U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(written[i].kind(), yaml::Node::Kind::kNull);
+  EXPECT_EQ(written[4].as_number(), 1.5);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(Scene, ObstaclesHaveTheirBodiesAndOlderFilesPoints) {
   std::string text = scene_json(scene);
   EXPECT_EQ(read_scene(folder.write("scene.json", text)).scenarios[0].obstacles[1].radius, 0.15);
   // As it was before obstacles had a radius: a list of paths.
-  const std::string with = "{\"radius\": 0,\"path\": ";
+  const std::string with = "{\"radius\":0.0,\"path\":";
   const std::size_t at = text.find(with);
   ASSERT_NE(at, std::string::npos) << text.substr(0, 2000);
   const std::size_t end = text.find("}]}},", at);  // of terms, path and obstacle
@@ -104,7 +104,7 @@ TEST(Scene, PathsThroughKnotsReadBackAndAreDrawnWhole) {
     EXPECT_LT(nearest, 0.03) << "it comes by the middle corner";
   }
   std::string text = scene_json(scene);
-  text.replace(text.find("\"loops\": true"), 13, "\"loops\": 7");
+  text.replace(text.find("\"loops\":true"), 12, "\"loops\":7");
   EXPECT_THAT(test::refusal([&] { read_scene(folder.write("scene.json", text)); }), HasSubstr("scene.json"));
 }
 
@@ -115,11 +115,11 @@ TEST(Scene, NamesWhatIsWrongInAFile) {
   };
   EXPECT_THAT(refusal("{\"sets\": []}"), testing::AllOf(HasSubstr("scene.json:1"), HasSubstr("robots")));
   std::string text = scene_json(test::recorded().scene);
-  text.replace(text.find("\"robot\": 0"), 10, "\"robot\": 7");
+  text.replace(text.find("\"robot\":0"), 9, "\"robot\":7");
   EXPECT_THAT(refusal(text), HasSubstr("no such robot"));
   for (const char* folder_elsewhere : {"../secret", "/etc", "start/../.."}) {
     text = scene_json(test::recorded().scene);
-    const auto at = text.find("\"folder\": \"") + 11;
+    const auto at = text.find("\"folder\":\"") + 10;
     text.replace(at, text.find('"', at) - at, folder_elsewhere);
     EXPECT_THAT(refusal(text),
                 testing::AllOf(HasSubstr(folder_elsewhere), HasSubstr("out of the run's folder")));

@@ -7,8 +7,7 @@
 
 #include "core/common/error.hpp"
 #include "tests/tuner/report/support/decode.hpp"
-#include "tuner/report/json.hpp"
-#include "tuner/report/yardstick_json.hpp"
+#include "tuner/report/report_data.hpp"
 
 namespace armtune::report {
 namespace {
@@ -80,10 +79,10 @@ TEST(YardstickSentence, IsOfTheWorstOfEachKindInOneSet) {
 }
 
 TEST(YardstickJson, HasNullWhereThereIsNoValue) {
-  const auto rows = yardstick_of({table("a,switch,8,,1.5,,s,not before the next switch,nothing,,solved\n")});
-  Json json;
-  write_yardstick(json, rows.front());
-  const auto node = test::parsed(json.take());
+  ReportData data;
+  data.yardstick = yardstick_of({table("a,switch,8,,1.5,,s,not before the next switch,nothing,,solved\n")});
+  const auto page = test::parsed(report_json(data));
+  const auto& node = test::at(page, "yardstick/0");
   EXPECT_EQ(test::at(node, "reached").kind(), yaml::Node::Kind::kNull);
   EXPECT_EQ(test::at(node, "ratio").kind(), yaml::Node::Kind::kNull);
   EXPECT_EQ(test::at(node, "limit").as_number(), 1.5);

@@ -1,14 +1,9 @@
-#include "tuner/report/arm_json.hpp"
+#include "tuner/report/arm_reader.hpp"
 
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::report {
 namespace {
-
-void write_pose(Json& json, const Pose& pose) {
-  json.numbers("p", {pose.p.x(), pose.p.y(), pose.p.z()});
-  json.numbers("q", {pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()});
-}
 
 Pose read_pose(yaml::MapReader& map) {
   const auto p = map.required("p").as_numbers(3);
@@ -30,43 +25,6 @@ std::optional<double> read_limit(yaml::MapReader& map, const char* name) {
 }
 
 }  // namespace
-
-void write_arm(Json& json, const Arm& arm) {
-  json.begin_object();
-  json.text("name", arm.name);
-  json.key("joints");
-  json.begin_array();
-  for (const ArmJoint& joint : arm.joints) {
-    json.begin_object();
-    json.text("name", joint.name);
-    json.text("kind", joint.prismatic ? "prismatic" : "revolute");
-    write_pose(json, joint.pose);
-    json.number("velocity_limit", joint.velocity_limit);
-    json.number("effort_limit", joint.effort_limit);
-    json.number("lower", joint.lower);
-    json.number("upper", joint.upper);
-    json.end_object();
-  }
-  json.end_array();
-  json.key("shapes");
-  json.begin_array();
-  for (const ArmShape& shape : arm.shapes) {
-    json.begin_object();
-    json.integer("joint", shape.joint);
-    write_pose(json, shape.pose);
-    json.text("kind", shape.kind);
-    json.numbers("size", shape.size);
-    if (!shape.triangles.empty()) json.text("triangles", shape.triangles);
-    json.end_object();
-  }
-  json.end_array();
-  json.integer("undrawn", static_cast<long>(arm.undrawn));
-  json.key("tool");
-  json.begin_object();
-  write_pose(json, arm.tool);
-  json.end_object();
-  json.end_object();
-}
 
 Arm read_arm(const yaml::Node& node) {
   yaml::MapReader map(node);
