@@ -141,7 +141,7 @@ void bind_gains(py::module_& module) {
       .def("copy", [](const NamedJoints& self) { return NamedJoints(self); })
       .def("__copy__", [](const NamedJoints& self) { return NamedJoints(self); })
       .def("__deepcopy__", [](const NamedJoints& self, const py::dict&) { return NamedJoints(self); })
-      .def("text", &text, py::arg("format") = "yaml", "The gains as a file: yaml, ros1, ros2 or csv.")
+      .def("text", &text, py::arg("format") = "yaml", "The gains as a file: yaml, ros1 or ros2.")
       .def("__repr__", [](const NamedJoints& self) {
         return fmt::format("<armtune.Gains of {} for {} joints>", self.gains.controller, self.joints.size());
       });

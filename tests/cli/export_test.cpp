@@ -70,10 +70,9 @@ TEST_F(ExportCommand, WritesToTheScreenAndForOtherArms) {
   EXPECT_THAT(ros2.out, AllOf(testing::StartsWith("# gains: bundled gains/published.yaml, for ur10"),
                               HasSubstr("\n/ur10/effort_ctrl:\n  ros__parameters:\n"),
                               HasSubstr("task_space_gains_p: [80.0, 50.0, 50.0, 25.0, 15.0, 3.0]\n")));
-  const Finished panda = run_program({"export", "panda", "--robot", "panda", "--format", "csv"});
+  const Finished panda = run_program({"export", "panda", "--robot", "panda"});
   EXPECT_EQ(panda.exit_code, 0) << panda.err;
-  EXPECT_THAT(panda.out, AllOf(testing::StartsWith("gain,component,value,unit,meaning\n"),
-                               HasSubstr("\ntask_space_gains_d,panda_joint7,")));
+  EXPECT_THAT(panda.out, AllOf(HasSubstr("for panda"), HasSubstr("panda_joint7")));
 }
 
 TEST_F(ExportCommand, SaysWhatIsWrong) {
@@ -86,9 +85,9 @@ TEST_F(ExportCommand, SaysWhatIsWrong) {
   EXPECT_THAT(refused({"export", "publishd"}), HasSubstr("'published'"));
   EXPECT_THAT(refused({"export", "panda"}), HasSubstr("--robot")) << "the UR10 has six joints";
   EXPECT_THAT(refused({"export", "published", "--format", "ros3"}), HasSubstr("ros3"));
+  EXPECT_THAT(refused({"export", "published", "--format", "csv"}), HasSubstr("ros2"));
   EXPECT_THAT(refused({"export", "published", "--format", "ros1", "--node", "a b"}),
               HasSubstr("no name in ROS"));
-  EXPECT_THAT(refused({"export", "published", "--format", "csv", "--node", "/arm"}), HasSubstr("no nodes"));
   const std::string run = files_ / "simulated";
   ASSERT_EQ(run_program({"simulate", files_ / "short.yaml", "--gains", files_ / "gains.yaml", "--out", run})
                 .exit_code,

@@ -81,8 +81,6 @@ std::vector<std::pair<std::string, std::string>> origin_of(const Arguments& args
 
 int run(const Arguments& args) {
   const GainsFormat format = gains_format_from_name(args.format);
-  if (!args.node.empty() && format == GainsFormat::kCsv)
-    throw InputError("--node: a CSV file has no nodes; leave it out, or take yaml, ros1 or ros2");
   const std::string path = find_data_file("gains", gains_name(args.set));
   const std::string run = run_above(path);
   const auto robot = robot_of(args, run);
@@ -113,13 +111,11 @@ int run(const Arguments& args) {
 
 void add_export_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("export", "Write gains in the form that a robot or a spreadsheet reads");
+  CLI::App* command = app.add_subcommand("export", "Write gains in the form that a robot reads");
   command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
   command
-      ->add_option(
-          "--format", args->format,
-          "yaml: armtune's own; ros1: for rosparam load; ros2: for --params-file; csv: a row for each number")
+      ->add_option("--format", args->format,
+                   "yaml: armtune's own; ros1: for rosparam load; ros2: for --params-file")
       ->check(CLI::IsMember(gains_format_names()))
       ->capture_default_str();
   command->add_option(
@@ -131,12 +127,11 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "the arm that the gains are for (default: that of the run's study; of gains alone ur10)");
   command->add_option("--out", args->file, "new file (default: to the screen)");
   command->footer(
-      "A comment at the top (of CSV, rows at the end) says which study, seed and inputs the gains came from, "
-      "how much of the joints' "
-      "limits they "
-      "use in simulation, and the order of numbers; each gain stands below its unit. Before the first motion "
-      "of a real "
-      "arm, see docs/ros.md.");
+      "A comment at the top says which study, seed and inputs the gains came from, how much of the joints'\n"
+      "limits they use in simulation, and the order of numbers. Each gain stands below its unit. Before the\n"
+      "first motion of a real arm, see docs/ros.md.\n\n"
+      "Example:\n"
+      "  armtune export runs/tuned --format ros2 --out gains.yaml");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

@@ -6,8 +6,6 @@
 #include <algorithm>
 
 #include "core/common/error.hpp"
-#include "core/control/laws/controller_kind.hpp"
-#include "sim/csv/cell.hpp"
 #include "sim/scenario/gains_file.hpp"
 
 namespace armtune {
@@ -41,31 +39,10 @@ GainsKeys keys_of(const GainsFile& file, GainsFormat format) {
   return file.node.empty() ? kPublishedKeys : GainsKeys{file.node};
 }
 
-std::string gains_csv(const GainsFile& file) {
-  std::string text = "gain,component,value,unit,meaning\n";
-  const auto row = [&text](const std::string& gain, const std::string& component, const std::string& value,
-                           const std::string& unit, const std::string& meaning) {
-    text += fmt::format("{},{},{},{},{}\n", cell(gain), cell(component), value, cell(unit), cell(meaning));
-  };
-  row("controller", "", cell(file.gains.controller), "", "whose gains these are");
-  for (const GainField& field : fields_of(file.gains)) {
-    if (!field.is_number()) {
-      row(field.name, "", cell(field_text(file.gains, field)), field.unit, field.meaning);
-      continue;
-    }
-    const auto values = numbers(file.gains, field);
-    const auto components = component_names(file.gains, field, file.joints);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      row(field.name, components[i], cell(values[i]), field.unit, field.meaning);
-  }
-  for (const auto& [what, words] : file.origin) row("origin/" + what, "", cell(words), "", "");
-  return text;
-}
-
 }  // namespace
 
 const std::vector<std::string>& gains_format_names() {
-  static const std::vector<std::string> names = {"yaml", "ros1", "ros2", "csv"};
+  static const std::vector<std::string> names = {"yaml", "ros1", "ros2"};
   return names;
 }
 
@@ -78,7 +55,6 @@ GainsFormat gains_format_from_name(const std::string& name) {
 }
 
 std::string gains_text(const GainsFile& file, GainsFormat format) {
-  if (format == GainsFormat::kCsv) return gains_csv(file);
   if (!file.node.empty()) refuse_node(file.node);
   return gains_yaml(file.gains, header_of(file), keys_of(file, format), file.others);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Gains in the forms that robots and spreadsheets read.
+// Gains in the forms that robots read.
 
 #include <string>
 #include <utility>
@@ -12,8 +12,7 @@ namespace armtune {
 enum class GainsFormat {
   kYaml,  ///< armtune's own, which is the published form
   kRos1,  ///< a parameter file for rosparam load
-  kRos2,  ///< a parameter file for --params-file: NODE: ros__parameters:
-  kCsv    ///< a row for each number
+  kRos2   ///< a parameter file for --params-file: NODE: ros__parameters:
 };
 
 /// The names on the command line, in the order above.
@@ -32,10 +31,9 @@ struct GainsFile {
   std::string node;
 };
 
-/// The file's text. In YAML the origin and the order of six-vectors stand in comments at the top, unit and
-/// meaning above each field. CSV: gain, component, value, unit, meaning; the origin in rows "origin/WHAT"
-/// behind the gains. Numbers read back to the same bits. load_gains reads every format but CSV. Throws
-/// InputError if the node's name is none that ROS takes.
+/// The file's text. The origin and the order of six-vectors stand in comments at the top, unit and meaning
+/// above each field. Numbers read back to the same bits. Throws InputError if the node's name is none that
+/// ROS takes.
 std::string gains_text(const GainsFile& file, GainsFormat format);
 
 }  // namespace armtune

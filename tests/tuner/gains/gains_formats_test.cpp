@@ -9,7 +9,6 @@
 #include <regex>
 
 #include "core/control/laws/controller_kind.hpp"
-#include "sim/csv/csv_table.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/document.hpp"
 #include "tests/sim/support/files.hpp"
@@ -24,7 +23,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr GainsFormat kYamlFormats[] = {GainsFormat::kYaml, GainsFormat::kRos1, GainsFormat::kRos2};
+constexpr GainsFormat kFormats[] = {GainsFormat::kYaml, GainsFormat::kRos1, GainsFormat::kRos2};
 
 class GainsFormats : public testing::Test {
  protected:
@@ -79,7 +78,7 @@ class GainsFormats : public testing::Test {
 
 TEST_F(GainsFormats, GainsOfEveryControllerReadBackToTheBit) {
   for (GainsFile file : files()) {
-    for (const GainsFormat format : kYamlFormats) {
+    for (const GainsFormat format : kFormats) {
       for (const char* node : {"", "my_controller", "/arm_1/effort_ctrl"}) {
         file.node = node;
         const std::string text = gains_text(file, format);
@@ -175,7 +174,7 @@ TEST_F(GainsFormats, ThePublishedParameterFileComesBackWithAllItHas) {
 TEST_F(GainsFormats, TheTopSaysWhereTheyCameFromInWhatOrderAndEachFieldItsUnit) {
   GainsFile file = published();
   file.origin = {{"study", "ur10_gaze"}, {"evil\nobstacleInfluenceRadius", "9"}};
-  for (const GainsFormat format : kYamlFormats) {
+  for (const GainsFormat format : kFormats) {
     const std::string text = gains_text(file, format);
     EXPECT_THAT(text, testing::StartsWith("# study: ur10_gaze\n# evil"));
     EXPECT_THAT(text, AllOf(HasSubstr("\n# six numbers of the task: x y z rx ry rz\n"),
@@ -189,41 +188,11 @@ TEST_F(GainsFormats, TheTopSaysWhereTheyCameFromInWhatOrderAndEachFieldItsUnit) 
   EXPECT_THAT(gains_text(file, GainsFormat::kRos2), HasSubstr("\nctrl:\n  ros__parameters:\n    # "));
 }
 
-TEST_F(GainsFormats, CsvHasARowForEachNumberThatReadsBackToTheBit) {
-  for (GainsFile file : files()) {
-    file.origin.emplace_back("input =evil()", "=also()");
-    const CsvTable table =
-        CsvTable::parse(gains_text(file, GainsFormat::kCsv), "gains.csv", CsvOrigin::kUser);
-    EXPECT_THAT(table.header(), testing::ElementsAre("gain", "component", "value", "unit", "meaning"));
-    std::size_t row = 0;
-    EXPECT_EQ(table.text(row, 0), "controller");
-    EXPECT_EQ(table.text(row++, 2), file.gains.controller);
-    for (const GainField& field : fields_of(file.gains)) {
-      if (!field.is_number()) {
-        EXPECT_EQ(table.text(row, 0), field.name);
-        EXPECT_EQ(table.text(row++, 2), field_text(file.gains, field));
-        continue;
-      }
-      const auto components = component_names(field, file.joints);
-      for (std::size_t i = 0; i < numbers(file.gains, field).size(); ++i, ++row) {
-        EXPECT_EQ(table.text(row, 0), field.name);
-        EXPECT_EQ(table.text(row, 1), components[i]);
-        EXPECT_EQ(table.number(row, 2), numbers(file.gains, field)[i]);
-        EXPECT_EQ(table.text(row, 3), field.unit);
-      }
-    }
-    ASSERT_EQ(table.rows(), row + file.origin.size());
-    EXPECT_EQ(table.text(row, 0), "origin/study");
-    EXPECT_EQ(table.text(row, 2), "a: b # c");
-    EXPECT_EQ(table.text(row + 2, 2), "'=also()") << "no formula";
-  }
-}
-
 TEST_F(GainsFormats, ANameThatRosDoesNotTakeIsRefused) {
   GainsFile file = published();
   for (const char* node : {"a b", "1st", "a: {b", "a\nb", "ctrl#"}) {
     file.node = node;
-    for (const GainsFormat format : kYamlFormats)
+    for (const GainsFormat format : kFormats)
       EXPECT_THAT(test::refusal([&] { gains_text(file, format); }), HasSubstr("is no name in ROS")) << node;
   }
   EXPECT_THAT(test::refusal([] { gains_format_from_name("ros3"); }),
