@@ -40,19 +40,17 @@ endforeach()
 # The manual page and completion, which the program itself prints from its declarations.
 if(NOT CMAKE_CROSSCOMPILING)
   set(manual ${CMAKE_BINARY_DIR}/share/manual)
-  add_custom_command(OUTPUT ${manual}/armtune.1 ${manual}/armtune ${manual}/_armtune ${manual}/armtune.fish
+  add_custom_command(OUTPUT ${manual}/armtune.1 ${manual}/armtune ${manual}/_armtune
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${manual}
     COMMAND armtune man --out ${manual}/armtune.1
     COMMAND armtune completion bash --out ${manual}/armtune
     COMMAND armtune completion zsh --out ${manual}/_armtune
-    COMMAND armtune completion fish --out ${manual}/armtune.fish
     DEPENDS armtune VERBATIM COMMENT "Manual page and completion")
   add_custom_target(armtune_manual ALL DEPENDS ${manual}/armtune.1)
   install(FILES ${manual}/armtune.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT armtune)
   install(FILES ${manual}/armtune DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT armtune)
   install(FILES ${manual}/_armtune DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT armtune)
-  install(FILES ${manual}/armtune.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT armtune)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSE-THIRD-PARTY.md ${PROJECT_SOURCE_DIR}/README.md
   ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT armtune)

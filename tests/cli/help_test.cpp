@@ -1,7 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "sim/metrics/metric.hpp"
 #include "tests/cli/support/program.hpp"
+#include "tuner/cli/declared/short_help.hpp"
+#include "tuner/search/solver.hpp"
 
 namespace armtune {
 namespace {
@@ -20,25 +28,48 @@ TEST(Help, OfTheProgramShowsHowToBeginAndWhatExitCodesMean) {
                     HasSubstr("tune"), HasSubstr("compare"), HasSubstr("130 interrupted")));
 }
 
+/// What `armtune COMMAND OPTION` prints, every run of blanks as one: descriptions are wrapped.
+std::string help(const std::string& command, const char* option = "--help") {
+  const Finished finished = run_program({command, option});
+  EXPECT_EQ(finished.exit_code, 0) << command;
+  EXPECT_EQ(finished.err, "") << command;
+  return std::regex_replace(finished.out, std::regex(" *\n *"), " ");
+}
+
+/// The options that a help lists, those that show help left out.
+std::vector<std::string> options(const std::string& command, const char* option) {
+  const std::string text = run_program({command, option}).out;
+  const std::regex line("\n  (?:-[a-z],)?(--[a-z-]+)");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) {
+    if (!(*it)[1].str().starts_with("--help")) found.push_back((*it)[1]);
+  }
+  return found;
+}
+
+std::vector<std::string> commands() {
+  std::istringstream lines(run_program({"--help"}).out);
+  std::vector<std::string> found;
+  bool listed = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (listed && line.starts_with("  ")) found.push_back(line.substr(2, line.find(' ', 2) - 2));
+    listed = listed || line == "Subcommands:";
+  }
+  return found;
+}
+
 TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
-  const auto help = [](const char* command) {
-    const Finished finished = run_program({command, "--help"});
-    EXPECT_EQ(finished.exit_code, 0) << command;
-    EXPECT_EQ(finished.err, "") << command;
-    return finished.out;
-  };
   EXPECT_THAT(help("robot"), HasSubstr("ur10"));
   EXPECT_THAT(help("simulate"), AllOf(HasSubstr("moving_target"), HasSubstr("realistic_obstacle_pass"),
-                                      HasSubstr("published"), HasSubstr("midpoint"), HasSubstr("--out")));
-  EXPECT_THAT(help("tune"),
-              AllOf(HasSubstr("ur10_gaze"), HasSubstr("COBYLA"), HasSubstr("ISRES"),
-                    HasSubstr("slerpDurationErrorGain"), HasSubstr("reacquisition/time"),
-                    HasSubstr("--max-evaluations"), HasSubstr("--seed"), HasSubstr("--warm-start"),
-                    HasSubstr("hopeless"), HasSubstr("global_share"), HasSubstr("takes constraints"),
-                    HasSubstr("uses differences"), HasSubstr("draws random numbers")));
+                                      HasSubstr("published"), HasSubstr("--out")));
+  EXPECT_THAT(help("simulate", "--help-all"), HasSubstr("midpoint"));
+  EXPECT_THAT(help("tune"), AllOf(HasSubstr("ur10_gaze"), HasSubstr("--max-evaluations"), HasSubstr("--seed"),
+                                  HasSubstr("--warm-start"), HasSubstr("armtune metrics"),
+                                  HasSubstr("armtune algorithms"), HasSubstr("armtune controllers")));
   EXPECT_THAT(help("robustness"), AllOf(HasSubstr("--payload"), HasSubstr("--limit"), HasSubstr("1000")));
   for (const char* command : {"tune", "pareto", "robustness", "sensitivity"}) {
-    EXPECT_THAT(help(command), AllOf(HasSubstr("--rollout-deadline"), HasSubstr("every rank is one worker")))
+    EXPECT_THAT(help(command, "--help-all"),
+                AllOf(HasSubstr("--rollout-deadline"), HasSubstr("every rank is one worker")))
         << command;
   }
   EXPECT_THAT(help("margins"), AllOf(HasSubstr("control_rate"), HasSubstr("1 % of the control periods"),
@@ -46,11 +77,66 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   EXPECT_THAT(help("plan"), AllOf(HasSubstr("ur10_switch"), HasSubstr("--knots"), HasSubstr("fastest"),
                                   HasSubstr("slowly first")));
   EXPECT_THAT(help("yardstick"), AllOf(HasSubstr("RUN"), HasSubstr("a local optimum")));
-  EXPECT_THAT(help("compare"), AllOf(HasSubstr("--scenarios"), HasSubstr("midpoint")));
   EXPECT_THAT(help("report"), AllOf(HasSubstr("DIR"), HasSubstr("--out"), HasSubstr("report.html")));
   for (const char* command : {"simulate", "compare", "robustness"}) {
     EXPECT_THAT(help(command), HasSubstr("report.html")) << command;
   }
+}
+
+TEST(Help, ShowsAtMostTenOptionsOfACommandAndSaysWhereTheOthersAre) {
+  ASSERT_GE(commands().size(), 15U);
+  for (const std::string& command : commands()) {
+    const auto shown = options(command, "--help");
+    const auto all = options(command, "--help-all");
+    EXPECT_LE(shown.size(), cli::kMostOptionsOfHelp) << command;
+    EXPECT_THAT(all, testing::IsSupersetOf(shown)) << command;
+    EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size()) << command;
+    const std::string rest = std::to_string(all.size() - shown.size()) + " more";
+    const auto says = AllOf(HasSubstr(rest), HasSubstr("armtune " + command + " --help-all"));
+    const std::string text = help(command);
+    if (all.size() > shown.size()) {
+      EXPECT_THAT(text, says) << command;
+    } else {
+      EXPECT_THAT(text, testing::Not(HasSubstr("more options"))) << command;
+    }
+    if (!all.empty()) {
+      EXPECT_THAT(text.substr(text.find("Usage")), HasSubstr("armtune " + command + " ")) << "an example";
+    }
+  }
+}
+
+TEST(Help, HasEveryOptionThatIsChosenForItUnderItsHeading) {
+  const std::string built = run_program({"--help"}).out;
+  for (const cli::ShortHelp& chosen : cli::short_helps()) {
+    if (built.find("\n  " + chosen.command + " ") == std::string::npos) continue;
+    const std::string text = run_program({chosen.command, "--help"}).out;
+    for (const cli::OptionGroup& group : chosen.groups) {
+      const auto begin = text.find("\n" + group.heading + ":\n");
+      ASSERT_NE(begin, std::string::npos) << chosen.command << ' ' << group.heading;
+      const std::string section = text.substr(begin, text.find("\n\n", begin) - begin);
+      for (const std::string& option : group.options)
+        EXPECT_THAT(section, HasSubstr("\n  " + option)) << chosen.command;
+    }
+  }
+}
+
+TEST(Lists, HoldEveryMetricWithUnitAndDirectionAndEveryAlgorithm) {
+  std::istringstream lines(run_program({"metrics"}).out);
+  std::map<std::string, std::string> rows;
+  for (std::string line; std::getline(lines, line);) {
+    const auto end = line.find(' ', 2);
+    if (line.size() > 2 && line[1] == ' ') rows.emplace(line.substr(2, end - 2), line);
+  }
+  for (const MetricField& field : metric_fields()) {
+    ASSERT_TRUE(rows.contains(field.name)) << field.name;
+    const std::string& row = rows[field.name];
+    EXPECT_THAT(row, testing::EndsWith("[" + std::string(field.unit) + "]"));
+    const char direction = field.better == Better::kMore ? '+' : field.better == Better::kLess ? '-' : ' ';
+    EXPECT_EQ(row.front(), direction) << field.name;
+  }
+  const std::string algorithms_said = run_program({"algorithms"}).out;
+  for (const AlgorithmInfo& algorithm : algorithms())
+    EXPECT_THAT(algorithms_said, HasSubstr("\n  " + std::string(algorithm.name) + " "));
 }
 
 TEST(Help, VersionNamesTheLibraries) {

@@ -26,6 +26,8 @@ void add_robustness_command(CLI::App& app, int& exit_code);
 void add_margins_command(CLI::App& app, int& exit_code);
 void add_report_command(CLI::App& app, int& exit_code);
 void add_controllers_command(CLI::App& app, int& exit_code);
+void add_metrics_command(CLI::App& app, int& exit_code);
+void add_algorithms_command(CLI::App& app, int& exit_code);
 void add_man_command(CLI::App& app, int& exit_code);
 void add_completion_command(CLI::App& app, int& exit_code);
 void add_excite_command(CLI::App& app, int& exit_code);

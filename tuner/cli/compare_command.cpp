@@ -230,6 +230,9 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->add_option("--robot", args->robot,
                    "with --gains: the arm they are for (default: that of the scenarios)")
       ->needs(gains);
+  command->footer([] {
+    return std::string("Example:\n  armtune compare published extended_tuned --scenarios fixed_target\n");
+  });
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

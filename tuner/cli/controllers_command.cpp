@@ -1,21 +1,34 @@
-// armtune controllers: which there are, and the gains of each.
+// armtune controllers, metrics, algorithms: what a study can name, as it is declared.
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
+#include <string>
 
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/controllers_page.hpp"
+#include "tuner/cli/tune_help.hpp"
 
 namespace armtune::cli {
+namespace {
+
+void add_list_command(CLI::App& app, const char* name, const char* meaning, std::string (*text)()) {
+  app.add_subcommand(name, meaning)->callback([text] { fmt::print("{}", text()); });
+}
+
+}  // namespace
 
 void add_controllers_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("controllers", "List the controllers and the gains of each");
-  auto markdown = std::make_shared<bool>(false);
-  command->add_flag("--markdown", *markdown, "as a page, with every gain: docs/controllers.md");
-  command->callback(
-      [markdown] { fmt::print("{}", *markdown ? controllers_markdown() : controllers_text()); });
+  add_list_command(app, "controllers", "List the controllers and every gain", controllers_text);
+}
+
+void add_metrics_command(CLI::App& app, int&) {
+  add_list_command(app, "metrics", "List the metrics: name, meaning, unit, and which direction is better",
+                   metrics_text);
+}
+
+void add_algorithms_command(CLI::App& app, int&) {
+  add_list_command(app, "algorithms", "List the search algorithms and when to use each", algorithms_text);
 }
 
 }  // namespace armtune::cli

@@ -5,10 +5,8 @@
 
 namespace armtune::cli {
 
-/// For a terminal: the gains of each that others do not have.
+/// Every gain with its shape, default search range, meaning and unit: first those that every controller has,
+/// then each controller's.
 std::string controllers_text();
-
-/// For a page: every gain, with units and default search ranges. docs/controllers.md is this.
-std::string controllers_markdown();
 
 }  // namespace armtune::cli

@@ -10,7 +10,6 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/declared/completion.hpp"
 #include "tuner/cli/declared/man_page.hpp"
-#include "tuner/cli/declared/markdown_page.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -28,26 +27,22 @@ void put(const std::string& text, const std::string& file) {
 void add_man_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("man", "Print the manual page");
   auto file = std::make_shared<std::string>();
-  auto markdown = std::make_shared<bool>(false);
   command->add_option("--out", *file, kOutHelp);
-  command->add_flag("--markdown", *markdown, "as a page of the documentation: docs/commands.md");
   command->footer("To read it:  armtune man | man -l -\nAn installed armtune has it as  man armtune.");
-  command->callback([&app, file, markdown] {
-    const DeclaredProgram program = declared(app, kProgram);
+  command->callback([&app, file] {
     const auto version = versions().front();
-    put(*markdown ? markdown_page(program) : man_page(program, version.first + " " + version.second), *file);
+    put(man_page(declared(app, kProgram), version.first + " " + version.second), *file);
   });
 }
 
 void add_completion_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("completion", "Print a shell's completion of armtune's commands");
   auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember(shell_names()));
+  command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember(shell_names()));
   auto file = std::make_shared<std::string>();
   command->add_option("--out", *file, kOutHelp);
   command->footer(
-      "For this shell alone:  source <(armtune completion bash)\nAn installed armtune brings all three "
-      "along.");
+      "For this shell alone:  source <(armtune completion bash)\nAn installed armtune brings both along.");
   command->callback([&app, shell, file] { put(completion(declared(app, kProgram), *shell), *file); });
 }
 

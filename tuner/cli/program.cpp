@@ -11,6 +11,7 @@
 #include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/declared/short_help.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
@@ -39,26 +40,7 @@ int conclude_parsing(const CLI::App& app, const CLI::ParseError& error) {
   return code == 0 ? kDone : kBadInput;
 }
 
-int parse_and_run(int argc, char** argv) {
-  const InputRecord inputs;  // one run: it reads each of its inputs once
-  program_name() = argv[0];
-  command_words() = resumed_arguments({argv, argv + argc});
-  command_line() = repeating_command(command_words());
-
-  CLI::App app{
-      "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
-      "tunes the controller's gains with NLopt, so that tracking errors fall while every joint stays "
-      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\nthen:        armtune "
-      "tune"};
-  app.set_version_flag("--version", version_text());
-  app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done, and every simulation check passed; 1 failed; 2 usage or bad input; 3 done, but a "
-      "simulation check failed or nothing feasible was found; 130 interrupted, everything so far saved.");
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("armtune: {}; see armtune --help, or that of a command\n", one_line(error.what()));
-  });
-  int exit_code = kDone;
+void add_commands(CLI::App& app, int& exit_code) {
   add_robot_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_tune_command(app, exit_code);
@@ -70,6 +52,8 @@ int parse_and_run(int argc, char** argv) {
   add_margins_command(app, exit_code);
   add_report_command(app, exit_code);
   add_controllers_command(app, exit_code);
+  add_metrics_command(app, exit_code);
+  add_algorithms_command(app, exit_code);
 #ifdef ARMTUNE_SUITESPARSE
   add_excite_command(app, exit_code);
   add_identify_command(app, exit_code);
@@ -78,6 +62,32 @@ int parse_and_run(int argc, char** argv) {
 #endif
   add_man_command(app, exit_code);
   add_completion_command(app, exit_code);
+  group_options(app);
+}
+
+int parse_and_run(int argc, char** argv) {
+  const InputRecord inputs;  // one run: it reads each of its inputs once
+  program_name() = argv[0];
+  command_words() = resumed_arguments({argv, argv + argc});
+  command_line() = repeating_command(command_words());
+
+  CLI::App app{
+      "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
+      "tunes the controller's gains with NLopt, so that tracking errors fall while every joint stays "
+      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\nthen:        armtune "
+      "tune"};
+  app.formatter(help_formatter());
+  app.set_help_all_flag("--help-all", "Print help with every option and exit");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done, and every simulation check passed; 1 failed; 2 usage or bad input; 3 done, but a "
+      "simulation check failed or nothing feasible was found; 130 interrupted, everything so far saved.");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("armtune: {}; see armtune --help, or that of a command\n", one_line(error.what()));
+  });
+  int exit_code = kDone;
+  add_commands(app, exit_code);
   if (argc == 1) {
     if (rank_place().rank != 0) return kDone;
     fmt::print(stderr, "{}", app.help());

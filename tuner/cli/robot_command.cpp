@@ -108,6 +108,7 @@ void add_robot_command(CLI::App& app, int&) {
                    "a study that tunes "
                    "them")
       ->excludes("--sidecar");
+  command->footer([] { return std::string("Example:\n  armtune robot panda --task runs/first\n"); });
   command->callback([file, sidecar, task] { look_at(*file, *sidecar, *task); });
 }
 

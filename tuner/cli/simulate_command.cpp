@@ -182,8 +182,10 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   add_endurance_option(*command, args->endurance);
   add_yardstick_option(*command, args->yardstick);
   command->footer([] {
-    return fmt::format("Bundled scenarios: {}\nBundled gains: {}\n",
-                       fmt::join(bundled_names("scenarios"), " "), fmt::join(bundled_names("gains"), " "));
+    return fmt::format(
+        "Bundled scenarios: {}\nBundled gains: {}\n\n"
+        "Example:\n  armtune simulate moving_target --gains extended_tuned --out runs/moving_target\n",
+        fmt::join(bundled_names("scenarios"), " "), fmt::join(bundled_names("gains"), " "));
   });
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/control/laws/controller_kind.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/search/solver.hpp"
@@ -12,16 +11,39 @@
 
 namespace armtune::cli {
 
+namespace {
+
+/// When an algorithm is the one to take, from what is declared of it.
+std::string use_of(const AlgorithmInfo& a) {
+  std::string text = a.local ? "To refine gains that are good already"
+                             : "To search the whole box, where the start gains may be far from the best";
+  if (a.uses_differences) text += ", with several workers (it evaluates its differences in parallel)";
+  if (a.takes_constraints) text += "; it takes constraints itself";
+  if (a.draws_random_numbers) text += "; it draws random numbers, so try several seeds";
+  if (a.most_parameters > 0) text += fmt::format("; at most {} parameters", a.most_parameters);
+  return text + ".";
+}
+
+}  // namespace
+
 std::string tune_help() {
-  std::string text = fmt::format("Bundled studies: {}\n\nAlgorithms (study file, search/algorithm):\n",
-                                 fmt::join(bundled_names("studies"), " "));
+  return fmt::format(
+      "Bundled studies: {}\n\n"
+      "What a study can name:\n"
+      "  armtune metrics      objectives and constraints\n"
+      "  armtune algorithms   searches, and the other keys of search\n"
+      "  armtune controllers  controllers and their gains\n\n"
+      "Example, and a look at the result:\n"
+      "  armtune tune ur10_gaze --max-evaluations 100 --out runs/tuned\n"
+      "  armtune compare published runs/tuned --scenarios moving_target\n",
+      fmt::join(bundled_names("studies"), " "));
+}
+
+std::string algorithms_text() {
+  std::string text = "Algorithms (study file, search/algorithm):\n";
   for (const AlgorithmInfo& a : algorithms()) {
-    text +=
-        fmt::format("  {:<12} {}, {}{}{}{}{}\n", a.name, a.local ? "local" : "global", a.meaning,
-                    a.takes_constraints ? "; takes constraints" : "",
-                    a.uses_differences ? "; uses differences, evaluated in parallel" : "",
-                    a.draws_random_numbers ? "; draws random numbers" : "",
-                    a.most_parameters > 0 ? fmt::format("; at most {} parameters", a.most_parameters) : "");
+    text += fmt::format("  {:<12} {}, {}\n  {:<12} {}\n", a.name, a.local ? "local" : "global", a.meaning, "",
+                        use_of(a));
   }
   Study silent;
   default_search(silent);
@@ -44,25 +66,14 @@ controller: NAME tunes another controller's gains than the file's, from a start 
 max_minutes is wall time from start to last evaluation, of all sessions of a resumed run together: evaluations
 under way when it is over are finished; Simbody's last steps are within it (time for the best few is kept from
 what the start took, and they are simulated even if that was too little); fresh rollouts, report and analysis
-(--no-analysis) come after it. warm_start: from, parameters, box, step, as the options above.
+(--no-analysis) come after it. warm_start: from, parameters, box, step, as the options of armtune tune.
 )";
-  const auto add_gains = [&text](const std::vector<GainField>& fields) {
-    for (const GainField& field : fields) {
-      if (!field.is_number()) continue;
-      text += fmt::format("{} {:<30} {}{}\n", field.search != SearchRange::kNone ? "*" : " ", field.name,
-                          field.meaning, *field.unit ? fmt::format(" [{}]", field.unit) : "");
-    }
-  };
-  text += "\nGains (study file, parameters; * tuned by default):\n";
-  add_gains(gain_fields());
-  for (const ControllerKind* kind : controller_kinds()) {
-    if (kind->own.empty()) continue;
-    text += fmt::format("\nOf the controller {} (--controller, or in a gains file): {}\n", kind->name,
-                        kind->meaning);
-    add_gains(kind->own);
-  }
-  text +=
-      "\nMetrics (study file, objective and constraints; + more is better, - less is, no sign: not for the "
+  return text;
+}
+
+std::string metrics_text() {
+  std::string text =
+      "Metrics (study file, objective and constraints; + more is better, - less is, no sign: not for the "
       "objective):\n";
   for (const MetricField& field : metric_fields()) {
     const char* sign = field.better == Better::kMore ? "+" : field.better == Better::kLess ? "-" : " ";

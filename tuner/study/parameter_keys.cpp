@@ -22,7 +22,7 @@ std::vector<GainEntry> find_entries(const yaml::Node& node, const std::vector<Ga
     names.push_back(entry.name);
   }
   if (found.empty())
-    node.fail("'" + name + "' is no gain" + suggestion(name, names) + "; see armtune tune --help");
+    node.fail("'" + name + "' is no gain" + suggestion(name, names) + "; see armtune controllers");
   return found;
 }
 

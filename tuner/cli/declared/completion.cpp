@@ -25,15 +25,6 @@ std::string quoted(const std::string& text) {
   return out + "'";
 }
 
-/// Its first clause, or as many words of it as a line beside the option holds.
-std::string short_meaning(const std::string& meaning) {
-  constexpr std::size_t kLongest = 60;
-  std::string text = meaning.substr(0, meaning.find_first_of(";(\n"));
-  if (text.size() > kLongest) text.resize(text.rfind(' ', kLongest));
-  while (text.ends_with(' ') || text.ends_with(',') || text.ends_with(':')) text.pop_back();
-  return text;
-}
-
 /// compgen's words for one place of the command line; files where any word is taken.
 std::string place(const std::vector<std::string>& words, bool files) {
   return fmt::format("words={}; files={}", quoted(fmt::format("{}", fmt::join(words, " "))), files ? 1 : 0);
@@ -89,45 +80,10 @@ std::string bash(const DeclaredProgram& program) {
          "}\n";
 }
 
-std::string fish(const DeclaredProgram& program) {
-  std::string text = "complete -c armtune -n __fish_use_subcommand -f\n";
-  for (const DeclaredOption& option : program.app.options) {
-    for (const std::string& name : option.names) {
-      if (name.starts_with("--"))
-        text += fmt::format("complete -c armtune -n __fish_use_subcommand -l {} -d {}\n", name.substr(2),
-                            quoted(short_meaning(option.meaning)));
-    }
-  }
-  for (const DeclaredCommand& command : program.commands) {
-    text += fmt::format("complete -c armtune -n __fish_use_subcommand -a {} -d {}\n", command.name,
-                        quoted(short_meaning(command.meaning)));
-  }
-  for (const DeclaredCommand& command : program.commands) {
-    const std::string when =
-        fmt::format("complete -c armtune -n '__fish_seen_subcommand_from {}'", command.name);
-    for (const DeclaredOption& option : command.options) {
-      const auto words = words_of(option);
-      const std::string takes = words.empty()
-                                    ? std::string()
-                                    : fmt::format(" -a {}", quoted(fmt::format("{}", fmt::join(words, " "))));
-      if (option.positional) {
-        if (!takes.empty()) text += when + takes + "\n";
-        continue;
-      }
-      text += when;
-      for (const std::string& name : option.names)
-        text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-      if (!option.value.empty()) text += option.choices.empty() ? " -r" : " -x";
-      text += takes + " -d " + quoted(short_meaning(option.meaning)) + "\n";
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 const std::vector<std::string>& shell_names() {
-  static const std::vector<std::string> names = {"bash", "zsh", "fish"};
+  static const std::vector<std::string> names = {"bash", "zsh"};
   return names;
 }
 
@@ -138,7 +94,6 @@ std::string completion(const DeclaredProgram& program, const std::string& shell)
     return "#compdef armtune\nautoload -U +X bashcompinit && bashcompinit\n" + bash(program) +
            "complete -o filenames -F _armtune armtune\n_bash_complete -o filenames -F _armtune\n";
   }
-  if (shell == "fish") return fish(program);
   throw InputError(fmt::format("shell '{}': is not one of {}", shell, fmt::join(shell_names(), ", ")));
 }
 

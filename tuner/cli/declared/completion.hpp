@@ -8,7 +8,7 @@
 
 namespace armtune::cli {
 
-/// bash, zsh, fish.
+/// bash and zsh.
 const std::vector<std::string>& shell_names();
 
 /// A script for one of them. Commands, options, and the words and bundled names that options and positionals

@@ -1,0 +1,152 @@
+#include "tuner/cli/declared/short_help.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+namespace armtune::cli {
+namespace {
+
+constexpr const char* kPlainHeading = "Options";  ///< CLI11's, of an option that has no other
+constexpr const char* kFurther = "Further options";
+constexpr std::size_t kWidth = 80;  ///< characters of a description's line, beside the option's name
+
+/// The text with line breaks in place of blanks, so that no line is longer than kWidth where words allow it.
+std::string wrapped(const std::string& text) {
+  std::istringstream words(text);
+  std::string out;
+  std::size_t used = 0;
+  for (std::string word; words >> word;) {
+    const bool fits = used + 1 + word.size() <= kWidth;
+    if (!out.empty()) out += fits ? ' ' : '\n';
+    used = out.empty() || !fits ? word.size() : used + 1 + word.size();
+    out += word;
+  }
+  return out;
+}
+
+const ShortHelp* short_help_of(const std::string& command) {
+  const auto& all = short_helps();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const ShortHelp& help) { return help.command == command; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool is_help(const CLI::App& command, const CLI::Option* option) {
+  return option == command.get_help_ptr() || option == command.get_help_all_ptr();
+}
+
+bool is_shown(const ShortHelp& help, const CLI::Option& option) {
+  return std::any_of(help.groups.begin(), help.groups.end(), [&](const OptionGroup& group) {
+    return std::any_of(group.options.begin(), group.options.end(),
+                       [&](const std::string& name) { return option.check_name(name); });
+  });
+}
+
+class HelpFormatter final : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    const ShortHelp* help = short_help_of(app->get_name());
+    if (help == nullptr || mode == CLI::AppFormatMode::Sub) return CLI::Formatter::make_help(app, name, mode);
+    return make_description(app) + make_usage(app, name) + make_positionals(app) +
+           groups_text(*app, *help, mode == CLI::AppFormatMode::All) + "\n" + make_footer(app);
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return wrapped(option->get_description());
+  }
+
+ private:
+  std::string groups_text(const CLI::App& app, const ShortHelp& help, bool all) const {
+    std::string text;
+    std::size_t left_out = 0;
+    for (const std::string& heading : headings(app, help)) {
+      const auto options = app.get_options([&](const CLI::Option* option) {
+        if (option->get_group() != heading || !option->nonpositional()) return false;
+        const bool shown = all || heading == kPlainHeading || is_shown(help, *option);
+        left_out += shown ? 0 : 1;
+        return shown;
+      });
+      if (!options.empty()) text += make_group(heading, false, options);
+    }
+    if (left_out > 0)
+      text += fmt::format("\n{} more options: armtune {} --help-all\n", left_out, app.get_name());
+    return text;
+  }
+
+  /// Those of the short help in its order, then every other.
+  static std::vector<std::string> headings(const CLI::App& app, const ShortHelp& help) {
+    std::vector<std::string> headings = {kPlainHeading};
+    const auto add = [&headings](const std::string& heading) {
+      if (std::find(headings.begin(), headings.end(), heading) == headings.end()) headings.push_back(heading);
+    };
+    for (const OptionGroup& group : help.groups) add(group.heading);
+    for (const std::string& heading : app.get_groups()) {
+      if (!heading.empty()) add(heading);
+    }
+    return headings;
+  }
+};
+
+}  // namespace
+
+const std::vector<ShortHelp>& short_helps() {
+  static const std::vector<ShortHelp> all = {
+      {"simulate",
+       {{"What is simulated", {"--gains", "--theta", "--endurance", "--yardstick"}},
+        {"Results", {"--out"}},
+        {"Speed", {"--engine", "--workers"}}}},
+      {"tune",
+       {{"What is tuned", {"--controller", "--warm-start"}},
+        {"Search", {"--max-evaluations", "--seed", "--no-analysis"}},
+        {"Results", {"--out", "--resume", "--live"}},
+        {"Speed", {"--workers"}}}},
+      {"pareto",
+       {{"Front", {"--criteria", "--levels", "--controller"}},
+        {"Search", {"--max-evaluations", "--seed"}},
+        {"Results", {"--out", "--resume"}},
+        {"Speed", {"--workers"}}}},
+      {"robustness",
+       {{"What is simulated", {"--scenarios", "--samples", "--limit"}},
+        {"Uncertainty (uniform)", {"--mass", "--friction", "--payload", "--delay"}},
+        {"Results", {"--out", "--resume"}},
+        {"Speed", {"--workers"}}}},
+      {"compare",
+       {{"What is compared", {"--scenarios", "--endurance", "--gains", "--robot"}},
+        {"Results", {"--out", "--all-metrics"}},
+        {"Speed", {"--workers"}}}},
+      {"excite",
+       {{"Motion", {"--center", "--amplitude", "--margin", "--min-height", "--frequency", "--duration"}},
+        {"Simulated logs", {"--scenario", "--torque-noise"}},
+        {"Results", {"--out"}}}},
+      {"identify",
+       {{"Logs", {"--columns", "--cutoff", "--torque-delay"}},
+        {"Fit", {"--robot", "--robust", "--fit-all", "--accept"}},
+        {"Results", {"--out"}}}},
+  };
+  return all;
+}
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+  return std::make_shared<HelpFormatter>();
+}
+
+void group_options(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const ShortHelp* help = short_help_of(command->get_name());
+    if (help == nullptr) continue;
+    for (const OptionGroup& group : help->groups) {
+      for (const std::string& name : group.options) {
+        if (CLI::Option* option = command->get_option_no_throw(name)) option->group(group.heading);
+      }
+    }
+    for (CLI::Option* option : command->get_options()) {
+      if (option->nonpositional() && option->get_group() == kPlainHeading && !is_help(*command, option))
+        option->group(kFurther);
+    }
+  }
+}
+
+}  // namespace armtune::cli
