@@ -240,6 +240,74 @@ TEST(Resume, RefusesWhatIsNotTheSameRun) {
   EXPECT_THAT(refusal({"tune", "--resume", files / "run"}), HasSubstr("record 0 is damaged"));
 }
 
+/// The only file in the run's inputs/ whose name ends so.
+std::string copy_of(const std::string& run, const std::string& name) {
+  std::vector<std::string> found;
+  if (fs::exists(run + "/inputs")) {
+    for (const auto& file : fs::directory_iterator(run + "/inputs")) {
+      if (file.path().filename().string().ends_with("_" + name)) found.push_back(file.path().string());
+    }
+  }
+  EXPECT_EQ(found.size(), 1U) << name;
+  return found.empty() ? std::string() : found.front();
+}
+
+TEST(Resume, AnInputEditedAfterAKillCanBePutBackFromItsCopy) {
+  const ShortStudy files;
+  const std::string run = files / "run";
+  const std::vector<std::string> command = {"tune", files.path(), "--no-analysis"};
+  const auto with = [&](const std::string& folder) {
+    auto all = command;
+    all.insert(all.end(), {"--out", folder});
+    return all;
+  };
+  run_and_kill(with(run), run + "/journal.txt", 2);
+  const std::string before = test::read_text(files / "short.yaml");
+  const std::string copy = copy_of(run, "short.yaml");
+  ASSERT_EQ(test::read_text(copy), before);
+  const std::vector<std::string> resume = {"tune", "--resume", run};
+
+  files.write("short.yaml", "base: moving_target\nduration: 8.5\n");
+  const Finished edited = run_program(resume);
+  EXPECT_EQ(edited.exit_code, 2) << edited.err;
+  EXPECT_THAT(edited.err, AllOf(HasSubstr(files / "short.yaml"), HasSubstr(copy)));
+
+  for (const char* name : {"short.yaml", "gains.yaml", "study.yaml"}) {  // broken, then gone
+    const std::string kept = test::read_text(name == std::string("short.yaml") ? copy : files / name);
+    files.write(name, "neither: this\n");
+    const Finished broken = run_program(resume);
+    EXPECT_EQ(broken.exit_code, 2) << name;
+    EXPECT_THAT(broken.err, AllOf(HasSubstr(name), HasSubstr(run + "/inputs"))) << name;
+    fs::remove(files / name);
+    const Finished gone = run_program(resume);
+    EXPECT_EQ(gone.exit_code, 2) << name;
+    EXPECT_THAT(gone.err, AllOf(HasSubstr(name), HasSubstr(run + "/inputs"))) << name;
+    ASSERT_EQ(test::read_text(copy_of(run, name)), kept) << name;
+    fs::copy_file(copy_of(run, name), files / name);
+  }
+  ASSERT_EQ(run_program(resume).exit_code, 0);
+  ASSERT_EQ(run_program(with(files / "whole")).exit_code, 0);
+  expect_same_run(files / "whole", run, {"gains.yaml", "errors.csv"});
+  for (const auto& file : fs::directory_iterator(files / "whole/inputs")) {
+    const std::string name = file.path().filename().string();
+    EXPECT_EQ(test::read_text(file.path().string()), test::read_text(run + "/inputs/" + name)) << name;
+  }
+}
+
+TEST(Resume, EveryCommandWithAJournalKeepsItsInputsFromTheBeginning) {
+  const ShortStudy files;
+  run_and_kill({"pareto", files.path(), "--levels", "2", "--max-evaluations", "24", "--out", files / "front"},
+               files / "front/journal.txt", 1);
+  run_and_kill({"robustness", files / "gains.yaml", "--scenarios", files / "short.yaml", "--samples", "9",
+                "--out", files / "samples"},
+               files / "samples/journal.txt", 1);
+  for (const char* run : {"front", "samples"}) {
+    for (const char* name : {"short.yaml", "gains.yaml", "ur10.urdf"})
+      EXPECT_NE(test::read_text(copy_of(files / run, name)), "") << run;
+  }
+  EXPECT_EQ(test::read_text(copy_of(files / "front", "study.yaml")), test::read_text(files.path()));
+}
+
 TEST(Resume, SamplesKeepToTheOrderOfTheirScenarios) {
   const ShortStudy files;
   // The folder stands for a run: its gains.yaml, and the scenarios of its study.yaml.

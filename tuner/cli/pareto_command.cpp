@@ -128,7 +128,7 @@ int run(Arguments args, RankGroup& team) {
   const auto seconds = [began] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   };
-  Study study = load_study(args.study, args.controller);
+  Study study = load_inputs(args.resume, [&args] { return load_study(args.study, args.controller); });
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const ParetoOptions options = options_of(args, study);
@@ -139,7 +139,7 @@ int run(Arguments args, RankGroup& team) {
   FolderLock lock;
   require_recording_memory(study.scenarios, SimulateOptions().record_stride, args.workers);
   if (!resumed) lock = make_run_folder(args.folder);
-  const auto journal = open_journal(args.folder, args.resume, header);
+  const auto journal = open_journal(args.folder, args.resume, header, files_of(study));
   if (journal->exit_code()) {
     say(fmt::format("{}: this run is finished; there is nothing to resume\n", args.folder));
     return *journal->exit_code();

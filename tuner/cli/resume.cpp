@@ -55,13 +55,14 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
-/// Removes what stands in a run's folder before its journal, and the folder if nothing else is in it: a
-/// journal would be another run's.
+/// Removes what a run that has just begun has in its folder but for its journal, and the folder if nothing
+/// else is in it: a journal would be another run's.
 void discard_folder(const std::string& folder) {
   std::error_code ignored;
   const fs::path warm = fs::path(folder) / kWarmGains;
   fs::remove(warm, ignored);
   fs::remove(warm.parent_path(), ignored);
+  fs::remove_all(fs::path(folder) / kInputCopies, ignored);
   fs::remove(folder, ignored);
 }
 
@@ -150,19 +151,24 @@ RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
 }
 
 std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
-                                      const RunHeader& header) {
+                                      const RunHeader& header, const std::vector<std::string>& inputs) {
   if (resume.empty()) {
+    std::unique_ptr<Journal> journal;
     try {
-      return Journal::begin(folder + "/" + kJournal, header);
-    } catch (...) {
-      discard_folder(folder);  // it is not to be in the way of another try
+      journal = Journal::begin(folder + "/" + kJournal, header);
+      keep_inputs(folder, inputs);
+    } catch (...) {  // it is not to be in the way of another try
+      journal ? discard_run(folder) : discard_folder(folder);
       throw;
     }
+    return journal;
   }
   std::string warning;
   constexpr double kPatience = 10.0;  // ranks of a killed run are gone by then
   auto journal = Journal::resume(journal_in(folder), header, warning, kPatience);
   if (!warning.empty()) fmt::print(stderr, "armtune: warning: {}\n", warning);
+  if (journal->exit_code()) return journal;
+  keep_inputs(folder, inputs);
   return journal;
 }
 

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/common/error.hpp"
 #include "tuner/journal/journal.hpp"
+#include "tuner/run/input_copies.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::cli {
@@ -33,10 +35,23 @@ std::vector<std::string> inputs_of(const Study& study);
 RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
                      const std::vector<std::string>& inputs);
 
-/// Begins the journal in `folder`, or opens it to go on and says what it found. `resume`: the folder given
-/// there, or empty.
+/// Begins the journal in `folder`, or opens it to go on and says what it found, and keeps a copy of every
+/// input (see keep_inputs). `resume`: the folder given there, or empty. Throws InputError, of a resumed run
+/// also for a symbolic link in its folder; of a new one nothing is left then.
 std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
-                                      const RunHeader& header);
+                                      const RunHeader& header, const std::vector<std::string>& inputs);
+
+/// Calls `load`, which reads the inputs of a run, and returns what it gives. If a resumed run cannot read
+/// them, the error says where their copies are. `resume`: as above.
+template <class Load>
+auto load_inputs(const std::string& resume, const Load& load) {
+  try {
+    return load();
+  } catch (const InputError& error) {
+    if (resume.empty()) throw;
+    throw InputError(error.what() + where_copies_are(resume));
+  }
+}
 
 /// Says on stderr that a run which failed can go on, and how.
 void tell_how_to_go_on(const std::string& command, const std::string& folder);

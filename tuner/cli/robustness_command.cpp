@@ -123,12 +123,15 @@ int run(Arguments args, RankGroup& team) {
     options.samples = 1;
   }
   // Unless others are asked for: the ones that come near limits.
-  const std::vector<Scenario> scenarios =
-      scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
+  const std::vector<Scenario> scenarios = load_inputs(args.resume, [&args] {
+    return scenarios_of(args.set, args.scenarios, {"realistic_target_switch", "realistic_obstacle_pass"});
+  });
   if (!args.payload_given) {
     options.perturbation.payload = default_perturbation(scenarios).payload;
   }
-  const GainSet set = load_gain_set(args.set, scenarios);
+  const GainSet set = load_inputs(args.resume, [&] { return load_gain_set(args.set, scenarios); });
+  std::vector<std::string> inputs = {set.path};
+  add_inputs(scenarios, inputs);
   RolloutPlan plan = monte_carlo_plan(scenarios, options);
   plan.deadline = args.deadline;
   plan.facts = {{"gains", hash_of_input(set.path)}};
@@ -143,7 +146,7 @@ int run(Arguments args, RankGroup& team) {
     const RunHeader header = header_of(scenarios, set.gains, options);
     require_recording_memory(scenarios, SimulateOptions().record_stride, options.workers);
     if (!resumed) lock = make_run_folder(args.folder);
-    journal = open_journal(args.folder, args.resume, header);
+    journal = open_journal(args.folder, args.resume, header, inputs);
     if (journal->exit_code()) {
       say(fmt::format("{}: this run is finished; there is nothing to resume\n", args.folder));
       return *journal->exit_code();
@@ -203,8 +206,7 @@ int run(Arguments args, RankGroup& team) {
     write_text_file(args.folder + "/summary.csv", summary_csv(scenarios, samples));
     Provenance p;
     p.command = command_line();
-    p.inputs = {set.path};
-    add_inputs(scenarios, p.inputs);
+    p.inputs = inputs;
     p.seed = options.seed;
     p.workers = pool->count();
     p.wall_seconds = before + seconds();

@@ -146,7 +146,7 @@ TuneResult search(const Study& study, const Arguments& args, CandidateRunner& wo
 
 int run(Arguments args, RankGroup& team) {
   const auto began = Clock::now();
-  const Study study = load(args);
+  const Study study = load_inputs(args.resume, [&args] { return load(args); });
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const bool resumed = !args.resume.empty();
   if (resumed) args.folder = args.resume;
@@ -163,7 +163,7 @@ int run(Arguments args, RankGroup& team) {
       throw;
     }
   }
-  const auto journal = open_journal(args.folder, args.resume, header);
+  const auto journal = open_journal(args.folder, args.resume, header, files_of(study));
   if (journal->exit_code()) {
     say(fmt::format(
         "{}: this run is finished; there is nothing to resume. To search on from its best: {} tune {} "

@@ -70,13 +70,18 @@ std::string robust_text(const Study& study) {
                      arms(*study.robust));
 }
 
+std::vector<std::string> files_of(const Study& study) {
+  std::vector<std::string> files = {study.source, study.gains};
+  if (study.warm) files.push_back(study.warm->source);
+  add_inputs(study.scenarios, files);
+  return files;
+}
+
 Provenance study_provenance(const Study& study, int workers, double seconds,
                             const std::vector<std::pair<std::string, std::string>>& found) {
   Provenance p;
   p.command = command_line();
-  p.inputs = {study.source, study.gains};
-  if (study.warm) p.inputs.push_back(study.warm->source);
-  add_inputs(study.scenarios, p.inputs);
+  p.inputs = files_of(study);
   p.seed = study.solver.seed;
   p.workers = workers;
   p.wall_seconds = seconds;

@@ -32,6 +32,9 @@ double seconds_left(long evaluations, long max_evaluations, double seconds, doub
 /// " (worst of 5 arms each)" where a study tunes on samples.
 std::string robust_text(const Study& study);
 
+/// Returns every file that the study was read from: its own, its gains and those of its scenarios.
+std::vector<std::string> files_of(const Study& study);
+
 /// Of a search of the study, by whichever command. workers: of the search; found: further keys of run.yaml,
 /// after the study and its start.
 Provenance study_provenance(const Study& study, int workers, double seconds,

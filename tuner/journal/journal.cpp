@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -15,6 +16,7 @@
 #include "core/common/message_text.hpp"
 #include "core/common/path_state.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/input_copies.hpp"
 
 namespace armtune {
 namespace {
@@ -208,12 +210,14 @@ std::unique_ptr<Journal> Journal::resume(const std::string& path, const RunHeade
 std::string Journal::read(const RunHeader& now) {
   Lines lines(path_);
   const RunHeader was = read_header(lines, path_);
-  const std::string other = differences(was, now);
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  const std::string other =
+      differences(was, now, [&folder](const std::string& hash) { return copy_of_hash(folder, hash); });
   if (!other.empty()) {
     throw InputError(
         fmt::format("{}: cannot go on with another run than the one it was begun for: {}; put it "
-                    "back, or begin a run of its own with --out",
-                    path_, other));
+                    "back{}, or begin a run of its own with --out",
+                    path_, other, where_copies_are(folder)));
   }
   long damaged = 0;  // number of the first damaged line, none yet
   long damaged_place = 0;

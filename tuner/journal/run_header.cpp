@@ -34,7 +34,8 @@ std::pair<std::string, std::string> first_difference(const std::string& a, const
 
 }  // namespace
 
-std::string differences(const RunHeader& was, const RunHeader& is) {
+std::string differences(const RunHeader& was, const RunHeader& is,
+                        const std::function<std::optional<std::string>(const std::string& value)>& copy_of) {
   std::string text;
   std::size_t told = 0;
   const auto tell = [&](const std::string& name, const std::string& before, const std::string& now) {
@@ -47,6 +48,8 @@ std::string differences(const RunHeader& was, const RunHeader& is) {
     const auto [line_before, line_now] = first_difference(before, now);
     text += fmt::format("{}{} was '{}', is '{}'", text.empty() ? "" : "; ", one_line(name),
                         beginning(line_before), beginning(line_now));
+    if (const auto copy = copy_of ? copy_of(before) : std::nullopt)
+      text += fmt::format(" ({} is as it was)", *copy);
   };
   // By name and value: a name may stand more than once. What is told of is in one of the two alone.
   using Identity = decltype(RunHeader::identity);

@@ -1,6 +1,8 @@
 #pragma once
 // What a run is, so that a resumed one is known to be the same.
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +19,10 @@ struct RunHeader {
   std::vector<std::pair<std::string, std::string>> identity;
 };
 
-/// What differs, for a person: "seed was 1, is 2; study was 'max_evaluations: 12', is ...". Empty if nothing.
-std::string differences(const RunHeader& was, const RunHeader& is);
+/// Returns what differs, for a person: "seed was 1, is 2; study was 'max_evaluations: 12', is ...". Empty if
+/// nothing does. copy_of: finds a copy of what had this value (of a file: its hash), to be named as well.
+std::string differences(
+    const RunHeader& was, const RunHeader& is,
+    const std::function<std::optional<std::string>(const std::string& value)>& copy_of = {});
 
 }  // namespace armtune

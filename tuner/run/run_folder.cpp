@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <climits>
@@ -28,6 +27,7 @@
 #include "sim/yaml/quoted.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/input_copies.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/workers/transport.hpp"
 
@@ -47,19 +47,6 @@ std::string processor() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }
   return "unknown";
-}
-
-/// A file's name in letters that every file system takes, its end kept where it is long.
-std::string copy_name(const std::string& path) {
-  constexpr std::size_t kLongest = 100;
-  std::string name = fs::path(path).filename().string();
-  if (name.size() > kLongest) name.erase(0, name.size() - kLongest);
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
-  };
-  std::replace_if(
-      name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
-  return name;
 }
 
 /// What can be told before any work: that files could not be made in the folder, or not be told of.
@@ -208,15 +195,7 @@ std::string run_yaml(const Provenance& p) {
 }
 
 void write_provenance(const std::string& folder, Provenance p) {
-  p.copies.clear();
-  for (const std::string& file : std::set<std::string>(p.inputs.begin(), p.inputs.end())) {
-    const auto bytes = recorded_input(file);
-    if (!bytes) continue;
-    if (p.copies.empty()) make_folder(folder + "/inputs");
-    const std::string copy = fmt::format("inputs/{:02}_{}", p.copies.size() + 1, copy_name(file));
-    write_text_file((fs::path(folder) / copy).string(), *bytes);
-    p.copies.emplace_back(shown_path(file), copy);
-  }
+  p.copies = keep_inputs(folder, p.inputs);
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 

@@ -11,6 +11,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/run/append_file.hpp"
 #include "tuner/run/file_hash.hpp"
+#include "tuner/run/input_copies.hpp"
 
 namespace armtune {
 namespace {
@@ -91,6 +92,43 @@ TEST(Provenance, TellsOfAndKeepsTheBytesThatWereReadWhateverBecameOfTheFiles) {
   EXPECT_EQ(run.find("inputs")->find(log)->as_string(), hash_of_file(log));
   EXPECT_EQ(run.find("copies")->find(log), nullptr);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder / "run/inputs"), {}), 3);
+}
+
+TEST(Provenance, CopiesMadeAtTheBeginningAreThoseThatRunYamlNames) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder / "run/start");
+  const std::string a = folder.write("a.yaml", "first\n");
+  const std::string b = folder.write("b.yaml", "second\n");
+  const std::string c = folder.write("c.yaml", "third\n");
+  const std::string own = folder.write("run/start/warm.yaml", "of the run itself\n");
+  const InputRecord record;
+  for (const std::string& file : {a, b, c, own}) (void)read_input_file(file, 1000, "a text");
+  const auto begun = keep_inputs(folder / "run", {c, b});
+  ASSERT_EQ(begun.size(), 2U);
+  Provenance p;
+  p.inputs = {a, b, c, own};  // more of them than at first
+  write_provenance(folder / "run", p);
+  const yaml::Node copies = *yaml::parse_file(folder / "run/run.yaml").find("copies");
+  for (const auto& [file, copy] : begun) EXPECT_EQ(copies.find(file)->as_string(), copy);
+  EXPECT_EQ(test::read_text(folder / ("run/" + copies.find(a)->as_string())), "first\n");
+  EXPECT_EQ(copies.find(own), nullptr) << "it is in the folder already";
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "run/inputs"), {}), 3);
+  EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(b)), folder / ("run/" + copies.find(b)->as_string()));
+  EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(own)), std::nullopt);
+}
+
+TEST(Provenance, ACopyThatSomebodyChangedIsNotTakenForTheInput) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder / "run");
+  const std::string a = folder.write("a.yaml", "first\n");
+  const InputRecord record;
+  (void)read_input_file(a, 1000, "a text");
+  const std::string copy = folder / ("run/" + keep_inputs(folder / "run", {a}).front().second);
+  std::ofstream(copy) << "changed\n";
+  const std::string again = folder / ("run/" + keep_inputs(folder / "run", {a}).front().second);
+  EXPECT_NE(again, copy);
+  EXPECT_EQ(test::read_text(again), "first\n");
+  EXPECT_EQ(test::read_text(copy), "changed\n");
 }
 
 TEST(AppendFile, SaysAtOnceThatItsFileIsGone) {
