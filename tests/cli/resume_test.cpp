@@ -308,6 +308,45 @@ TEST(Resume, EveryCommandWithAJournalKeepsItsInputsFromTheBeginning) {
   EXPECT_EQ(test::read_text(copy_of(files / "front", "study.yaml")), test::read_text(files.path()));
 }
 
+TEST(Resume, NeverWritesThroughALinkInTheRunsFolder) {
+  const ShortStudy files;
+  const std::string run = files / "run";
+  run_and_kill({"tune", files.path(), "--no-analysis", "--out", run}, run + "/journal.txt", 2);
+  const std::string input = fs::path(copy_of(run, "gains.yaml")).filename().string();
+  fs::create_directory(files / "elsewhere");
+  files.write("elsewhere/file", "not the run's\n");
+  const auto outside = [&files] {
+    std::string all;
+    for (const auto& file : fs::recursive_directory_iterator(files / "elsewhere"))
+      all += file.path().string() + test::read_text(file.path().string());
+    return all;
+  };
+  const std::string before = outside();
+  for (const std::string& name :
+       {std::string("errors.csv"), std::string("start"), std::string("inputs"), "inputs/" + input,
+        std::string("start/errors.csv"), std::string("evaluations.csv"), std::string("journal.txt")}) {
+    const bool is_there = fs::exists(run + "/" + name);
+    if (is_there) fs::rename(run + "/" + name, files / "aside");
+    const bool folder = name == "start" || name == "inputs";
+    if (folder && is_there)
+      for (const auto& file : fs::directory_iterator(files / "aside"))
+        fs::copy_file(file.path(), files / "elsewhere" / file.path().filename());
+    const std::string there = outside();
+    fs::create_symlink(folder ? files / "elsewhere" : files / "elsewhere/file", run + "/" + name);
+    const Finished refused = run_program({"tune", "--resume", run});
+    EXPECT_EQ(refused.exit_code, 2) << name << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(run + "/" + name));
+    EXPECT_EQ(outside(), there) << name;
+    fs::remove(run + "/" + name);
+    if (is_there) fs::rename(files / "aside", run + "/" + name);
+    for (const auto& file : fs::directory_iterator(files / "elsewhere"))
+      if (file.path().filename() != "file") fs::remove(file.path());
+  }
+  EXPECT_EQ(outside(), before);
+  const Finished ended = run_program({"tune", "--resume", run});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+}
+
 TEST(Resume, SamplesKeepToTheOrderOfTheirScenarios) {
   const ShortStudy files;
   // The folder stands for a run: its gains.yaml, and the scenarios of its study.yaml.

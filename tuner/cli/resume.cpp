@@ -168,6 +168,7 @@ std::unique_ptr<Journal> open_journal(const std::string& folder, const std::stri
   auto journal = Journal::resume(journal_in(folder), header, warning, kPatience);
   if (!warning.empty()) fmt::print(stderr, "armtune: warning: {}\n", warning);
   if (journal->exit_code()) return journal;
+  refuse_links(folder);
   keep_inputs(folder, inputs);
   return journal;
 }

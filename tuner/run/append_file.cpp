@@ -24,8 +24,9 @@ int flags(AppendFile::Open open) {
     case AppendFile::Open::kNew:
       return O_CREAT | O_EXCL;
     case AppendFile::Open::kReplace:  // made by make_partial_file
-    case AppendFile::Open::kContinue:
       return 0;
+    case AppendFile::Open::kContinue:
+      return O_NOFOLLOW;
   }
   return 0;
 }
@@ -51,7 +52,7 @@ AppendFile::AppendFile(const std::string& path, Open open, double patience)
   file_ = published_ ? ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644)
                      : make_partial_file(path, O_APPEND);
   if (file_ < 0) {
-    throw InputError(fmt::format("{}: cannot {} it: {}", name, open == Open::kContinue ? "open" : "make",
+    throw InputError(fmt::format("{}: cannot {} it: {}", path, open == Open::kContinue ? "open" : "make",
                                  std::strerror(errno)));
   }
   if (open != Open::kReplace && !locked(file_, patience)) {

@@ -18,6 +18,12 @@ bool leads_out(const std::string& name) {
          std::find(path.begin(), path.end(), "..") != path.end();
 }
 
+[[noreturn]] void refuse_link(const fs::path& path) {
+  throw InputError(fmt::format(
+      "{}: is a symbolic link, which is not followed inside a run's folder; put the file itself there",
+      path.string()));
+}
+
 }  // namespace
 
 std::optional<std::string> find_run_file(const std::string& folder, const std::string& name) {
@@ -34,11 +40,7 @@ std::optional<std::string> find_run_file(const std::string& folder, const std::s
     status = fs::symlink_status(path, error);
     if (status.type() == fs::file_type::not_found) return std::nullopt;
     if (error) throw InputError(fmt::format("{}: cannot be looked at: {}", path.string(), error.message()));
-    if (status.type() == fs::file_type::symlink) {
-      throw InputError(fmt::format(
-          "{}: is a symbolic link, which is not followed inside a run's folder; put the file itself there",
-          path.string()));
-    }
+    if (status.type() == fs::file_type::symlink) refuse_link(path);
   }
   if (status.type() == fs::file_type::regular) return path.string();
   throw InputError(
@@ -49,6 +51,15 @@ std::optional<std::string> find_run_file(const std::string& folder, const std::s
 std::string run_file(const std::string& folder, const std::string& name) {
   if (auto path = find_run_file(folder, name)) return *std::move(path);
   throw InputError(fmt::format("{}/{}: no such file", folder, name));
+}
+
+void refuse_links(const std::string& folder) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->symlink_status(error).type() == fs::file_type::symlink) refuse_link(at->path());
+    if (error) break;
+  }
+  if (error) throw InputError(fmt::format("{}: cannot be looked through: {}", folder, error.message()));
 }
 
 }  // namespace armtune

@@ -16,4 +16,9 @@ std::optional<std::string> find_run_file(const std::string& folder, const std::s
 /// Returns the same, and throws InputError where there is no such file.
 std::string run_file(const std::string& folder, const std::string& name);
 
+/// Throws InputError naming a symbolic link if there is one anywhere in a run's folder. For whoever goes on
+/// writing into a folder that may come from somebody else: behind a link every file would be made elsewhere.
+/// The folder itself may be reached by a link.
+void refuse_links(const std::string& folder);
+
 }  // namespace armtune

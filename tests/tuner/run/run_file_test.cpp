@@ -61,6 +61,18 @@ TEST_F(RunFile, RefusesWhatIsNoFile) {
   EXPECT_THAT(test::refusal([&] { find_run_file(run_, "start"); }), HasSubstr("folder"));
 }
 
+TEST_F(RunFile, WhereThereIsALinkNothingIsWritten) {
+  EXPECT_NO_THROW(refuse_links(run_));
+  fs::create_directory_symlink(run_, files_ / "latest");
+  EXPECT_NO_THROW(refuse_links(files_ / "latest"));
+  for (const std::string name : {"rollouts", "start/gains.yaml"}) {
+    fs::create_symlink(files_ / "outside.csv", run_ + "/" + name);
+    EXPECT_THAT(test::refusal([&] { refuse_links(run_); }), HasSubstr(run_ + "/" + name));
+    fs::remove(run_ + "/" + name);
+  }
+  EXPECT_THAT(test::refusal([&] { refuse_links(files_ / "nowhere"); }), HasSubstr("nowhere"));
+}
+
 TEST_F(RunFile, TheFolderItselfMayBeALink) {
   fs::create_directory_symlink(run_, files_ / "latest");
   EXPECT_TRUE(find_run_file(files_ / "latest", "start/errors.csv"));

@@ -131,6 +131,16 @@ TEST(Provenance, ACopyThatSomebodyChangedIsNotTakenForTheInput) {
   EXPECT_EQ(test::read_text(copy), "changed\n");
 }
 
+TEST(AppendFile, NeverGoesOnBehindALink) {
+  const test::TemporaryFolder folder;
+  folder.write("other.txt", "not to be written to\n");
+  fs::create_symlink(folder / "other.txt", folder / "journal.txt");
+  EXPECT_THAT(test::refusal(
+                  [&] { AppendFile(folder / "journal.txt", AppendFile::Open::kContinue).append("more\n"); }),
+              HasSubstr(folder / "journal.txt"));
+  EXPECT_EQ(test::read_text(folder / "other.txt"), "not to be written to\n");
+}
+
 TEST(AppendFile, SaysAtOnceThatItsFileIsGone) {
   const test::TemporaryFolder folder;
   AppendFile file(folder / "journal.txt");
