@@ -70,6 +70,22 @@ TEST_F(FullOutput, OfASearchLosesNoneEither) {
     EXPECT_TRUE(fs::exists(run + "/" + file)) << file;
 }
 
+// Where nothing could be written nothing was found either, as far as a script can tell.
+TEST(FullDisk, NothingIsToldBeforeItIsWritten) {
+  const ShortStudy files;
+  const std::string no_folder =
+      files / "gains.yaml/run";  // a file is in the way, and is seen when it is made
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"plan", "ur10_move", "--knots", "12"}, {"excite", "ur10", "--evaluations", "20"}}) {
+    auto words = command;
+    words.insert(words.end(), {"--out", no_folder});
+    const Finished refused = test::run_program(words);
+    EXPECT_EQ(refused.exit_code, 2) << command.front() << refused.err;
+    EXPECT_THAT(refused.err, testing::HasSubstr(no_folder));
+    EXPECT_EQ(refused.out, "") << command.front();
+  }
+}
+
 TEST(FullDisk, ARunWhoseJournalCannotBeBegunLeavesNoFolder) {
   const ShortStudy files;
   const std::string run = files / "run";

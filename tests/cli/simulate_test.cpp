@@ -231,8 +231,14 @@ TEST(Simulate, AnInterruptedEnduranceIsNoVerdict) {
     }
     std::this_thread::sleep_for(std::chrono::seconds(5));
     ASSERT_TRUE(program.running()) << command;
+    const std::string results =
+        out + (std::string(command) == "simulate" ? "/errors.csv" : "/comparison.csv");
+    for (const std::string& file : {results, out + "/run.yaml"})
+      EXPECT_NE(test::read_text(file), "") << "what is finished is written before what takes hours";
+    const std::string before = test::read_text(results);
     program.interrupt();
     const Finished finished = program.wait();
+    EXPECT_EQ(test::read_text(results), before);
     EXPECT_EQ(finished.exit_code, 130) << finished.out << finished.err;
     EXPECT_THAT(finished.out, testing::Not(HasSubstr("Simulation checks"))) << command;
     EXPECT_FALSE(std::filesystem::exists(out + "/verdict.yaml")) << command;

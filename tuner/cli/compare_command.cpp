@@ -133,6 +133,20 @@ SimulationVerdict verdict_of(const Arguments& args, const std::vector<Scenario>&
   return verdict;
 }
 
+void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
+                 const std::vector<ComparedSet>& sets) {
+  write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
+  for (const ComparedSet& set : sets) {
+    write_text_file(args.folder + "/errors_" + set.name + ".csv", errors_csv(set.results));
+  }
+  Provenance p;
+  p.command = command_line();
+  for (const std::string& set : args.sets) p.inputs.push_back(find_data_file("gains", gains_name(set)));
+  add_inputs(scenarios, p.inputs);
+  p.workers = args.workers;
+  write_provenance(args.folder, p);
+}
+
 int interrupted(const Arguments& args, const std::vector<ComparedSet>& sets) {
   if (!args.folder.empty()) take_away(args.folder, sets);
   fmt::print(stderr, "interrupted: a comparison is whole or nothing, so nothing was written\n");
@@ -177,28 +191,23 @@ int run(const Arguments& args) {
     }
   }
   line.clear();
+  if (!args.folder.empty()) write_files(args, scenarios, sets);  // an endurance may take hours
   std::string endured;
   const SimulationVerdict verdict = verdict_of(args, scenarios, sets, endured);
-  if (stop_requested()) return interrupted(args, sets);
   std::string wrote;
   if (!args.folder.empty()) {
-    write_text_file(args.folder + "/comparison.csv", comparison_csv(sets));
-    for (const ComparedSet& set : sets) {
-      write_text_file(args.folder + "/errors_" + set.name + ".csv", errors_csv(set.results));
-    }
-    Provenance p;
-    p.command = command_line();
-    for (const std::string& set : args.sets) p.inputs.push_back(find_data_file("gains", gains_name(set)));
-    add_inputs(scenarios, p.inputs);
-    p.workers = args.workers;
-    write_provenance(args.folder, p);
-    write_verdict(args.folder, verdict);
+    if (!stop_requested()) write_verdict(args.folder, verdict);
     const std::string report = add_report(args.folder, [&] { return scene_of(scenarios, sets, args); });
-    wrote = fmt::format(
-        "wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml, inputs/, verdict.yaml{}\n",
-        args.folder, report);
+    wrote =
+        fmt::format("wrote {}: comparison.csv, errors_<set>.csv, rollouts_<set>/, run.yaml, inputs/{}{}\n",
+                    args.folder, stop_requested() ? "" : ", verdict.yaml", report);
   }
   say(comparison_table(sets, args.all_metrics ? all_metrics() : headline_metrics()) + endured + wrote);
+  if (stop_requested()) {
+    say("interrupted: the comparison is whole, but not every scenario was extended, so there is no "
+        "verdict\n");
+    return kInterrupted;
+  }
   return conclude(verdict);
 }
 

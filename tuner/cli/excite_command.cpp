@@ -49,15 +49,26 @@ JointVector center_in_si(const RobotModel& model, const std::vector<double>& deg
   return center;
 }
 
-void show(const ExcitationUse& use) {
-  say(fmt::format(
+/// A trajectory, and what is to be told of it.
+struct Told {
+  Excitation excitation;
+  std::string text;
+};
+
+std::string use_text(const ExcitationUse& use) {
+  return fmt::format(
       "condition number {:.4g}; largest velocity {:.3g} and effort {:.3g} of their limits, {:.3g} rad or m "
-      "from "
-      "the nearest position limit, lowest point {:.3g} m\n",
-      use.condition, use.velocity_ratio, use.effort_ratio, use.position_margin, use.lowest));
+      "from the nearest position limit, lowest point {:.3g} m\n",
+      use.condition, use.velocity_ratio, use.effort_ratio, use.position_margin, use.lowest);
 }
 
-Excitation designed(const Arguments& args, const RobotModel& model) {
+Told loaded(const Arguments& args, const RobotModel& model) {
+  Excitation excitation = load_excitation(args.trajectory, joint_names(model));
+  std::string text = use_text(use_of(excitation, model, base_parameters(model)));
+  return {std::move(excitation), std::move(text)};
+}
+
+Told designed(const Arguments& args, const RobotModel& model) {
   ExcitationOptions options = args.design;
   options.center = center_in_si(model, args.center_deg);
   if (!std::isnan(args.min_height)) options.min_height = args.min_height;
@@ -71,10 +82,10 @@ Excitation designed(const Arguments& args, const RobotModel& model) {
   };
   const ExcitationDesign design = design_excitation(model, options, stop_requested());
   line.clear();
-  say(fmt::format("{} evaluations; the best of 50 random series has condition number {:.4g}\n",
-                  design.evaluations, design.random_condition));
-  show(design.use);
-  return design.excitation;
+  return {design.excitation,
+          fmt::format("{} evaluations; the best of 50 random series has condition number {:.4g}\n",
+                      design.evaluations, design.random_condition) +
+              use_text(design.use)};
 }
 
 int run(const Arguments& args) {
@@ -90,29 +101,25 @@ int run(const Arguments& args) {
   }
   refuse_used_folder(args.folder);  // before the work, not after it
   const auto began = std::chrono::steady_clock::now();
-  Excitation excitation;
-  if (args.trajectory.empty()) {
-    excitation = designed(args, *model);
-  } else {
-    excitation = load_excitation(args.trajectory, joints);
-    show(use_of(excitation, *model, base_parameters(*model)));
-  }
+  const Told told = args.trajectory.empty() ? designed(args, *model) : loaded(args, *model);
+  const Excitation& excitation = told.excitation;
   const FolderLock lock = make_run_folder(args.folder);
   write_text_file(args.folder + "/excitation.yaml", excitation_yaml(excitation, joints));
   constexpr double kTrajectoryPeriod = 0.002;
   write_text_file(args.folder + "/trajectory.csv", excitation_csv(excitation, joints, kTrajectoryPeriod));
+  say(told.text);
   std::string files = "excitation.yaml, trajectory.csv";
   for (const Scenario& scenario : scenarios) {
     if (stop_requested()) break;
     const ExcitationLog log = simulate_excitation(scenario, excitation, args.log, stop_requested());
     if (log.interrupted) break;
+    write_text_file(args.folder + "/log_" + scenario.name + ".csv", log_csv(*model, log));
     say(fmt::format(
         "{}: {} samples, the arm stays within {:.3g} rad or m of the trajectory, largest velocity {:.3g} of "
         "its "
         "limit{}\n",
         scenario.name, log.samples.size(), log.tracking_error, log.velocity_ratio,
         log.saturated ? ", torques saturate" : ""));
-    write_text_file(args.folder + "/log_" + scenario.name + ".csv", log_csv(*model, log));
     files += ", log_" + scenario.name + ".csv";
   }
   Provenance p;

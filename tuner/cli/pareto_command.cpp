@@ -222,8 +222,8 @@ int run(Arguments args, RankGroup& team) {
        {"hypervolume", fmt::format("{}", result.hypervolume)}});
   write_provenance(args.folder, p);
 
-  say(pareto_table(study, options, result));
   const std::string report = add_report(args.folder, [&] { return scene_of(study, result, args, verified); });
+  say(pareto_table(study, options, result));
   say(fmt::format(
       "{}{}\nwrote {} in {:.0f} s: pareto.csv, points/, evaluations.csv, columns.csv, study.yaml, "
       "run.yaml{}{}\n",

@@ -54,15 +54,16 @@ std::string value_words(const BindingLimit& limit) {
   return value == bound ? bound + unit : fmt::format("{}{} where {} is the limit", value, unit, bound);
 }
 
-void show_limits(const std::vector<BindingLimit>& limits, const char* title) {
-  say(fmt::format("{}{}\n", title, limits.empty() ? " nothing" : ""));
+std::string limits_text(const std::vector<BindingLimit>& limits, const char* title) {
+  std::string text = fmt::format("{}{}\n", title, limits.empty() ? " nothing" : "");
   for (std::size_t i = 0; i < std::min(limits.size(), kShownLimits); ++i) {
     const BindingLimit& limit = limits[i];
-    say(fmt::format("  {}: {}, {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
-                    report::limit_words(limit.limit, limit.part), value_words(limit), 100.0 * limit.share,
-                    limit.first, limit.last));
+    text += fmt::format("  {}: {}, {:.3g} % of the knots, {:.3f} .. {:.3f} s\n",
+                        report::limit_words(limit.limit, limit.part), value_words(limit), 100.0 * limit.share,
+                        limit.first, limit.last);
   }
-  if (limits.size() > kShownLimits) say(fmt::format("  and {} more\n", limits.size() - kShownLimits));
+  if (limits.size() > kShownLimits) text += fmt::format("  and {} more\n", limits.size() - kShownLimits);
+  return text;
 }
 
 /// Beside the knots' own file: what is looked at, even in time and fine enough for smooth plots.
@@ -110,12 +111,27 @@ report::Scene scene_of_plan(const PlanTask& task) {
                     task.name, planned.trajectory.durations.front(), *task.duration));
   else
     say(fmt::format("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned))));
-  show_limits(binding_limits(planned), planned.too_short ? "the least time is held back by:" : "in the way:");
+  say(limits_text(binding_limits(planned),
+                  planned.too_short ? "the least time is held back by:" : "in the way:"));
   say(fmt::format("Give it {}, or, where little is missing, --knots above {};\nno trajectory was written.\n",
                   planned.too_short ? "more time, wider limits or tolerances"
                                     : "wider limits or tolerances, another start",
                   planned.trajectory.time.size() - 1));
   return kChecksFailed;
+}
+
+std::string plan_text(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned,
+                      const std::vector<LimitUse>& uses, double seconds) {
+  std::string text = fmt::format("{}: {}\n", task.name, plan_headline(task, problem, planned));
+  for (const std::string& note : plan_notes(task, problem, planned)) text += note + '\n';
+  text += limits_text(binding_limits(planned), "held back by:");
+  if (const std::string between = between_words(uses); !between.empty()) text += between + '\n';
+  const SequentialQuadraticProgress& last = planned.result.last;
+  return text + fmt::format(
+                    "{} intervals between knots, {} interior point steps on all grids, {:.2f} s; constraint "
+                    "violation {:.1e} of the limit, KKT residual {:.1e}\n",
+                    planned.trajectory.time.size() - 1, planned.interior_iterations, seconds, last.violation,
+                    std::max(last.stationarity, last.complementarity));
 }
 
 int run(const Arguments& args) {
@@ -156,22 +172,12 @@ int run(const Arguments& args) {
       break;
   }
   const std::vector<LimitUse> uses = limit_uses(task, problem, planned);
-  say(fmt::format("{}: {}\n", task.name, plan_headline(task, problem, planned)));
-  for (const std::string& note : plan_notes(task, problem, planned)) say(fmt::format("{}\n", note));
-  show_limits(binding_limits(planned), "held back by:");
-  if (const std::string between = between_words(uses); !between.empty()) say(fmt::format("{}\n", between));
-  say(fmt::format(
-      "{} intervals between knots, {} interior point steps on all grids, {:.2f} s; constraint violation "
-      "{:.1e} of the limit, "
-      "KKT "
-      "residual {:.1e}\n",
-      planned.trajectory.time.size() - 1, planned.interior_iterations, seconds, last.violation,
-      std::max(last.stationarity, last.complementarity)));
   Arguments out = args;
   out.folder = folder;
   const FolderLock lock = make_run_folder(folder);
   write_files(out, task, problem, planned, uses, seconds);
   const std::string report = add_report(folder, [&task] { return scene_of_plan(task); });
+  say(plan_text(task, problem, planned, uses, seconds));
   say(fmt::format(
       "wrote {}: trajectory.csv, motion.csv, limits.csv, joint_trajectory.yaml, task.yaml, columns.csv, "
       "run.yaml, {}{}\n",

@@ -47,17 +47,21 @@ struct Arguments {
   bool yardstick = false;
 };
 
-void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
-                 const std::vector<ScenarioResult>& results, const YardstickFiles& yardstick,
-                 double seconds) {
-  const std::string& folder = args.folder;
-  const auto joints = joint_names(*scenarios.front().robot);
-  const std::string gains_path = find_data_file("gains", args.gains);
+void write_errors(const std::string& folder, const std::vector<Scenario>& scenarios,
+                  const std::vector<ScenarioResult>& results, const YardstickFiles& yardstick) {
   write_text_file(folder + "/errors.csv", errors_csv(results, yardstick.errors));
   std::vector<FileColumns> columns = {{"errors.csv", error_columns(yardstick.errors)},
                                       {"rollout_*.csv", rollout_columns(scenarios)}};
   columns.insert(columns.end(), yardstick.columns.begin(), yardstick.columns.end());
   write_text_file(folder + "/columns.csv", columns_csv(columns));
+}
+
+void write_files(const Arguments& args, const std::vector<Scenario>& scenarios,
+                 const std::vector<ScenarioResult>& results, double seconds) {
+  const std::string& folder = args.folder;
+  const auto joints = joint_names(*scenarios.front().robot);
+  const std::string gains_path = find_data_file("gains", args.gains);
+  write_errors(folder, scenarios, results, {});
   write_text_file(folder + "/gains.yaml",
                   gains_yaml(load_gains(args.gains, joints), {"from " + shown_path(gains_path)}));
   Provenance p;
@@ -118,6 +122,17 @@ int run(const Arguments& args) {
       stop_requested());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
   line.clear();
+  // Before what takes longer: an endurance or a yardstick may take hours.
+  YardstickFiles yardstick;
+  if (!args.folder.empty()) {
+    write_files(args, scenarios, results, elapsed.count());
+    if (args.yardstick && !stop_requested()) {
+      yardstick = write_yardstick(args.folder, scenarios, [&args](const Scenario& s) {
+        return load_gains(args.gains, joint_names(*s.robot));
+      });
+      write_errors(args.folder, scenarios, results, yardstick);
+    }
+  }
 
   double simulated = 0.0;
   for (const ScenarioResult& r : results) simulated += r.result.end_time;
@@ -134,13 +149,6 @@ int run(const Arguments& args) {
   }
   const SimulationVerdict verdict = verdict_of(scenarios, results, endured, options.stepper);
   if (!args.folder.empty()) {
-    YardstickFiles yardstick;
-    if (args.yardstick && !stop_requested()) {
-      yardstick = write_yardstick(args.folder, scenarios, [&args](const Scenario& s) {
-        return load_gains(args.gains, joint_names(*s.robot));
-      });
-    }
-    write_files(args, scenarios, results, yardstick, elapsed.count());
     if (!stop_requested()) write_verdict(args.folder, verdict);
     const std::string report = add_report(args.folder, [&] {
       const Gains gains = load_gains(args.gains, joint_names(*scenarios.front().robot));

@@ -208,8 +208,14 @@ int run(Arguments args, RankGroup& team) {
     write_gains(study, result, args.folder);
   }
   std::vector<YardstickFiles> yardsticks(sets.size());
-  if (args.yardstick && !result.interrupted) yardsticks = measure_sets(study, result, args.folder);
-  write_reports(study, result, sets, yardsticks, options, workers.count(), before + seconds_since(began));
+  const auto write_all = [&] {
+    write_reports(study, result, sets, yardsticks, options, workers.count(), before + seconds_since(began));
+  };
+  write_all();  // first without the yardsticks, which take longer
+  if (args.yardstick && !result.interrupted) {
+    yardsticks = measure_sets(study, result, args.folder);
+    write_all();
+  }
 
   if (study.robust) {
     say(fmt::format("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
