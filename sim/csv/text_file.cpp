@@ -20,6 +20,20 @@ namespace {
   throw InputError(fmt::format("{}: cannot {}: {}", path, what, std::strerror(errno)));
 }
 
+/// Fails for a file that could not be made: in the user's words, who named `path` and nothing beside it.
+[[noreturn]] void fail_to_make(const std::string& path) {
+  const int reason = errno;
+  const std::string parent = std::filesystem::path(path).parent_path().string();
+  std::error_code ignored;
+  if (!parent.empty() && (reason == ENOENT || reason == ENOTDIR) &&
+      !std::filesystem::is_directory(parent, ignored)) {
+    throw InputError(
+        fmt::format("{}: cannot write it: {} is no folder; make it, or name another file", path, parent));
+  }
+  errno = reason;
+  fail(reason == EEXIST ? partial_path(path) : path, "write it");  // what stands there can be taken away
+}
+
 /// Takes the half-written file away, then fails.
 [[noreturn]] void give_up(const std::string& partial, const std::string& path, const char* what) {
   const int reason = errno;
@@ -32,7 +46,7 @@ namespace {
 std::string write_partial(const std::string& path, std::string_view text) {
   std::string partial = partial_path(path);
   const int file = make_partial_file(path);
-  if (file < 0) fail(partial, "write it");
+  if (file < 0) fail_to_make(path);
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
@@ -40,12 +54,12 @@ std::string write_partial(const std::string& path, std::string_view text) {
       const int reason = errno;
       ::close(file);
       errno = reason;
-      give_up(partial, partial, "write it");
+      give_up(partial, path, "write it");
     }
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   const bool synced = ::fsync(file) == 0;
-  if (::close(file) != 0 || !synced) give_up(partial, partial, "write it");
+  if (::close(file) != 0 || !synced) give_up(partial, path, "write it");
   return partial;
 }
 

@@ -16,8 +16,10 @@ std::size_t line_of(std::size_t row) {
 double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path) {
   const double value = table.number(row, column);
   if (std::isfinite(value)) return value;
+  const std::string text = table.text(row, column);
   throw InputError(fmt::format("{}:{}: {} in column {} is no finite number; a motion has one in every row",
-                               path, line_of(row), shown(table.text(row, column)), table.header()[column]));
+                               path, line_of(row), text.empty() ? "an empty cell" : shown(text),
+                               table.header()[column]));
 }
 
 std::vector<double> rising_times(const CsvTable& table, const std::string& path) {

@@ -33,8 +33,9 @@ Eigen::Quaterniond read_rpy(const yaml::Node& node) {
 Eigen::Quaterniond read_quaternion(const yaml::Node& node) {
   const std::vector<double> q = node.as_numbers(4);
   const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(quaternion.norm() - 1.0) <= kUnit))
-    node.fail(fmt::format("has length {:.6g}; [w, x, y, z] of an orientation has 1", quaternion.norm()));
+  const double length = quaternion.coeffs().stableNorm();
+  if (!(std::abs(length - 1.0) <= kUnit))
+    node.fail(fmt::format("has length {:.6g}; [w, x, y, z] of an orientation has 1", length));
   return quaternion.normalized();
 }
 

@@ -72,17 +72,23 @@ void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
   }
 }
 
+/// Sums of the largest numbers that a file can hold have no number.
+std::string distance_text(double metres) {
+  return std::isfinite(metres) ? fmt::format("{:.3g}", metres) : "over 1e308";
+}
+
 /// Throws InputError at `node` for a path whose highest harmonic, phase or extent is none that can be
 /// followed.
 void require_sensible(const Path& path, const yaml::Node& node) {
   int highest = 1;
-  double farthest = path.center.norm();
+  double farthest = path.center.stableNorm();
   for (const HarmonicTerm& term : path.terms) {
     highest = std::max(highest, term.order);
-    farthest += term.cosine.norm() + term.sine.norm();
+    farthest += term.cosine.stableNorm() + term.sine.stableNorm();
   }
   if (!(farthest <= kFarthest))
-    node.fail(fmt::format("it leads {:.3g} m away from the base; it may lead {:.0e}", farthest, kFarthest));
+    node.fail(fmt::format("it leads {} m away from the base; it may lead {:.0e}", distance_text(farthest),
+                          kFarthest));
   if (path.spline) require_sensible(*path.spline, node);
   const double fastest = std::abs(path.frequency) * highest;
   if (!(fastest <= kFastest))
@@ -158,9 +164,10 @@ Path read_polyline(const yaml::Node& node, const Files&) {
   for (const yaml::Node& item : corners_node.items()) {
     if (corners.size() == kMostCorners) corners_node.fail(fmt::format("more than {} corners", kMostCorners));
     corners.push_back(read_vec3(item));
-    if (!(corners.back().norm() <= kFarthest))
+    const double distance = corners.back().stableNorm();
+    if (!(distance <= kFarthest))
       item.fail(
-          fmt::format("lies {:.3g} m away from the base; at most {:.0e}", corners.back().norm(), kFarthest));
+          fmt::format("lies {} m away from the base; at most {:.0e}", distance_text(distance), kFarthest));
   }
   const double speed = read_positive(map.required("speed"), "m/s");
   const double blend = read_positive(map.required("blend"), "m");

@@ -87,9 +87,10 @@ ToolOrientation load_orientations(const std::string& path) {
   orientations.reserve(table.rows());
   for (const auto& row : numbers(table, kTurn, path)) {
     const Eigen::Quaterniond q(row[0], row[1], row[2], row[3]);
-    if (!(std::abs(q.norm() - 1.0) <= kUnit)) {
+    const double length = q.coeffs().stableNorm();
+    if (!(std::abs(length - 1.0) <= kUnit)) {
       throw InputError(fmt::format("{}:{}: the quaternion has length {:.6g}; that of an orientation is 1",
-                                   path, line_of(orientations.size()), q.norm()));
+                                   path, line_of(orientations.size()), length));
     }
     orientations.push_back(q.normalized());
   }

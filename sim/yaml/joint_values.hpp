@@ -1,12 +1,20 @@
 #pragma once
 // One number per joint, as a list in joint order or as a map by joint name.
 
+#include "core/common/error.hpp"
 #include "core/common/types.hpp"
 #include "sim/yaml/document.hpp"
 
 namespace armtune::yaml {
 
-/// n numbers. Throws InputError if a joint is missing, unknown, or the count is wrong.
+/// Thrown for values of other joints than those asked for: the file may be of another arm.
+class OtherJoints : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Returns n numbers. Throws OtherJoints if a joint is missing, unknown, or the count is wrong, and
+/// InputError for what is no number.
 JointVector joint_values(const Node& node, const std::vector<std::string>& joints);
 
 }  // namespace armtune::yaml

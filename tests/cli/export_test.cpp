@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "sim/scenario/gains_file.hpp"
@@ -84,6 +85,17 @@ TEST_F(ExportCommand, SaysWhatIsWrong) {
   };
   EXPECT_THAT(refused({"export", "publishd"}), HasSubstr("'published'"));
   EXPECT_THAT(refused({"export", "panda"}), HasSubstr("--robot")) << "the UR10 has six joints";
+  std::string gains = test::read_text(files_ / "gains.yaml");
+  const std::string unknown = files_.write("unknown.yaml", gains + "taskGains: 3\n");
+  const std::string own = "slerpDurationErrorGain: 2.5";
+  const std::string text = files_.write("text.yaml", gains.replace(gains.find(own), own.size(), own + "x"));
+  for (const std::string& file : {unknown, text, files_ / "none.yaml"}) {
+    for (const std::vector<std::string>& command :
+         std::vector<std::vector<std::string>>{{"export", file}, {"compare", "--gains", "published", file}}) {
+      EXPECT_THAT(refused(command), AllOf(HasSubstr(file), testing::Not(HasSubstr("--robot"))))
+          << "another arm would not help";
+    }
+  }
   EXPECT_THAT(refused({"export", "published", "--format", "ros3"}), HasSubstr("ros3"));
   EXPECT_THAT(refused({"export", "published", "--format", "csv"}), HasSubstr("ros2"));
   EXPECT_THAT(refused({"export", "published", "--format", "ros1", "--node", "a b"}),
@@ -108,6 +120,11 @@ TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
   EXPECT_EQ(run_program({"compare", "published", "--gains", "--out", files_ / "x"}).exit_code, 2);
   EXPECT_EQ(run_program({"compare", "published", "extended", "--gains", "--stepper", "rk4"}).exit_code, 2);
   EXPECT_THAT(run_program({"compare", "published", "--gains"}).err, HasSubstr("two or more"));
+  // What no file is called after may have any name.
+  std::filesystem::copy_file(files_ / "gains.yaml", files_ / "=x.yaml");
+  const Finished formula = run_program({"compare", files_ / "=x.yaml", files_ / "gains.yaml", "--gains"});
+  EXPECT_EQ(formula.exit_code, 0) << formula.err;
+  EXPECT_THAT(formula.out, testing::StartsWith("the same in all"));
   const Finished arms = run_program({"compare", "panda", "panda_tuned", "--gains"});
   EXPECT_EQ(arms.exit_code, 2);
   EXPECT_THAT(arms.err, HasSubstr("--robot"));

@@ -92,6 +92,22 @@ TEST(Names, OfComparedSetsAreAllDifferent) {
   EXPECT_EQ(std::adjacent_find(labels.begin(), labels.end()), labels.end());
 }
 
+TEST(Names, OfComparedSetsThatAreTooLongWithTheirNumberAreToldOfAsTheyAre) {
+  const ShortStudy files;
+  const std::string name(kLongestName, 'g');
+  for (const char* folder : {"p", "q"}) {
+    fs::create_directory(files / folder);
+    fs::copy_file(files / "gains.yaml", files / (folder + ("/" + name) + ".yaml"));
+  }
+  const Finished done =
+      run_program({"compare", files / ("p/" + name + ".yaml"), files / ("q/" + name + ".yaml"), "--scenarios",
+                   files / "short.yaml", "--out", files / "run"});
+  EXPECT_EQ(done.exit_code, 2) << done.err;
+  EXPECT_THAT(done.err, testing::AllOf(HasSubstr("/q/" + name), HasSubstr("'_2'"), HasSubstr("198 bytes"),
+                                       testing::Not(HasSubstr("202"))));
+  EXPECT_FALSE(fs::exists(files / "run"));
+}
+
 TEST(Names, OfComparedSetsGiveEachItsOwnFilesAndColumns) {
   const ShortStudy files;
   for (const char* folder : {"p", "q"}) fs::create_directory(files / folder);

@@ -11,6 +11,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "sim/yaml/joint_values.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/conclusion.hpp"
 #include "tuner/cli/endurance_option.hpp"
@@ -95,7 +96,7 @@ int show_gains(const Arguments& args) {
   for (std::size_t i = 0; i < args.sets.size(); ++i) {
     try {
       sets.push_back({labels[i], load_gains(gains_name(args.sets[i]), joints)});
-    } catch (const InputError& e) {
+    } catch (const yaml::OtherJoints& e) {
       if (!args.robot.empty()) throw;
       throw InputError(fmt::format("{}; read for an arm of {} joints: name another with --robot", e.what(),
                                    joints.size()));
@@ -156,6 +157,7 @@ int interrupted(const Arguments& args, const std::vector<ComparedSet>& sets) {
 int run(const Arguments& args) {
   if (args.gains_only) return show_gains(args);
   const std::vector<std::string> labels = set_labels(args.sets);
+  if (!args.folder.empty()) check_labels(labels, args.sets);
   const auto scenarios = scenarios_of(args);
   for (const std::string& set : args.sets) {
     for (const Scenario& s : scenarios) {

@@ -14,6 +14,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "sim/yaml/joint_values.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
 #include "tuner/gains/gains_formats.hpp"
@@ -88,7 +89,7 @@ int run(const Arguments& args) {
   file.joints = joint_names(*robot);
   try {
     file.gains = load_gains(path, file.joints);
-  } catch (const InputError& e) {
+  } catch (const yaml::OtherJoints& e) {
     if (!args.robot.empty()) throw;
     throw InputError(fmt::format("{}; read for {}: name another arm with --robot", e.what(), robot->name));
   }

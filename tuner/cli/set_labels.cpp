@@ -1,10 +1,13 @@
 #include "tuner/cli/set_labels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
 
+#include "core/common/error.hpp"
 #include "core/common/file_name.hpp"
 #include "sim/scenario/data_files.hpp"
 
@@ -33,10 +36,22 @@ std::vector<std::string> set_labels(const std::vector<std::string>& sets) {
              std::find(kOtherColumns.begin(), kOtherColumns.end(), label) != kOtherColumns.end();
     };
     for (int number = 2; is_taken(); ++number) label = name + "_" + std::to_string(number);
-    check_result_name(label, set);
     labels.push_back(std::move(label));
   }
   return labels;
+}
+
+void check_labels(const std::vector<std::string>& labels, const std::vector<std::string>& sets) {
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const std::string name = name_of(sets[i]);
+    check_result_name(name, sets[i]);
+    if (labels[i].size() <= kLongestName) continue;
+    throw InputError(
+        fmt::format("{}: another set has this name too, and there is no room for '{}' behind it in names of "
+                    "files; rename "
+                    "it to one of at most {} bytes",
+                    sets[i], labels[i].substr(name.size()), kLongestName - (labels[i].size() - name.size())));
+  }
 }
 
 }  // namespace armtune::cli

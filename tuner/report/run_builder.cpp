@@ -36,8 +36,8 @@ std::vector<double> rising_times(const NumberTable& table) {
   const std::vector<double>& times = table.numbers(table.column("time"));
   for (std::size_t r = 0; r < times.size(); ++r) {
     if (!(std::abs(times[r]) <= kMost)) {
-      throw InputError(fmt::format("{}:{}: time {} is not a number of seconds within {:g}", table.name(),
-                                   r + 2, times[r], kMost));
+      throw InputError(fmt::format("{}:{}: {} in column time is no number of seconds within {:g}",
+                                   table.name(), r + 2, shown_cell(times[r]), kMost));
     }
     if (r > 0 && times[r] < times[r - 1]) {
       throw InputError(fmt::format("{}:{}: time {} comes after {}; times must not fall", table.name(), r + 2,
@@ -48,6 +48,10 @@ std::vector<double> rising_times(const NumberTable& table) {
 }
 
 }  // namespace
+
+std::string shown_cell(double number) {
+  return std::isnan(number) ? "an empty cell" : fmt::format("{}", number);
+}
 
 bool is_task_column(std::string_view name) {
   return std::any_of(std::begin(kGroups), std::end(kGroups),

@@ -9,6 +9,9 @@ namespace armtune::report {
 /// True for the columns that are plotted and are not a joint's: tool, errors, gaze and the like.
 bool is_task_column(std::string_view name);
 
+/// Returns a cell's number as a message shows it; NaN is what an empty cell is read as.
+std::string shown_cell(double number);
+
 /// A run being made from a CSV, whose time counts from its first row.
 class RunBuilder {
  public:

@@ -36,6 +36,19 @@ TEST(TextFile, AFailureLeavesTheOldFileWhole) {
   EXPECT_EQ(test::read_text(path), "old\n");
 }
 
+TEST(TextFile, AFolderThatIsNotThereIsNamedAsTheUserNamedIt) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("file", "");
+  for (const std::string& parent : {folder / "none", file}) {
+    for (const auto write : {write_text_file, write_new_text_file}) {
+      const std::string why = test::refusal([&] { write(parent + "/x.html", "text"); });
+      EXPECT_THAT(why, HasSubstr(parent + "/x.html: "));
+      EXPECT_THAT(why, HasSubstr(parent + " is no folder"));
+      EXPECT_THAT(why, testing::Not(HasSubstr("partial")));
+    }
+  }
+}
+
 TEST(TextFile, AFolderInTheWayStaysAndIsNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder / "a.csv";

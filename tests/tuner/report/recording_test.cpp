@@ -256,6 +256,17 @@ TEST(Recording, ResolutionFallsWithTheBytesOfARunAndNeverToNothing) {
   EXPECT_EQ(resolution_for(500'000, 34, 19, 50.0).replay_rate, 25.0);
 }
 
+TEST(Recording, AnEmptyCellIsCalledThat) {
+  const std::string header =
+      "time,state,slerping,tool/position/x,error/position/x,error/position/y,error/position/z\n";
+  for (const char* rows : {"0,1,0,0,0,0,0\n,1,0,0,0,0,0\n", "0,1,0,0,0,0,0\n1,,0,0,0,0,0\n"}) {
+    const NumberTable table = CsvTable::parse(header + rows, "rollout.csv");
+    EXPECT_THAT(test::refusal([&] { run_of(table, nullptr, nullptr, resolution_for(100'000, 4, 0, 1.0)); }),
+                testing::AllOf(testing::HasSubstr("rollout.csv:3: "), testing::HasSubstr("empty"),
+                               testing::Not(testing::HasSubstr("nan"))));
+  }
+}
+
 /// Text of a recording with these times, at rest.
 CsvTable with_times(const std::string& cells) {
   std::string text = "time,state,slerping\n";
