@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <thread>
 
 #include "sim/yaml/document.hpp"
@@ -61,6 +62,26 @@ TEST(Inputs, EditedDuringARunAreToldOfAndKeptAsTheyWereRead) {
     EXPECT_EQ(hash_of_file(run + "/" + copy.as_string()), told.find("inputs")->find(file)->as_string())
         << file;
   }
+}
+
+TEST(Inputs, EditedAfterTheyWereReadAreToldOfAsTheyWereRead) {
+  const ShortStudy files;
+  const std::string run = files / "run";
+  ASSERT_THAT(test::run_program({"tune", files.path(), "--out", run, "--no-analysis"}).exit_code,
+              testing::AnyOf(0, 3));
+  const std::string evaluations = run + "/evaluations.csv";
+  const std::string before = hash_of_file(evaluations);
+  // The folder is made when everything has been read; the search for what matters takes much longer.
+  const std::string out = files / "sensitivity";
+  test::Program program({"sensitivity", run, "--out", out, "--workers", "1"}, files / "");
+  while (program.running() && !std::filesystem::exists(out))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  files.write("run/evaluations.csv", test::read_text(evaluations) + "edited\n");
+  ASSERT_TRUE(program.running());
+  const Finished done = program.wait();
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  const yaml::Node told = yaml::parse_file(out + "/run.yaml");
+  EXPECT_EQ(told.find("inputs")->find(evaluations)->as_string(), before);
 }
 
 TEST(Inputs, FromAPipeAreReadOnceAndHashed) {

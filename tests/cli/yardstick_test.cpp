@@ -3,14 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <thread>
 
+#include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
+#include "tuner/run/file_hash.hpp"
 
 namespace armtune {
 namespace {
@@ -71,6 +75,23 @@ TEST_F(YardstickProgram, HoldsARunsEventsAgainstTheirLimits) {
   const auto data = test::parsed(test::data_of(read_text(files_ / "run/report.html")));
   EXPECT_EQ(test::at(data, "yardstick").items().size(), 2U);
   EXPECT_EQ(test::at(data, "yardstick/1/event").as_string(), "switch");
+}
+
+TEST_F(YardstickProgram, TellsOfTheRecordingsThatItRead) {
+  ASSERT_EQ(simulate("run").exit_code, 0);
+  const std::string recording = files_ / "run/rollout_quick_switch.csv";
+  const std::string before = hash_of_file(recording);
+  const std::string told = files_ / "told.txt";
+  test::Program program({"yardstick", files_ / "run", "--knots", "100"}, files_ / "",
+                        {"/bin/sh", "-c", "exec \"$@\" > " + told, "sh"});
+  while (program.running() && (!fs::exists(told) || read_text(told).empty()))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  files_.write("run/rollout_quick_switch.csv", read_text(recording) + "edited\n");
+  ASSERT_TRUE(program.running()) << "another event is planned for";
+  const Finished held = program.wait();
+  ASSERT_EQ(held.exit_code, 0) << held.err;
+  const auto run = yaml::parse_file(files_ / "run/yardstick.yaml");
+  EXPECT_EQ(run.find("inputs")->find(recording)->as_string(), before);
 }
 
 TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {

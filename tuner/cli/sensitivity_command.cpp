@@ -15,6 +15,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/run/hashed_table.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/workers/simulate_points.hpp"
@@ -33,19 +34,16 @@ std::string gains_of(const Arguments& args) {
   return run_file(args.run, "gains.yaml");
 }
 
-std::string journal_of(const Arguments& args) {
-  return run_file(args.run, "evaluations.csv");
-}
-
-void write_files(const Study& study, const Sensitivity& result, const Arguments& args, int workers,
-                 double seconds) {
+void write_files(const Study& study, const Sensitivity& result, const Arguments& args,
+                 const HashedTable& evaluations, int workers, double seconds) {
   make_folder(args.folder + "/start");
   write_text_file(args.folder + "/start/gains.yaml",
                   gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
   write_sensitivity(study, result, args.folder);
   Provenance p;
   p.command = command_line();
-  p.inputs = {study.source, study.gains, gains_of(args), journal_of(args)};
+  p.inputs = {study.source, study.gains, gains_of(args)};
+  p.streamed = {{evaluations.table.name(), evaluations.hash}};
   add_inputs(study.scenarios, p.inputs);
   p.seed = study.solver.seed;
   p.workers = workers;
@@ -60,7 +58,8 @@ int run(const Arguments& args, RankGroup& team) {
   const Study study = load_study(run_file(args.run, "study.yaml"));
   if (!team.begin(plan_of(study, args.deadline), args.workers)) return kDone;
   const Gains best = load_gains(gains_of(args), joint_names(*study.scenarios.front().robot));
-  const auto journal = read_evaluations(journal_of(args), study);
+  const HashedTable evaluations = read_hashed_table(run_file(args.run, "evaluations.csv"));
+  const auto journal = read_evaluations(evaluations.table, study);
   const FolderLock lock = make_run_folder(args.folder);
 
   CandidateRunner workers(team.pool(), study.robust);
@@ -79,7 +78,7 @@ int run(const Arguments& args, RankGroup& team) {
     fmt::print(stderr, "interrupted; nothing was written\n");
     return kInterrupted;
   }
-  if (!args.folder.empty()) write_files(study, *result, args, workers.count(), seconds());
+  if (!args.folder.empty()) write_files(study, *result, args, evaluations, workers.count(), seconds());
   print_sensitivity(study, *result, study.space.free.size());
   print_advice(study, *result);
   if (args.folder.empty()) return kDone;

@@ -38,8 +38,8 @@ bool analyse(const Study& study, const TuneResult& result, const Objective& obje
   say(fmt::format("{}\n", margins_table(study.scenarios, sets)));
 
   const auto found = sensitivity(study, objective, result.best.gains,
-                                 read_evaluations(how.folder + "/evaluations.csv", study), workers,
-                                 stop_requested(), [&line](std::size_t done, std::size_t all) {
+                                 read_evaluations(CsvTable::read(how.folder + "/evaluations.csv"), study),
+                                 workers, stop_requested(), [&line](std::size_t done, std::size_t all) {
                                    line.show(fmt::format("sensitivity: {} of {} evaluations", done, all));
                                  });
   line.clear();

@@ -44,15 +44,14 @@ std::string provenance_path(const std::string& csv) {
 }
 
 void write_provenance(const Arguments& args, const std::string& csv, const std::vector<Scenario>& scenarios,
-                      std::size_t events, double seconds) {
+                      const RolloutMeasures& found, double seconds) {
   Provenance p;
   p.command = command_line();
   p.inputs = {args.folder + "/gains.yaml"};
-  for (const Scenario& scenario : scenarios)
-    p.inputs.push_back(args.folder + "/rollout_" + scenario.name + ".csv");
+  p.streamed = found.recordings;
   add_inputs(scenarios, p.inputs);
   p.wall_seconds = seconds;
-  p.extra = {{"events", std::to_string(events)},
+  p.extra = {{"events", std::to_string(found.measures.size())},
              {"velocity", fmt::format("{}", args.options.velocity)},
              {"effort", fmt::format("{}", args.options.effort)},
              {"knots", std::to_string(args.options.knots)}};
@@ -84,18 +83,18 @@ int run(const Arguments& args) {
   const auto began = std::chrono::steady_clock::now();
   const std::vector<Scenario> scenarios = rollout_scenarios(args.folder, args.scenarios);
   const std::string gains = run_file(args.folder, "gains.yaml");
-  const std::vector<Measure> measures = measure_rollouts(
+  const RolloutMeasures found = measure_rollouts(
       args.folder, scenarios,
       [&gains](const Scenario& s) { return load_gains(gains, joint_names(*s.robot)); }, args.options);
-  if (stop_requested() && measures.empty()) {
+  if (stop_requested() && found.measures.empty()) {
     fmt::print(stderr, "interrupted; nothing was written\n");
     return kInterrupted;
   }
   const std::string csv = args.out.empty() ? args.folder + "/yardstick.csv" : args.out;
-  const std::string table = yardstick_csv(measures);
+  const std::string table = yardstick_csv(found.measures);
   args.out.empty() ? write_text_file(csv, table) : write_new_text_file(csv, table);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
-  write_provenance(args, csv, scenarios, measures.size(), elapsed.count());
+  write_provenance(args, csv, scenarios, found, elapsed.count());
   std::string more;
   if (args.out.empty()) {
     const std::string run_folder = run_of(args.folder);

@@ -9,6 +9,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 #include "tuner/report/yardstick_rows.hpp"
+#include "tuner/run/hashed_table.hpp"
 #include "tuner/run/run_file.hpp"
 
 namespace armtune::cli {
@@ -20,9 +21,10 @@ struct Pending {
   YardstickOptions options;
 };
 
-/// What there is to plan for, scenario by scenario.
+/// What there is to plan for, scenario by scenario. recordings: gets those that were read.
 std::vector<Pending> pending_in(const std::string& folder, const std::vector<Scenario>& scenarios,
-                                const GainsOf& gains, YardstickOptions options) {
+                                const GainsOf& gains, YardstickOptions options,
+                                std::vector<std::pair<std::string, std::string>>& recordings) {
   std::vector<Pending> pending;
   for (const Scenario& scenario : scenarios) {
     if (scenario.stimulus) {
@@ -45,8 +47,9 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
     const Gains set = gains(scenario);
     options.gaze_threshold = set.slerpAngularErrorThreshold;
     options.clearance = scenario.obstacles.empty() ? 0.0 : set.obstacleInfluenceRadius;
-    const auto rollout = CsvTable::read(run_file(folder, "rollout_" + scenario.name + ".csv"));
-    const std::vector<Event> events = events_of(rollout, scenario, options.gaze_threshold);
+    const HashedTable rollout = read_hashed_table(run_file(folder, "rollout_" + scenario.name + ".csv"));
+    recordings.emplace_back(rollout.table.name(), rollout.hash);
+    const std::vector<Event> events = events_of(rollout.table, scenario, options.gaze_threshold);
     if (events.empty()) say(fmt::format("{}: no switch, return or whole lap\n", scenario.name));
     for (const Event& event : events) pending.push_back({&scenario, event, options});
   }
@@ -61,9 +64,10 @@ void tell(const Measure& measure) {
 
 }  // namespace
 
-std::vector<Measure> measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
-                                      const GainsOf& gains, YardstickOptions options) {
-  const std::vector<Pending> pending = pending_in(folder, scenarios, gains, options);
+RolloutMeasures measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
+                                 const GainsOf& gains, YardstickOptions options) {
+  RolloutMeasures result;
+  const std::vector<Pending> pending = pending_in(folder, scenarios, gains, options, result.recordings);
   const auto began = std::chrono::steady_clock::now();
   const auto left = [&](std::size_t done) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
@@ -71,7 +75,7 @@ std::vector<Measure> measure_rollouts(const std::string& folder, const std::vect
                      : fmt::format(", {:.0f} s left", elapsed.count() / static_cast<double>(done) *
                                                           static_cast<double>(pending.size() - done));
   };
-  std::vector<Measure> measures;
+  std::vector<Measure>& measures = result.measures;
   measures.reserve(pending.size());
   ProgressLine line;
   const Scenario* told = nullptr;
@@ -92,7 +96,7 @@ std::vector<Measure> measure_rollouts(const std::string& folder, const std::vect
     std::fflush(stdout);
     measures.push_back(std::move(found));
   }
-  return measures;
+  return result;
 }
 
 }  // namespace armtune::cli

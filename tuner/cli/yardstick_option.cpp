@@ -42,7 +42,7 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
   YardstickFiles files;
   try {
     say(fmt::format("against the best that the arm's limits allow ({}):\n", folder));
-    const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {});
+    const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {}).measures;
     write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
     files.written = ", yardstick.csv";
     files.columns = {{"yardstick.csv", yardstick_columns()}};

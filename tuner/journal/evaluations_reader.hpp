@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/csv/csv_table.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune {
@@ -17,6 +18,6 @@ struct EvaluationRow {
 /// Every whole row of a study's journal: a last one without its line end, of a run that was killed, is left
 /// out, and those of candidates that were given up. Throws InputError naming file, line and column if it is
 /// none of this study's or a number cannot be read.
-std::vector<EvaluationRow> read_evaluations(const std::string& path, const Study& study);
+std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& study);
 
 }  // namespace armtune

@@ -33,7 +33,7 @@ class EvaluationsReader : public ::testing::Test {
 };
 
 TEST_F(EvaluationsReader, GivesBackWhatWasWritten) {
-  const auto rows = read_evaluations(written(), study_);
+  const auto rows = read_evaluations(CsvTable::read(written()), study_);
   ASSERT_EQ(rows.size(), 3U);
   const double expected[] = {0.0, 0.3, 1.0};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -45,19 +45,21 @@ TEST_F(EvaluationsReader, GivesBackWhatWasWritten) {
 }
 
 TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
-  EXPECT_THAT(test::refusal([&] { read_evaluations(files_ / "none.csv", study_); }),
+  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(files_ / "none.csv"), study_); }),
               HasSubstr("none.csv: no such file"));
   const std::string other = files_.write("other.csv", "evaluation,objective,violation\n0,1,0\n");
-  EXPECT_THAT(test::refusal([&] { read_evaluations(other, study_); }),
+  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(other), study_); }),
               testing::AllOf(HasSubstr("other.csv:1: no column 'task_space_gains_p/rx'")));
   std::string text = test::read_text(written());
   const std::string torn = files_.write("torn.csv", text.substr(0, text.rfind(',')));
-  EXPECT_EQ(read_evaluations(torn, study_).size(), 2U) << "killed while it wrote the third row";
+  EXPECT_EQ(read_evaluations(CsvTable::read(torn), study_).size(), 2U)
+      << "killed while it wrote the third row";
   const std::string cut = files_.write("cut.csv", text.substr(0, text.rfind(',')) + "\n");
-  EXPECT_THAT(test::refusal([&] { read_evaluations(cut, study_); }), HasSubstr("cut.csv:4: "));
+  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(cut), study_); }),
+              HasSubstr("cut.csv:4: "));
   text.replace(text.find("\n0,search,simbody,1,") + 18, 1, "x");
   const std::string wrong = files_.write("wrong.csv", text);
-  EXPECT_THAT(test::refusal([&] { read_evaluations(wrong, study_); }),
+  EXPECT_THAT(test::refusal([&] { read_evaluations(CsvTable::read(wrong), study_); }),
               HasSubstr("wrong.csv:2: 'x' in column objective is not a number"));
 }
 

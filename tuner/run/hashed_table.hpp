@@ -1,0 +1,19 @@
+#pragma once
+// A CSV file of a run, with the hash of the bytes that were read: what run.yaml says of it is true even if
+// the file is edited meanwhile.
+
+#include <string>
+
+#include "sim/csv/csv_table.hpp"
+
+namespace armtune {
+
+struct HashedTable {
+  CsvTable table;
+  std::string hash;  ///< as run.yaml shows it
+};
+
+/// Reads a file that armtune wrote. Throws InputError as CsvTable::read does.
+HashedTable read_hashed_table(const std::string& path);
+
+}  // namespace armtune
