@@ -1,19 +1,18 @@
 // armtune controllers, metrics, algorithms: what a study can name, as it is declared.
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <string>
 
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/controllers_page.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/tune_help.hpp"
 
 namespace armtune::cli {
 namespace {
 
 void add_list_command(CLI::App& app, const char* name, const char* meaning, std::string (*text)()) {
-  app.add_subcommand(name, meaning)->callback([text] { fmt::print("{}", text()); });
+  app.add_subcommand(name, meaning)->callback([text] { say(text()); });
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "sim/yaml/joint_values.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/gain_set.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/gains/gains_formats.hpp"
 #include "tuner/gains/gains_origin.hpp"
 #include "tuner/run/file_hash.hpp"
@@ -100,11 +101,11 @@ int run(const Arguments& args) {
   file.others = published_path(path);
   const std::string text = gains_text(file, format);
   if (args.file.empty()) {
-    fmt::print("{}", text);
+    say(text);
     return kDone;
   }
   write_new_text_file(args.file, text);
-  fmt::print("wrote {}\n", args.file);
+  say(fmt::format("wrote {}\n", args.file));
   return kDone;
 }
 

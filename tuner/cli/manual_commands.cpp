@@ -10,6 +10,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/declared/completion.hpp"
 #include "tuner/cli/declared/man_page.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
@@ -19,7 +20,7 @@ constexpr const char* kProgram = "armtune";
 constexpr const char* kOutHelp = "file to write it to (default: to the screen)";
 
 void put(const std::string& text, const std::string& file) {
-  file.empty() ? fmt::print("{}", text) : write_text_file(file, text);
+  file.empty() ? say(text) : write_text_file(file, text);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/cli/say.hpp"
 #include "tuner/cli/standard_streams.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -35,7 +36,7 @@ int conclude_parsing(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream err;
   const int code = app.exit(error, out, err);
-  fmt::print("{}", out.str());
+  say(out.str());
   fmt::print(stderr, "{}", err.str());
   return code == 0 ? kDone : kBadInput;
 }

@@ -9,6 +9,7 @@
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/report_file.hpp"
+#include "tuner/cli/say.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -26,7 +27,7 @@ int run(const Arguments& args) {
       report::write_report(args.folder, path, own ? report::Existing::kReplace : report::Existing::kRefuse);
   warn_of_left_out(written);
   constexpr double kMegabyte = 1e6;
-  fmt::print("wrote {} ({:.2f} MB)\n", path, static_cast<double>(written.bytes) / kMegabyte);
+  say(fmt::format("wrote {} ({:.2f} MB)\n", path, static_cast<double>(written.bytes) / kMegabyte));
   return kDone;
 }
 
