@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/common/error.hpp"
+#include "tuner/identification/effort_words.hpp"
 
 namespace armtune {
 namespace {
@@ -40,10 +41,10 @@ double high_value(const std::vector<LogInstant>& instants,
 std::string hint(double value, double limit, std::initializer_list<Unit> units, const char* key) {
   for (const Unit& unit : units) {
     if (value * unit.scale > limit) continue;
-    return fmt::format("; in {} it would fit, with `scale: {}` for the {} in the column map (--columns FILE)",
+    return fmt::format("; in {} it would fit, with `scale: {}` for `{}` in the column map (--columns FILE)",
                        unit.name, unit.scale, key);
   }
-  return fmt::format("; check the columns of the {}, their units, and --robot", key);
+  return fmt::format("; check the columns of `{}`, their units, and --robot", key);
 }
 
 class LimitCheck {
@@ -51,6 +52,7 @@ class LimitCheck {
   LimitCheck(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs,
              int joint)
       : info_(model.joints[static_cast<std::size_t>(joint)]),
+        effort_(effort_words(model, joint)),
         revolute_(model.chain.motion[static_cast<std::size_t>(joint)] == JointMotion::kRevolute),
         instants_(instants),
         logs_(logs),
@@ -88,20 +90,19 @@ class LimitCheck {
   }
 
   void torque() const {
-    const char* of_effort = revolute_ ? "N m" : "N";
     const double size = high_value(instants_, [&](const LogInstant& at) { return at.torque[joint_]; });
     const double limit = kOverEffort * info_.limits.effort;
     if (size <= limit) return;
-    fail(fmt::format("its torque is {:.4g} {}, but its effort limit in the robot file is {:.4g} {}", size,
-                     of_effort, info_.limits.effort, of_effort) +
-         hint(size, limit, {{1e-3, "N mm"}}, "torque"));
+    fail(fmt::format("its {} is {:.4g} {}, but its effort limit in the robot file is {:.4g} {}", effort_.name,
+                     size, effort_.unit, info_.limits.effort, effort_.unit) +
+         hint(size, limit, {{1e-3, effort_.thousandth}}, "torque"));
   }
 
   void torque_is_there() const {
     if (std::any_of(instants_.begin(), instants_.end(),
                     [&](const LogInstant& at) { return at.torque[joint_] != 0.0; }))
       return;
-    fail("its torque is always 0; log it, or check the columns of the torque");
+    fail(fmt::format("its {} is always 0; log it, or check the columns of `torque`", effort_.name));
   }
 
  private:
@@ -116,6 +117,7 @@ class LimitCheck {
   }
 
   const JointInfo& info_;
+  EffortWords effort_;
   bool revolute_;
   const std::vector<LogInstant>& instants_;
   const std::string& logs_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "tuner/identification/effort_words.hpp"
+
 namespace armtune {
 namespace {
 
@@ -188,21 +190,30 @@ LogComparison compare_with_robot_file(const RobotModel& model, const std::vector
 
 std::string to_text(const LogMistake& mistake, const RobotModel& model) {
   const auto name = [&](int joint) { return model.joints[static_cast<std::size_t>(joint)].name; };
+  const auto effort = [&](int joint) { return std::string(effort_words(model, joint).name); };
+  const std::string any_effort = effort_word_of_all(model, &EffortWords::name);
   switch (mistake.kind) {
     case MistakeKind::kTorqueScale:
-      return fmt::format("the torques look {} times too {}; set `scale: {}` for the torque in the column map",
-                         1000, mistake.value < 1.0 ? "large, as in N mm" : "small, as in kN m",
-                         mistake.value);
+      return fmt::format(
+          "every {} looks 1000 times too {}, as in {}; set `scale: {}` for `torque` in the column map",
+          any_effort, mistake.value < 1.0 ? "large" : "small",
+          effort_word_of_all(model,
+                             mistake.value < 1.0 ? &EffortWords::thousandth : &EffortWords::thousandfold),
+          mistake.value);
     case MistakeKind::kAllTorqueSigns:
-      return "every torque seems to have the wrong sign; set `scale: -1` for the torque in the column map";
+      return fmt::format(
+          "every {} seems to have the wrong sign; set `scale: -1` for `torque` in the column map",
+          any_effort);
     case MistakeKind::kTorqueSign:
-      return fmt::format(
-          "the torque of {} seems to have the wrong sign; set its scale to -1 in the column map",
-          name(mistake.joint));
+      return fmt::format("the {} of {} seems to have the wrong sign; set its scale to -1 in the column map",
+                         effort(mistake.joint), name(mistake.joint));
     case MistakeKind::kTorquesSwapped:
-      return fmt::format(
-          "the torques of {} and {} seem to be exchanged; exchange their columns in the column map",
-          name(mistake.joint), name(mistake.other));
+      return fmt::format("the {} seem to be exchanged; exchange their columns in the column map",
+                         effort(mistake.joint) == effort(mistake.other)
+                             ? fmt::format("{}s of {} and {}", effort(mistake.joint), name(mistake.joint),
+                                           name(mistake.other))
+                             : fmt::format("{} of {} and the {} of {}", effort(mistake.joint),
+                                           name(mistake.joint), effort(mistake.other), name(mistake.other)));
     case MistakeKind::kDegrees:
       return "the positions seem to be in degrees; set `scale: 0.017453292519943295` for them in the column "
              "map";
@@ -212,10 +223,9 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
           name(mistake.joint));
     case MistakeKind::kJointSign:
       return fmt::format(
-          "position and torque of {} seem to have the wrong sign; set both scales to -1 in the column map, "
-          "or turn "
-          "the joint's axis in the URDF",
-          name(mistake.joint));
+          "position and {} of {} seem to have the wrong sign; set both scales to -1 in the column map, or "
+          "turn the joint's axis in the URDF",
+          effort(mistake.joint), name(mistake.joint));
     case MistakeKind::kPositionOffset:
       return fmt::format(
           "the zero position of {} seems to differ: its logged position plus {:.0f} degrees would fit the "

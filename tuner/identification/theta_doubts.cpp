@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/identification/effort_words.hpp"
+
 namespace armtune {
 namespace {
 
@@ -16,10 +18,6 @@ constexpr double kHeavier = 3.0;
 constexpr double kShareOfArm = 0.5;
 constexpr double kOtherArm = 1.8;
 
-const char* effort_unit(const RobotModel& model, int joint) {
-  return model.chain.motion[static_cast<std::size_t>(joint)] == JointMotion::kRevolute ? "N m" : "N";
-}
-
 std::string check_joint(const RobotModel& model, int joint, const Unexplained& rows, double noise,
                         const char* which) {
   const JointInfo& info = model.joints[static_cast<std::size_t>(joint)];
@@ -28,11 +26,11 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
   const bool too_much = left > kUnexplained * torque;
   const bool worse = left > kNoticeable * torque && left > kWorseThanFile * rows.by_file[joint];
   if (!too_much && !worse) return {};
+  const EffortWords effort = effort_words(model, joint);
   return fmt::format(
-      "theta leaves {:.3g} {} of the torque of {} unexplained {}, where the torque is {:.3g} and the robot "
-      "file leaves "
-      "{:.3g}; check unit, sign, column and zero position of this joint and of those after it",
-      left, effort_unit(model, joint), info.name, which, rows.torque[joint], rows.by_file[joint]);
+      "theta leaves {:.3g} {} of the {} of {} unexplained {}, where the {} is {:.3g} and the robot file "
+      "leaves {:.3g}; check unit, sign, column and zero position of this joint and of those after it",
+      left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 
 }  // namespace
@@ -58,15 +56,16 @@ std::vector<std::string> theta_doubts(const RobotModel& model, const Identificat
     const double file_mass = file[i * kLinkParameters];
     if (mass < kHeavier * file_mass || mass - file_mass < kShareOfArm * file_arm) continue;
     doubts.push_back(
-        fmt::format("{} would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the units of the "
-                    "torques, the zero positions, and whether the robot file has the tool",
-                    model.joints[static_cast<std::size_t>(i)].link, mass, file_mass));
+        fmt::format("{} would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the units of each "
+                    "{}, the zero positions, and whether the robot file has the tool",
+                    model.joints[static_cast<std::size_t>(i)].link, mass, file_mass,
+                    effort_word_of_all(model, &EffortWords::name)));
   }
   if (arm > kOtherArm * file_arm || kOtherArm * arm < file_arm) {
     doubts.push_back(
         fmt::format("the moved links would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the "
-                    "units of the torques and --robot",
-                    arm, file_arm));
+                    "units of each {} and --robot",
+                    arm, file_arm, effort_word_of_all(model, &EffortWords::name)));
   }
   return doubts;
 }

@@ -5,16 +5,20 @@
 
 #include <functional>
 #include <random>
+#include <tuple>
 
 #include "core/robot/slotine_li.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/identification/log_extremes.hpp"
 
 namespace armtune {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kDegree = M_PI / 180.0;
 
@@ -178,6 +182,42 @@ TEST_F(LogMistakes, SentencesNameTheJoints) {
   zero.joint = 2;
   zero.value = -0.5 * M_PI;
   EXPECT_THAT(to_text(zero, model_), AllOf(HasSubstr(model_.joints[2].name), HasSubstr("-90")));
+}
+
+TEST_F(LogMistakes, SentencesHaveTheUnitsOfTheJointsKind) {
+  LogMistake scale;
+  scale.kind = MistakeKind::kTorqueScale;
+  LogMistake sign;
+  sign.kind = MistakeKind::kTorqueSign;
+  LogMistake swapped;
+  swapped.kind = MistakeKind::kTorquesSwapped;
+  swapped.other = 1;
+  for (const auto& [value, torque, force] :
+       {std::tuple(1e-3, " N mm", " mN"), std::tuple(1e3, " kN m", " kN")}) {
+    scale.value = value;
+    RobotModel model = model_;
+    EXPECT_THAT(to_text(scale, model), AllOf(HasSubstr(torque), Not(HasSubstr(force + std::string(";")))));
+    model.chain.motion[0] = JointMotion::kPrismatic;
+    EXPECT_THAT(to_text(scale, model), AllOf(HasSubstr(torque), HasSubstr(force + std::string(";"))));
+    EXPECT_THAT(to_text(sign, model), HasSubstr("force of " + model.joints[0].name));
+    EXPECT_THAT(to_text(swapped, model), AllOf(HasSubstr("force of " + model.joints[0].name),
+                                               HasSubstr("torque of " + model.joints[1].name)));
+    for (JointMotion& motion : model.chain.motion) motion = JointMotion::kPrismatic;
+    EXPECT_THAT(to_text(scale, model), AllOf(HasSubstr(force + std::string(";")), Not(HasSubstr(torque))));
+  }
+}
+
+TEST_F(LogMistakes, LimitsOfASlidingJointAreForces) {
+  model_.chain.motion[1] = JointMotion::kPrismatic;
+  for (LogInstant& at : log_) {
+    at.q *= 0.1;
+    at.qd *= 0.1;
+    at.torque.setOnes();
+    at.torque[1] = 1000.0 * model_.joints[1].limits.effort;
+  }
+  EXPECT_THAT(test::refusal([&] { check_units(model_, log_, "log.csv"); }),
+              AllOf(HasSubstr(model_.joints[1].name), HasSubstr(" N,"), HasSubstr(" mN "),
+                    Not(HasSubstr("N mm")), Not(HasSubstr("N m,"))));
 }
 
 TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {
