@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <unordered_set>
 
 #include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
 
 namespace armtune {
 namespace {
@@ -37,6 +39,23 @@ std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& tex
   if (header.empty() || !cell.has_line_end) throw InputError(file + ": has no header row");
   refuse_two_of_one_name(header, file);
   return header;
+}
+
+std::size_t byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? kMark.size() : 0;
+}
+
+std::optional<std::size_t> find_csv_column(const std::vector<std::string>& header, std::string_view name) {
+  const auto found = std::find(header.begin(), header.end(), name);
+  if (found == header.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+std::size_t csv_column(const std::vector<std::string>& header, const std::string& file,
+                       std::string_view name) {
+  if (const auto found = find_csv_column(header, name)) return *found;
+  throw InputError(fmt::format("{}:1: no column '{}'{}", file, name, suggestion(name, header)));
 }
 
 double csv_number(std::string_view cell, const std::string& file, std::size_t line,

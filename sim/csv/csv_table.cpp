@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/common/error.hpp"
 #include "core/common/input_file.hpp"
-#include "core/common/nearest.hpp"
 #include "sim/csv/csv_parts.hpp"
 
 namespace armtune {
@@ -35,8 +33,7 @@ CsvTable CsvTable::read(const std::string& path, CsvOrigin origin) {
 }
 
 CsvTable CsvTable::parse(std::string text, std::string name, CsvOrigin origin) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  text.erase(0, byte_order_mark(text));
   CsvTable table;
   table.name_ = std::move(name);
   table.text_ = std::move(text);
@@ -70,15 +67,11 @@ void CsvTable::read_rows(CsvCells& cells, CsvOrigin origin) {
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view column) const {
-  const auto found = std::find(header_.begin(), header_.end(), column);
-  if (found == header_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header_.begin());
+  return find_csv_column(header_, column);
 }
 
 std::size_t CsvTable::column(std::string_view name) const {
-  const auto found = find(name);
-  if (!found) throw InputError(fmt::format("{}:1: no column '{}'{}", name_, name, suggestion(name, header_)));
-  return *found;
+  return csv_column(header_, name_, name);
 }
 
 std::string_view CsvTable::cell(std::size_t row, std::size_t column) const {

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include "core/common/error.hpp"
-#include "core/common/nearest.hpp"
 #include "sim/csv/csv_parts.hpp"
 
 namespace armtune {
@@ -33,7 +32,6 @@ std::size_t end_of_whole_rows(std::string_view text) {
 }  // namespace
 
 NumberTable NumberTable::read(const std::string& path, const std::function<bool(std::string_view)>& wanted) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   NumberTable table(path);
   errno = 0;
   std::ifstream file(path, std::ios::binary);
@@ -47,7 +45,7 @@ NumberTable NumberTable::read(const std::string& path, const std::function<bool(
     text.resize(before + block);
     file.read(&text[before], static_cast<std::streamsize>(block));
     text.resize(before + static_cast<std::size_t>(file.gcount()));
-    if (first && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    if (first) text.erase(0, byte_order_mark(text));
     first = false;
     const std::size_t end = end_of_whole_rows(text);
     if (end > 0) table.take(text.substr(0, end), wanted);
@@ -94,14 +92,11 @@ void NumberTable::take(std::string rows, const std::function<bool(std::string_vi
 }
 
 std::optional<std::size_t> NumberTable::find(std::string_view column) const {
-  const auto found = std::find(header_.begin(), header_.end(), column);
-  if (found == header_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header_.begin());
+  return find_csv_column(header_, column);
 }
 
 std::size_t NumberTable::column(std::string_view name) const {
-  if (const auto found = find(name)) return *found;
-  throw InputError(fmt::format("{}:1: no column '{}'{}", name_, name, suggestion(name, header_)));
+  return csv_column(header_, name_, name);
 }
 
 }  // namespace armtune
