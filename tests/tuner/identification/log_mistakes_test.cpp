@@ -189,8 +189,10 @@ TEST_F(LogMistakes, SentencesHaveTheUnitsOfTheJointsKind) {
   scale.kind = MistakeKind::kTorqueScale;
   LogMistake sign;
   sign.kind = MistakeKind::kTorqueSign;
+  sign.joint = 0;
   LogMistake swapped;
   swapped.kind = MistakeKind::kTorquesSwapped;
+  swapped.joint = 0;
   swapped.other = 1;
   for (const auto& [value, torque, force] :
        {std::tuple(1e-3, " N mm", " mN"), std::tuple(1e3, " kN m", " kN")}) {
