@@ -18,7 +18,7 @@
 #include "python/interruptible.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/scenario.hpp"
-#include "tuner/run/simulate.hpp"
+#include "tuner/rollouts/simulate.hpp"
 
 namespace py = pybind11;
 

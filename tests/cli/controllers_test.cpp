@@ -11,7 +11,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/cli/controllers_page.hpp"
-#include "tuner/journal/evaluations_file.hpp"
+#include "tuner/evaluation/evaluations_file.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/study/study.hpp"
 

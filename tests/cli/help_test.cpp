@@ -9,7 +9,7 @@
 #include "sim/metrics/metric.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tuner/cli/declared/short_help.hpp"
-#include "tuner/search/solver.hpp"
+#include "tuner/solver/solver.hpp"
 
 namespace armtune {
 namespace {

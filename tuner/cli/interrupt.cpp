@@ -6,7 +6,7 @@
 #include <ctime>
 #include <thread>
 
-#include "tuner/workers/transport.hpp"
+#include "tuner/ranks/transport.hpp"
 
 namespace armtune::cli {
 namespace {

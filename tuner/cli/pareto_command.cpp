@@ -22,12 +22,12 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
-#include "tuner/journal/evaluations_file.hpp"
-#include "tuner/run/recording_memory.hpp"
+#include "tuner/evaluation/evaluations_file.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
+#include "tuner/rollouts/recording_memory.hpp"
+#include "tuner/rollouts/simulate.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/run/simulate.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
-#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {

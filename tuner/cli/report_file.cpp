@@ -8,7 +8,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/error_report.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tuner/run/simulate.hpp"
+#include "tuner/rollouts/simulate.hpp"
 
 namespace armtune::cli {
 

@@ -12,11 +12,11 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/warm_arguments.hpp"
+#include "tuner/ranks/transport.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/workers/transport.hpp"
 
 namespace armtune::cli {
 namespace {

@@ -23,13 +23,13 @@
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
-#include "tuner/robustness/statistics.hpp"
+#include "tuner/rollouts/comparison.hpp"
+#include "tuner/rollouts/recording_memory.hpp"
+#include "tuner/rollouts/simulate.hpp"
 #include "tuner/run/append_file.hpp"
-#include "tuner/run/comparison.hpp"
 #include "tuner/run/file_hash.hpp"
-#include "tuner/run/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/run/simulate.hpp"
+#include "tuner/samples/statistics.hpp"
 #include "tuner/verdict/yield_check.hpp"
 
 namespace armtune::cli {

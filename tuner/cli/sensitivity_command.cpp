@@ -15,10 +15,10 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/run/hashed_table.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
-#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/sensitivity_report.hpp"
-#include "tuner/journal/evaluations_reader.hpp"
+#include "tuner/evaluation/evaluations_reader.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/verdict/search_checks.hpp"

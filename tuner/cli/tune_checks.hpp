@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
 #include "tuner/verdict/search_checks.hpp"
 
 namespace armtune::cli {

@@ -24,14 +24,14 @@
 #include "tuner/cli/tune_help.hpp"
 #include "tuner/cli/tune_report.hpp"
 #include "tuner/cli/warm_arguments.hpp"
-#include "tuner/journal/evaluations_file.hpp"
-#include "tuner/run/comparison.hpp"
-#include "tuner/run/recording_memory.hpp"
+#include "tuner/evaluation/evaluations_file.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
+#include "tuner/rollouts/comparison.hpp"
+#include "tuner/rollouts/recording_memory.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/search/sweep.hpp"
 #include "tuner/search/tune.hpp"
-#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 namespace {

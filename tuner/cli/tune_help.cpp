@@ -5,7 +5,7 @@
 
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "tuner/search/solver.hpp"
+#include "tuner/solver/solver.hpp"
 #include "tuner/study/hopeless.hpp"
 #include "tuner/study/search_keys.hpp"
 

@@ -14,12 +14,12 @@
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/warm_arguments.hpp"
-#include "tuner/journal/evaluations_file.hpp"
+#include "tuner/evaluation/evaluations_file.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
+#include "tuner/rollouts/simulate.hpp"
 #include "tuner/run/file_hash.hpp"
-#include "tuner/run/simulate.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/verdict/search_checks.hpp"
-#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune::cli {
 

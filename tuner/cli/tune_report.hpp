@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tuner/cli/yardstick_option.hpp"
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/search/tune.hpp"
 #include "tuner/workers/rank_group.hpp"

@@ -11,7 +11,7 @@
 #include "core/common/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
-#include "tuner/search/solver.hpp"
+#include "tuner/solver/solver.hpp"
 
 namespace armtune {
 namespace {

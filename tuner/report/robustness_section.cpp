@@ -10,8 +10,8 @@
 #include "tuner/report/sections.hpp"
 #include "tuner/report/tables.hpp"
 #include "tuner/robustness/limits.hpp"
-#include "tuner/robustness/statistics.hpp"
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
+#include "tuner/samples/statistics.hpp"
 
 namespace armtune::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
 
 namespace armtune::report {
 namespace {

@@ -11,7 +11,7 @@
 #include "tuner/report/findings.hpp"
 #include "tuner/report/tables.hpp"
 #include "tuner/report/words.hpp"
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
 
 namespace armtune::report {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
 
 namespace armtune::report {
 namespace {

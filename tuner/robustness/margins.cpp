@@ -8,8 +8,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "tuner/ranks/patience.hpp"
 #include "tuner/workers/parallel.hpp"
-#include "tuner/workers/patience.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
 namespace armtune {

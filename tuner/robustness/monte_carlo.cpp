@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/csv/cell.hpp"
-#include "tuner/robustness/statistics.hpp"
+#include "tuner/samples/statistics.hpp"
 
 namespace armtune {
 bool MonteCarloSample::keeps_all() const {

@@ -25,11 +25,11 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/ranks/transport.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/input_copies.hpp"
 #include "tuner/run/run_file.hpp"
-#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "tuner/journal/evaluator.hpp"
+#include "tuner/evaluation/evaluator.hpp"
 #include "tuner/search/seen.hpp"
 #include "tuner/study/study.hpp"
 

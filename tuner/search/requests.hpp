@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "tuner/journal/evaluator.hpp"
-#include "tuner/search/together.hpp"
+#include "tuner/evaluation/evaluator.hpp"
+#include "tuner/solver/together.hpp"
 
 namespace armtune {
 

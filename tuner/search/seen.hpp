@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "tuner/search/solver.hpp"
+#include "tuner/solver/solver.hpp"
 #include "tuner/study/evaluation.hpp"
 #include "tuner/study/objective.hpp"
 #include "tuner/study/warm_start.hpp"

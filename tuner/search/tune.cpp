@@ -8,13 +8,13 @@
 #include <string_view>
 #include <utility>
 
-#include "tuner/journal/evaluator.hpp"
+#include "tuner/evaluation/evaluator.hpp"
 #include "tuner/search/last_steps.hpp"
 #include "tuner/search/requests.hpp"
 #include "tuner/search/seen.hpp"
-#include "tuner/search/starts.hpp"
 #include "tuner/search/sweep.hpp"
-#include "tuner/search/together.hpp"
+#include "tuner/solver/starts.hpp"
+#include "tuner/solver/together.hpp"
 
 namespace armtune {
 namespace {

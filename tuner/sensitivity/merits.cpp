@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tuner/workers/simulate_points.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
 
 namespace armtune {
 namespace {

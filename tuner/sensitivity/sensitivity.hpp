@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tuner/journal/evaluations_reader.hpp"
+#include "tuner/evaluation/evaluations_reader.hpp"
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 

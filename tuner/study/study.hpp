@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "tuner/robustness/sample_set.hpp"
-#include "tuner/search/solver.hpp"
+#include "tuner/samples/sample_set.hpp"
+#include "tuner/solver/solver.hpp"
 #include "tuner/study/objective.hpp"
 #include "tuner/study/parameter.hpp"
 #include "tuner/study/thresholds.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tuner/journal/evaluator.hpp"
-#include "tuner/search/together.hpp"
+#include "tuner/evaluation/evaluator.hpp"
+#include "tuner/solver/together.hpp"
 #include "tuner/trade_off/archive.hpp"
 
 namespace armtune {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/trade_off/pareto.hpp"
-#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "tuner/robustness/statistics.hpp"
+#include "tuner/samples/statistics.hpp"
 #include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/assumptions.hpp"
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tuner/robustness/sample_set.hpp"
+#include "tuner/samples/sample_set.hpp"
 #include "tuner/workers/conditions.hpp"
 #include "tuner/workers/rollout_pool.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/lanes/rollout_lanes.hpp"
-#include "tuner/workers/patience.hpp"
+#include "tuner/ranks/patience.hpp"
 
 namespace armtune {
 namespace {

@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 
+#include "tuner/ranks/transport.hpp"
 #include "tuner/workers/messages.hpp"
 #include "tuner/workers/rollout_worker.hpp"
-#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 

@@ -9,12 +9,12 @@
 
 #include "core/common/error.hpp"
 #include "core/common/message_text.hpp"
+#include "tuner/ranks/patience.hpp"
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
 #include "tuner/workers/lane_worker.hpp"
 #include "tuner/workers/leader_jobs.hpp"
 #include "tuner/workers/messages.hpp"
-#include "tuner/workers/patience.hpp"
 
 namespace armtune {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tuner/ranks/transport.hpp"
 #include "tuner/workers/rollout_pool.hpp"
-#include "tuner/workers/transport.hpp"
 
 namespace armtune {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "sim/lanes/arm_lanes.hpp"
+#include "tuner/ranks/patience.hpp"
 #include "tuner/workers/messages.hpp"
-#include "tuner/workers/patience.hpp"
 #include "tuner/workers/rank_group.hpp"
 
 namespace armtune {

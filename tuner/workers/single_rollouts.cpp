@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tuner/workers/patience.hpp"
+#include "tuner/ranks/patience.hpp"
 
 namespace armtune {
 

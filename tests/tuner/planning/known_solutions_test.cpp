@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tuner/planning/refining_solver.hpp"
+#include "tuner/planning/transcription/refining_solver.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
 namespace armtune {

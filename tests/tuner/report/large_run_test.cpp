@@ -14,7 +14,7 @@
 #include "tuner/report/report.hpp"
 #include "tuner/report/run_report.hpp"
 #include "tuner/report/shorten.hpp"
-#include "tuner/run/comparison.hpp"
+#include "tuner/rollouts/comparison.hpp"
 
 namespace armtune::report {
 namespace {

@@ -11,7 +11,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
-#include "tuner/robustness/statistics.hpp"
+#include "tuner/samples/statistics.hpp"
 
 namespace armtune::report {
 namespace {

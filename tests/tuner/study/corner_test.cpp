@@ -10,9 +10,9 @@
 
 #include "tests/sim/support/rollouts.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/robustness/margins.hpp"
 #include "tuner/study/study.hpp"
-#include "tuner/workers/simulate_points.hpp"
 
 namespace armtune {
 namespace {

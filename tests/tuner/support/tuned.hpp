@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/journal/evaluations_file.hpp"
+#include "tuner/evaluation/evaluations_file.hpp"
 #include "tuner/search/tune.hpp"
 
 namespace armtune::test {

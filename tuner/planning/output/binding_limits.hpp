@@ -1,7 +1,7 @@
 #pragma once
 // Which limits a planned motion runs into, and, where there is none, what is in the way.
 
-#include "tuner/planning/refining_solver.hpp"
+#include "tuner/planning/transcription/refining_solver.hpp"
 
 namespace armtune {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tuner/planning/refining_solver.hpp"
+#include "tuner/planning/transcription/refining_solver.hpp"
 
 namespace armtune {
 

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "tuner/planning/refining_solver.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/tasks/tool_motion.hpp"
+#include "tuner/planning/transcription/refining_solver.hpp"
 
 namespace armtune {
 

@@ -2,8 +2,8 @@
 // How good could any controller be? Each event of a rollout beside the best that the arm's limits allow from
 // the same state on.
 
-#include "tuner/planning/refining_solver.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
+#include "tuner/planning/transcription/refining_solver.hpp"
 #include "tuner/planning/yardstick/events.hpp"
 
 namespace armtune {

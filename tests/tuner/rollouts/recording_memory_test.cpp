@@ -1,0 +1,86 @@
+#include "tuner/rollouts/recording_memory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "tests/sim/support/files.hpp"
+#include "tests/sim/support/rollouts.hpp"
+#include "tuner/rollouts/simulate.hpp"
+
+namespace armtune {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double kGigabyte = 1e9;
+
+std::vector<Scenario> two_of(double shorter, double longer) {
+  std::vector<Scenario> scenarios = {test::scenario_of("moving_target", shorter),
+                                     test::scenario_of("moving_target", longer)};
+  scenarios[1].name = "longer";
+  return scenarios;
+}
+
+TEST(RecordingMemory, IsThatOfTheRecordersOwnNumbers) {
+  const Scenario scenario = test::scenario_of("moving_target", 1.0);
+  for (const int stride : {1, 5, 7}) {
+    Recorder recorder(scenario, stride);
+    Rollout(scenario, Stepper::kMidpoint).run(test::published_gains(scenario), std::ref(recorder));
+    const double bytes = static_cast<double>(recorder.rows().size() * sizeof(double));
+    const double row = static_cast<double>(recorder.columns().size() * sizeof(double));
+    const double said = recording_bytes(scenario, stride, RecordingUse::kKept);
+    EXPECT_GE(said, bytes);
+    EXPECT_LE(said, bytes + 3.0 * row) << "a first and a last row at most, and rounding";
+    EXPECT_GT(recording_bytes(scenario, stride, RecordingUse::kWritten), said);
+  }
+}
+
+TEST(RecordingMemory, CountsWhatIsInMemoryAtTheSameTime) {
+  const std::vector<Scenario> scenarios = two_of(10.0, 20.0);
+  const double shorter = recording_bytes(scenarios[0], 5, RecordingUse::kWritten);
+  const double longer = recording_bytes(scenarios[1], 5, RecordingUse::kWritten);
+  const auto fits = [&](int workers, double usable) {
+    return test::refusal([&] {
+             require_recording_memory(scenarios, 5, workers, RecordingUse::kWritten, usable);
+           }) == "nothing was refused";
+  };
+  EXPECT_TRUE(fits(1, longer));
+  EXPECT_FALSE(fits(1, longer - 1.0));
+  EXPECT_FALSE(fits(2, longer + shorter - 1.0));
+  EXPECT_TRUE(fits(2, longer + shorter));
+  EXPECT_TRUE(fits(64, longer + shorter));
+}
+
+TEST(RecordingMemory, IsRefusedWithTheScenarioItsSizeAndAStrideThatFits) {
+  const std::vector<Scenario> scenarios = two_of(10.0, 2e5);
+  const double usable = 0.1 * kGigabyte;
+  const std::string message =
+      test::refusal([&] { require_recording_memory(scenarios, 5, 1, RecordingUse::kWritten, usable); });
+  EXPECT_THAT(message, AllOf(HasSubstr("longer"), HasSubstr("GB"), HasSubstr("--record-every"),
+                             HasSubstr(scenarios[1].source)));
+  const std::string before = " only every ";
+  const std::size_t at = message.find(before);
+  ASSERT_NE(at, std::string::npos) << message;
+  const int stride = std::stoi(message.substr(at + before.size()));
+  EXPECT_NO_THROW(require_recording_memory(scenarios, stride, 1, RecordingUse::kWritten, usable)) << stride;
+}
+
+TEST(RecordingMemory, IsAskedForBeforeAnythingIsSimulated) {
+  std::vector<Scenario> scenarios = two_of(1.0, 2e5);
+  scenarios[1].control_period = 1e-5;  // 2e10 periods are beyond any machine
+  SimulateOptions options;
+  options.record_stride = 1;
+  options.recorded = [](std::size_t, const Recorder&, bool) { FAIL() << "something was recorded"; };
+  const std::atomic<bool> never{false};
+  EXPECT_THAT(test::refusal([&] {
+                simulate(
+                    scenarios, [](const Scenario& s) { return test::published_gains(s); }, options, never);
+              }),
+              HasSubstr("longer"));
+}
+
+}  // namespace
+}  // namespace armtune

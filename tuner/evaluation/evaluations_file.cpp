@@ -1,0 +1,101 @@
+#include "tuner/evaluation/evaluations_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/csv/cell.hpp"
+
+namespace armtune {
+namespace {
+
+/// What a scenario's metric is written for, once even where several terms have it.
+using Figure = std::pair<std::size_t, Metric>;
+
+bool of_margin(const ObjectiveTerm&) {
+  return false;
+}
+bool of_margin(const Constraint& constraint) {
+  return constraint.margin.has_value();
+}
+
+template <typename Term>
+std::vector<Figure> figures(const std::vector<Term>& terms) {
+  std::vector<Figure> all;
+  for (const Term& term : terms) {
+    if (of_margin(term)) continue;
+    for (const std::size_t s : term.scenarios) {
+      const Figure figure{s, term.metric};
+      if (std::find(all.begin(), all.end(), figure) == all.end()) all.push_back(figure);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Column> evaluation_columns(const Study& study, const std::vector<ExtraColumn>& extra) {
+  std::vector<Column> columns;
+  const auto add = [&columns](const std::string& name, const char* unit, const std::string& meaning) {
+    columns.push_back({name, unit, meaning, {}});
+  };
+  add("evaluation", "1", "number of the evaluation, from 0");
+  add("phase", "",
+      "start, sweep, warm, global, search, gradient, verify; of a front: start, warm, anchor, level, "
+      "gradient");
+  add("engine", "", "simbody or native: what simulated it");
+  add("objective", "1", "weighted metrics relative to the start gains, which score 1");
+  add("feasible", "1", "1 if every constraint holds in every scenario");
+  add("violation", "1",
+      "sum of the violations relative to their limits; larger than that of any completed candidate if a "
+      "scenario did not complete");
+  add("status", "", "completed, or what went wrong first");
+  for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
+  for (const auto& [s, metric] : figures(study.terms)) {
+    const MetricField& f = field(metric);
+    add(fmt::format("{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
+  }
+  for (const auto& [s, metric] : figures(study.constraints)) {
+    const MetricField& f = field(metric);
+    add(fmt::format("constraint/{}/{}", study.scenarios[s].name, f.name), f.unit, f.meaning);
+  }
+  for (const MarginDemand& demand : study.margins) {
+    add(fmt::format("margin/{}", name(demand.kind)), "1",
+        fmt::format("what is missing in the worst scenario for the loop to hold with {} at {}; zero or less: "
+                    "it holds",
+                    name(demand.kind), demand.value));
+  }
+  for (const ExtraColumn& e : extra) columns.push_back(e.column);
+  add("time/wall", "s", "wall time since the run began, to the millisecond");
+  return columns;
+}
+
+EvaluationsFile::EvaluationsFile(const std::string& path, const Study& study, std::vector<ExtraColumn> extra,
+                                 AppendFile::Open open)
+    : file_(path, open), study_(study), extra_(std::move(extra)) {
+  std::string header;
+  for (const Column& column : evaluation_columns(study, extra_)) {
+    header += (header.empty() ? "" : ",") + cell(column.name);
+  }
+  file_.append(header + "\n", false);
+}
+
+void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
+  std::string row = fmt::format("{},{},{},{},{},{},{}", count_++, phase, name(e.engine), cell(e.objective),
+                                e.feasible ? 1 : 0, cell(e.violation), cell(e.status));
+  for (const Parameter& p : study_.space.free) row += "," + cell(value(e.gains, p.entry));
+  for (const auto& [s, metric] : figures(study_.terms)) row += "," + cell(e.results[s].metrics[metric]);
+  for (const auto& [s, metric] : figures(study_.constraints)) row += "," + cell(e.results[s].metrics[metric]);
+  for (std::size_t m = 0; m < study_.margins.size(); ++m) {
+    const std::size_t c = study_.constraints.size() - study_.margins.size() + m;
+    row += "," + cell(c < e.constraints.size() ? e.constraints[c] : NAN);
+  }
+  for (const ExtraColumn& extra : extra_) row += "," + cell(extra.value(e));
+  // The journal is what has to survive a power cut; this file can be made again from it.
+  file_.append(row + fmt::format(",{:.3f}\n", e.seconds), false);
+  if (!e.recalled) file_.publish();
+}
+
+}  // namespace armtune

@@ -1,0 +1,48 @@
+#include "tuner/evaluation/evaluations_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/common/error.hpp"
+
+namespace armtune {
+namespace {
+
+std::size_t column(const CsvTable& table, const std::string& name, const Study& study) {
+  if (const auto found = table.find(name)) return *found;
+  throw InputError(
+      fmt::format("{}:1: no column '{}', which evaluations of {} have", table.name(), name, study.source));
+}
+
+double finite(const CsvTable& table, std::size_t row, std::size_t column) {
+  const double value = table.number(row, column);
+  if (std::isfinite(value)) return value;
+  const std::string text = table.text(row, column);
+  throw InputError(fmt::format("{}:{}: {} in column {} is no finite number", table.name(), row + 2,
+                               text.empty() ? "an empty cell" : shown(text), table.header()[column]));
+}
+
+}  // namespace
+
+std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& study) {
+  const std::size_t objective = column(table, "objective", study);
+  const std::size_t violation = column(table, "violation", study);
+  std::vector<std::size_t> parameters;
+  parameters.reserve(study.space.free.size());
+  for (const Parameter& p : study.space.free) parameters.push_back(column(table, p.entry.name, study));
+
+  std::vector<EvaluationRow> rows;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text(row, objective).empty()) continue;  // an earlier version gave it up
+    Gains gains = study.space.start;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      value(gains, study.space.free[i].entry) = finite(table, row, parameters[i]);
+    }
+    rows.push_back(
+        {study.space.point_of(gains), finite(table, row, objective), finite(table, row, violation)});
+  }
+  return rows;
+}
+
+}  // namespace armtune

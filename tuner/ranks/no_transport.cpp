@@ -1,0 +1,21 @@
+// In place of mpi_transport.cpp where armtune is built without MPI.
+
+#include <fmt/format.h>
+
+#include "core/common/error.hpp"
+#include "tuner/ranks/transport.hpp"
+
+namespace armtune {
+
+std::unique_ptr<Transport> begin_mpi(const Notice& /*notice*/) {
+  throw InputError(fmt::format(
+      "{} ranks were started, but this armtune was built without MPI (-DARMTUNE_MPI=OFF): start one, with "
+      "--workers for its threads, or build it with MPI",
+      rank_place().size));
+}
+
+std::string mpi_version() {
+  return "not built in";
+}
+
+}  // namespace armtune

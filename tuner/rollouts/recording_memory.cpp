@@ -1,0 +1,96 @@
+#include "tuner/rollouts/recording_memory.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "core/common/error.hpp"
+#include "sim/rollout/columns.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr double kGigabyte = 1e9;
+constexpr double kKept = sizeof(double);
+/// Of a value while its file is made (Recorder::write_csv): the value, a copy, and a text of up to 24
+/// characters in a buffer that holds its old and its new half as it grows.
+constexpr double kWritten = 2.0 * sizeof(double) + 50.0;
+
+/// The number in a file of the kernel's; infinite where the file is missing or says "max".
+double limit_in(const std::string& path) {
+  double bytes = 0.0;
+  return std::ifstream(path) >> bytes ? bytes : std::numeric_limits<double>::infinity();
+}
+
+/// The folder of this process's control group (version 2), as in "0::/user.slice"; empty: none.
+std::string control_group() {
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {
+    if (line.starts_with("0::")) return line.substr(3);
+  }
+  return {};
+}
+
+double rows(const Scenario& scenario, int stride) {
+  return std::ceil(scenario.duration / scenario.control_period / stride) + 2.0;
+}
+
+}  // namespace
+
+double recording_bytes(const Scenario& scenario, int stride, RecordingUse use) {
+  const double values = rows(scenario, stride) * static_cast<double>(rollout_columns(scenario).size());
+  return values * (use == RecordingUse::kWritten ? kWritten : kKept);
+}
+
+double usable_memory() {
+  double bytes =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+  const std::string groups = "/sys/fs/cgroup";
+  for (const std::string& file : {groups + control_group() + "/memory.max", groups + "/memory.max",
+                                  groups + "/memory/memory.limit_in_bytes"}) {
+    bytes = std::min(bytes, limit_in(file));
+  }
+  return bytes;
+}
+
+void require_recording_memory(const std::vector<Scenario>& scenarios, int stride, int workers,
+                              RecordingUse use, double usable) {
+  std::vector<double> bytes;
+  bytes.reserve(scenarios.size());
+  for (const Scenario& scenario : scenarios) bytes.push_back(recording_bytes(scenario, stride, use));
+  if (bytes.empty()) return;
+  const auto longest = static_cast<std::size_t>(std::max_element(bytes.begin(), bytes.end()) - bytes.begin());
+  const double largest = bytes[longest];
+  std::sort(bytes.begin(), bytes.end(), std::greater<>());
+  if (use == RecordingUse::kWritten)
+    bytes.resize(std::min(bytes.size(), static_cast<std::size_t>(std::max(1, workers))));
+  const double all = std::accumulate(bytes.begin(), bytes.end(), 0.0);
+  if (all <= usable) return;
+  const Scenario& scenario = scenarios[longest];
+  const std::string others =
+      bytes.size() > 1
+          ? fmt::format(", with the others that are in memory at the same time {:.3g} GB", all / kGigabyte)
+          : std::string();
+  throw InputError(fmt::format(
+      "{}: the recording of {} takes {:.3g} GB ({:.3g} s, {:.3g} rows){}, and this process may use {:.3g} "
+      "GB; shorten "
+      "'duration'{}, or record only every {:.0f}th control period where the command has --record-every (in "
+      "Python "
+      "record_every)",
+      scenario.source, scenario.name, largest / kGigabyte, scenario.duration, rows(scenario, stride), others,
+      usable / kGigabyte, bytes.size() > 1 && use == RecordingUse::kWritten ? ", use fewer workers" : "",
+      std::ceil(stride * all / usable)));
+}
+
+}  // namespace armtune

@@ -1,0 +1,264 @@
+// The only file that includes NLopt. Its C interface returns codes where the C++ one throws, among them
+// ROUNDOFF_LIMITED, which BOBYQA can return at the optimum.
+
+#include "tuner/solver/solver.hpp"
+
+#include <fmt/format.h>
+#include <nlopt.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+
+#include "core/common/error.hpp"
+#include "core/common/nearest.hpp"
+
+namespace armtune {
+namespace {
+
+struct Offered {
+  AlgorithmInfo info;
+  nlopt_algorithm code;
+};
+
+const std::vector<Offered>& offered() {
+  static const std::vector<Offered> list = {
+      {{"COBYLA", true, true, false, false, "linear models"}, NLOPT_LN_COBYLA},
+      {{"BOBYQA", true, false, false, false, "quadratic models"}, NLOPT_LN_BOBYQA},
+      {{"SBPLX", true, false, false, false, "Nelder-Mead on subspaces"}, NLOPT_LN_SBPLX},
+      {{"NELDERMEAD", true, false, false, false, "simplex"}, NLOPT_LN_NELDERMEAD},
+      {{"SLSQP", true, true, true, false, "sequential quadratic programming"}, NLOPT_LD_SLSQP},
+      {{"CRS2", false, false, false, true, "controlled random search"}, NLOPT_GN_CRS2_LM},
+      {{"ESCH", false, false, false, true, "evolutionary"}, NLOPT_GN_ESCH},
+      {{"ISRES", false, true, false, true, "evolutionary with stochastic ranking"}, NLOPT_GN_ISRES},
+      {{"DIRECT_L", false, false, false, false, "dividing rectangles"}, NLOPT_GN_DIRECT_L},
+      // Beyond 32 parameters NLopt 2.7 writes behind its arrays.
+      {{"ORIG_DIRECT", false, true, false, false, "dividing rectangles", 32}, NLOPT_GN_ORIG_DIRECT},
+      {{"MLSL", false, false, false, false, "many BOBYQA searches from low-discrepancy starts"},
+       NLOPT_GN_MLSL_LDS},
+  };
+  return list;
+}
+
+/// Algorithms that were cut (docs/decisions.md), and what to use instead.
+struct Cut {
+  const char* name;
+  const char* instead;
+};
+constexpr Cut kCut[] = {{"MMA", "SLSQP"}, {"CCSAQ", "SLSQP"}};
+
+const Offered& find(const std::string& name) {
+  for (const Cut& cut : kCut) {
+    if (name != cut.name) continue;
+    throw InputError(
+        fmt::format("algorithm '{}' was cut, as it solved no study within 3,000 evaluations; use {} instead",
+                    name, cut.instead));
+  }
+  std::vector<std::string> names;
+  std::string all;
+  for (const Offered& candidate : offered()) {
+    if (name == candidate.info.name) return candidate;
+    names.emplace_back(candidate.info.name);
+    all += (all.empty() ? "" : ", ") + names.back();
+  }
+  throw InputError("algorithm '" + name + "' is not offered" + suggestion(name, names) +
+                   "; there are: " + all);
+}
+
+using Optimizer = std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)>;
+
+Optimizer create(nlopt_algorithm code, std::size_t n) {
+  return {nlopt_create(code, static_cast<unsigned>(n)), nlopt_destroy};
+}
+
+/// A point that is asked for more often in a row than for its objective and its constraints is asked of the
+/// oracle again: CRS2 with a population that has become one point asks for nothing else, and never ends by
+/// itself.
+constexpr long kMostRepeats = 8;
+
+/// What the callbacks share. NLopt asks for objective and constraints of a point in separate calls: the last
+/// point's answer is kept.
+struct Search {
+  const SolverProblem* problem = nullptr;
+  const Oracle* oracle = nullptr;
+  double penalty = 0.0;  ///< 0: constraints go to NLopt
+  nlopt_opt outer = nullptr;
+  std::vector<double> x;
+  SolverAnswer answer;
+  bool known = false;
+  bool derivatives = false;  ///< known, too
+  bool stopped = false;
+  std::exception_ptr error;
+
+  long repeats = 0;  ///< of the last point, in a row
+
+  void stop() {
+    stopped = true;
+    nlopt_force_stop(outer);
+  }
+
+  const SolverAnswer& at(unsigned n, const double* point, bool with_derivatives) {
+    if (stopped) return answer;
+    const bool same = known && std::equal(x.begin(), x.end(), point);
+    repeats = same ? repeats + 1 : 0;
+    if (same && repeats <= kMostRepeats && (derivatives || !with_derivatives)) return answer;
+    x.assign(point, point + n);
+    try {
+      stopped = !(*oracle)(x, with_derivatives, answer);
+      known = !stopped;
+      derivatives = known && with_derivatives;
+    } catch (...) {  // an exception loses its message on its way through NLopt
+      error = std::current_exception();
+      stopped = true;
+    }
+    if (stopped) {
+      stop();
+      answer.value.constraints.resize(problem->constraint_count, 0.0);
+      answer.gradient.assign(n, 0.0);
+      answer.constraint_gradients.assign(n * problem->constraint_count, 0.0);
+    }
+    return answer;
+  }
+};
+
+double objective(unsigned n, const double* x, double* gradient, void* data) {
+  auto* search = static_cast<Search*>(data);
+  const SolverAnswer& answer = search->at(n, x, gradient != nullptr);
+  if (gradient != nullptr) std::copy_n(answer.gradient.begin(), n, gradient);
+  double penalised = answer.value.objective;
+  if (search->penalty > 0.0) {
+    for (std::size_t c = 0; c < answer.value.constraints.size(); ++c) {
+      const double g = answer.value.constraints[c];
+      if (g <= 0.0) continue;
+      penalised += search->penalty * g;
+      for (std::size_t i = 0; gradient != nullptr && i < n; ++i) {
+        gradient[i] += search->penalty * answer.constraint_gradients[c * n + i];
+      }
+    }
+  }
+  return penalised;
+}
+
+void constraints(unsigned m, double* g, unsigned n, const double* x, double* gradients, void* data) {
+  const SolverAnswer& answer = static_cast<Search*>(data)->at(n, x, gradients != nullptr);
+  std::copy_n(answer.value.constraints.begin(), m, g);
+  if (gradients != nullptr) std::copy_n(answer.constraint_gradients.begin(), std::size_t{m} * n, gradients);
+}
+
+/// A first step that fits between the bounds in either direction, as BOBYQA wants it.
+constexpr double kMostOfWidth = 0.49;
+
+void set_box(nlopt_opt opt, const SolverProblem& problem, const SolverOptions& options) {
+  std::vector<double> step(problem.start.size());
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    const double lower = problem.lower_bound(i);
+    const double upper = problem.upper_bound(i);
+    nlopt_set_lower_bound(opt, static_cast<int>(i), lower);
+    nlopt_set_upper_bound(opt, static_cast<int>(i), upper);
+    step[i] = std::min(options.initial_step, kMostOfWidth * (upper - lower));
+  }
+  nlopt_set_initial_step(opt, step.data());
+  nlopt_set_xtol_abs1(opt, options.x_tolerance);
+  nlopt_set_ftol_rel(opt, options.objective_tolerance);
+}
+
+std::string reason(nlopt_result code) {
+  switch (code) {
+    case NLOPT_SUCCESS:
+    case NLOPT_FTOL_REACHED:
+      return "converged: the objective no longer changes";
+    case NLOPT_XTOL_REACHED:
+      return "converged: the gains no longer change";
+    case NLOPT_STOPVAL_REACHED:
+      return "converged: stop value reached";
+    case NLOPT_ROUNDOFF_LIMITED:
+      return "converged as far as rounding allows";
+    case NLOPT_FORCED_STOP:
+      return "stopped";
+    default:
+      return std::string("NLopt ended with ") + nlopt_result_to_string(code);
+  }
+}
+
+}  // namespace
+
+const std::vector<AlgorithmInfo>& algorithms() {
+  static const std::vector<AlgorithmInfo> list = [] {
+    std::vector<AlgorithmInfo> infos;
+    for (const Offered& candidate : offered()) infos.push_back(candidate.info);
+    return infos;
+  }();
+  return list;
+}
+
+const AlgorithmInfo& algorithm_from_name(const std::string& name) {
+  return find(name).info;
+}
+
+const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t parameters) {
+  const AlgorithmInfo& info = algorithm_from_name(name);
+  if (info.most_parameters > 0 && parameters > info.most_parameters) {
+    throw InputError(fmt::format(
+        "algorithm '{}' takes at most {} parameters, and there are {}; take another one, or tune fewer", name,
+        info.most_parameters, parameters));
+  }
+  return info;
+}
+
+/// NLopt takes a start that is no number, and says of bounds only that they are wrong.
+void check_start(const SolverProblem& problem) {
+  for (std::size_t i = 0; i < problem.start.size(); ++i) {
+    const double lower = problem.lower_bound(i);
+    const double upper = problem.upper_bound(i);
+    if (lower <= problem.start[i] && problem.start[i] <= upper) continue;
+    throw InputError(fmt::format("coordinate {} of the start is {}; its bounds are {} .. {}", i + 1,
+                                 problem.start[i], lower, upper));
+  }
+}
+
+SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options,
+                            const Oracle& oracle) {
+  algorithm_for(options.algorithm, problem.start.size());
+  check_start(problem);
+  const Offered& chosen = find(options.algorithm);
+  const std::size_t n = problem.start.size();
+  nlopt_srand(options.seed);  // of this thread only
+
+  Optimizer inner = create(chosen.code, n);
+  set_box(inner.get(), problem, options);
+  if (chosen.code == NLOPT_GN_MLSL_LDS) {
+    const Optimizer local = create(NLOPT_LN_BOBYQA, n);
+    set_box(local.get(), problem, options);
+    nlopt_set_local_optimizer(inner.get(), local.get());
+  }
+  const bool constrained = problem.constraint_count > 0;
+  const bool penalised = constrained && options.constraints == ConstraintHandling::kPenalty;
+  const bool wrap =
+      constrained && !penalised &&
+      (options.constraints == ConstraintHandling::kLagrangian || !chosen.info.takes_constraints);
+  Optimizer outer = wrap ? create(NLOPT_AUGLAG, n) : std::move(inner);
+  if (wrap) {
+    set_box(outer.get(), problem, options);
+    nlopt_set_local_optimizer(outer.get(), inner.get());
+  }
+
+  Search search;
+  search.problem = &problem;
+  search.oracle = &oracle;
+  search.outer = outer.get();
+  if (penalised) search.penalty = options.penalty;
+  nlopt_set_min_objective(outer.get(), objective, &search);
+  if (constrained && !penalised) {
+    const std::vector<double> tolerance(problem.constraint_count, 0.0);
+    nlopt_add_inequality_mconstraint(outer.get(), static_cast<unsigned>(problem.constraint_count),
+                                     constraints, &search, tolerance.data());
+  }
+  std::vector<double> x = problem.start;
+  double smallest = 0.0;
+  const nlopt_result code = nlopt_optimize(outer.get(), x.data(), &smallest);
+  if (search.error) std::rethrow_exception(search.error);
+  const bool converged = code > 0 || code == NLOPT_ROUNDOFF_LIMITED;
+  return {converged && !search.stopped, search.stopped, reason(search.stopped ? NLOPT_FORCED_STOP : code)};
+}
+
+}  // namespace armtune
