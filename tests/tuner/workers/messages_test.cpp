@@ -16,16 +16,14 @@ namespace {
 
 /// Every number another one, switches away from their defaults.
 NumberedJob some_job() {
-  NumberedJob job{
-      7,
-      3,
-      5,
-      {2,
-       std::numeric_limits<std::uint64_t>::max(),
-       {},
-       {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}},
-       Engine::kNative,
-       {{{Metric::kGazeMax, -0.0, 1.0 / 3.0, HUGE_VAL}, {Metric::kPositionMax, 1.0, 2.0, 3.0}}, 0.7}}};
+  NumberedJob job{7,
+                  3,
+                  5,
+                  {2,
+                   std::numeric_limits<std::uint64_t>::max(),
+                   {},
+                   {{Metric::kGazeMax, -0.0}, {Metric::kJointEffortMaxRatio, 1.0 / 3.0}},
+                   Engine::kNative}};
   Gains& gains = job.job.gains;
   double next = 0.1;
   for (const GainField& field : gain_fields()) {

@@ -99,9 +99,9 @@ int among_ranks(const std::function<RolloutPlan(int)>& plan_of, const std::funct
 }
 
 /// Ranks and threads, engine by engine.
-class TeamOf : public ::testing::TestWithParam<Engine> {};
+class RankGroupOf : public ::testing::TestWithParam<Engine> {};
 
-TEST_P(TeamOf, RanksGiveWhatThreadsGive) {
+TEST_P(RankGroupOf, RanksGiveWhatThreadsGive) {
   RolloutPlan plan = short_plan();
   const Gains gains = test::quick_gains(plan.scenarios[0]);
   const std::atomic<bool> never{false};
@@ -138,7 +138,7 @@ TEST_P(TeamOf, RanksGiveWhatThreadsGive) {
   EXPECT_EQ(at_once, GetParam() == Engine::kNative ? std::min(6, most_lanes(best_processor())) : 1);
 }
 
-TEST_P(TeamOf, AStopInterruptsTheRollouts) {
+TEST_P(RankGroupOf, AStopInterruptsTheRollouts) {
   RolloutPlan plan = short_plan();
   for (Scenario& scenario : plan.scenarios) scenario.duration = 10000.0;  // never done within a test
   std::atomic<bool> stop{false};
@@ -151,12 +151,15 @@ TEST_P(TeamOf, AStopInterruptsTheRollouts) {
                   stop = true;
                 });
                 team.pool()->run(
-                    10, [&gains](std::size_t k) { return RolloutJob{0, k, gains, {}, GetParam(), {}}; }, stop,
-                    [](std::size_t, RolloutResult&&) { ADD_FAILURE() << "a rollout was done"; });
+                    10,
+                    [&gains](std::size_t k) {
+                      return RolloutJob{0, k, gains, {}, GetParam()};
+                    },
+                    stop, [](std::size_t, RolloutResult&&) { ADD_FAILURE() << "a rollout was done"; });
               });
 }
 
-TEST_P(TeamOf, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
+TEST_P(RankGroupOf, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
   RolloutPlan plan = short_plan();
   plan.scenarios[1].duration = 10000.0;
   plan.deadline = 0.5;
@@ -167,7 +170,10 @@ TEST_P(TeamOf, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
                 const Gains gains = test::quick_gains(plan.scenarios[0]);
                 try {
                   team.pool()->run(
-                      3, [&gains](std::size_t k) { return RolloutJob{1, k, gains, {}, GetParam(), {}}; },
+                      3,
+                      [&gains](std::size_t k) {
+                        return RolloutJob{1, k, gains, {}, GetParam()};
+                      },
                       never, [](std::size_t, RolloutResult&&) {});
                   FAIL() << "nothing was thrown";
                 } catch (const std::runtime_error& e) {
@@ -178,7 +184,7 @@ TEST_P(TeamOf, ARolloutPastItsDeadlineEndsTheRunAndSaysWhere) {
               });
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, TeamOf, ::testing::Values(Engine::kSimbody, Engine::kNative));
+INSTANTIATE_TEST_SUITE_P(Every, RankGroupOf, ::testing::Values(Engine::kSimbody, Engine::kNative));
 
 /// What rank 0 says when rank 2 begins with something else.
 std::string refused(const std::function<RolloutPlan()>& of_rank_2) {
