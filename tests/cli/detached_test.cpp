@@ -46,7 +46,7 @@ TEST(Detached, AClosedStreamIsNotTakenForTheJournal) {
 TEST(Detached, WhatCannotBePrintedIsAFailure) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const std::vector<std::vector<std::string>> all = {
-      {"export", "published"}, {"robot", "ur10"}, {"--version"}, {"export", "published", "--format", "csv"}};
+      {"export", "published"}, {"robot", "ur10"}, {"--version"}, {"export", "published", "--format", "ros1"}};
   for (const auto& arguments : all) {
     const test::TemporaryFolder folder;
     const Finished done = Program(arguments, folder.path(), shell("> /dev/full")).wait();

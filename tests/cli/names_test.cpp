@@ -104,7 +104,7 @@ TEST(Names, OfComparedSetsThatAreTooLongWithTheirNumberAreToldOfAsTheyAre) {
                    files / "short.yaml", "--out", files / "run"});
   EXPECT_EQ(done.exit_code, 2) << done.err;
   EXPECT_THAT(done.err, testing::AllOf(HasSubstr("/q/" + name), HasSubstr("'_2'"), HasSubstr("198 bytes"),
-                                       testing::Not(HasSubstr("202"))));
+                                       testing::Not(HasSubstr("202 bytes"))));
   EXPECT_FALSE(fs::exists(files / "run"));
 }
 
@@ -135,11 +135,10 @@ TEST(Names, InAHostileRunYamlStayInTheCommentsOfWhatIsExported) {
   run.replace(run.find("inputs:\n"), 8, "inputs:\n  \"a\\u2029injected: 4\": \"b\\rinjected: 5\"\n");
   files.write("run/run.yaml", run);
   const std::vector<std::string> robot = {"--robot", "ur10"};
-  for (const char* format : {"yaml", "ros1", "ros2", "csv"}) {
+  for (const char* format : {"yaml", "ros1", "ros2"}) {
     const Finished done = run_program({"export", files / "run", "--robot", "ur10", "--format", format});
     ASSERT_EQ(done.exit_code, 0) << done.err;
     EXPECT_THAT(done.out, HasSubstr("injected"));
-    if (std::string_view(format) == "csv") continue;
     EXPECT_TRUE(is_harmless(done.out)) << done.out;
     EXPECT_THAT(done.out, testing::Not(testing::ContainsRegex("\ninjected")));
   }
