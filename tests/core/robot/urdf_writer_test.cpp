@@ -1,9 +1,11 @@
 #include "core/robot/urdf_writer.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
+#include <string>
 
 #include "core/robot/theta.hpp"
 #include "core/robot/urdf_reader.hpp"
@@ -17,7 +19,7 @@ namespace {
 using test::WorstError;
 
 RobotModel read_back(const std::string& text, const std::string& tip = "tool", const std::string& base = "") {
-  const std::string path = testing::TempDir() + "armtune_urdf_writer_test.urdf";
+  const std::string path = testing::TempDir() + "armtune_written_" + std::to_string(getpid()) + ".urdf";
   std::ofstream(path, std::ios::binary) << text;
   UrdfOptions options;
   options.tip_link = tip;
