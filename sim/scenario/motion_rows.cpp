@@ -17,7 +17,7 @@ double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, c
   const double value = table.number(row, column);
   if (std::isfinite(value)) return value;
   const std::string text = table.text(row, column);
-  throw InputError(fmt::format("{}:{}: {} in column {} is no finite number; a motion has one in every row",
+  throw InputError(fmt::format("{}:{}: {} in column {} is not a finite number; a motion has one in every row",
                                path, line_of(row), text.empty() ? "an empty cell" : shown(text),
                                table.header()[column]));
 }

@@ -14,7 +14,7 @@ class OtherJoints : public InputError {
 };
 
 /// Returns n numbers. Throws OtherJoints if a joint is missing, unknown, or the count is wrong, and
-/// InputError for what is no number.
+/// InputError for a value that is not a number.
 JointVector joint_values(const Node& node, const std::vector<std::string>& joints);
 
 }  // namespace armtune::yaml

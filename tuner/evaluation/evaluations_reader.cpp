@@ -19,7 +19,7 @@ double finite(const CsvTable& table, std::size_t row, std::size_t column) {
   const double value = table.number(row, column);
   if (std::isfinite(value)) return value;
   const std::string text = table.text(row, column);
-  throw InputError(fmt::format("{}:{}: {} in column {} is no finite number", table.name(), row + 2,
+  throw InputError(fmt::format("{}:{}: {} in column {} is not a finite number", table.name(), row + 2,
                                text.empty() ? "an empty cell" : shown(text), table.header()[column]));
 }
 

@@ -70,7 +70,7 @@ std::uint64_t number_in(std::string_view text) {
   std::uint64_t number = 0;
   const char* end = text.data() + text.size();
   if (text.empty() || std::from_chars(text.data(), end, number).ptr != end) {
-    throw std::invalid_argument(fmt::format("{} is no number", shown(text)));
+    throw std::invalid_argument(fmt::format("{} is not a number", shown(text)));
   }
   return number;
 }

@@ -38,7 +38,7 @@ class Fields {
     T value{};
     const char* end = field.data() + field.size();
     if (field.empty() || std::from_chars(field.data(), end, value).ptr != end) {
-      throw std::invalid_argument(fmt::format("its {} {} is no number", what, shown(field)));
+      throw std::invalid_argument(fmt::format("its {} {} is not a number", what, shown(field)));
     }
     return value;
   }
@@ -52,7 +52,7 @@ class Fields {
       double value = 0.0;
       const auto [after, error] = std::from_chars(at, end, value);
       if (error != std::errc() || (after != end && *after != ' ')) {
-        throw std::invalid_argument(fmt::format("its {} hold what is no number", what));
+        throw std::invalid_argument(fmt::format("its {} hold something that is not a number", what));
       }
       values.push_back(value);
       at = after == end ? end : after + 1;

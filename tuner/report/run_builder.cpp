@@ -36,8 +36,8 @@ std::vector<double> rising_times(const NumberTable& table) {
   const std::vector<double>& times = table.numbers(table.column("time"));
   for (std::size_t r = 0; r < times.size(); ++r) {
     if (!(std::abs(times[r]) <= kMost)) {
-      throw InputError(fmt::format("{}:{}: {} in column time is no number of seconds within {:g}",
-                                   table.name(), r + 2, shown_cell(times[r]), kMost));
+      throw InputError(fmt::format("{}:{}: {} in column time is not a time between -{:g} and {:g} s",
+                                   table.name(), r + 2, shown_cell(times[r]), kMost, kMost));
     }
     if (r > 0 && times[r] < times[r - 1]) {
       throw InputError(fmt::format("{}:{}: time {} comes after {}; times must not fall", table.name(), r + 2,

@@ -38,7 +38,7 @@ MetricLimit parse_limit(const std::string& text) {
   const std::string number = text.substr(place + 2);
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), limit.value);
   if (error != std::errc{} || end != number.data() + number.size() || !std::isfinite(limit.value)) {
-    throw InputError(fmt::format("limit '{}': '{}' is no finite number", text, number));
+    throw InputError(fmt::format("limit '{}': '{}' is not a finite number", text, number));
   }
   return limit;
 }

@@ -51,8 +51,7 @@ const Offered& find(const std::string& name) {
   for (const Cut& cut : kCut) {
     if (name != cut.name) continue;
     throw InputError(
-        fmt::format("algorithm '{}' was cut, as it solved no study within 3,000 evaluations; use {} instead",
-                    name, cut.instead));
+        fmt::format("algorithm '{}' is no longer part of armtune; use {} instead", name, cut.instead));
   }
   std::vector<std::string> names;
   std::string all;

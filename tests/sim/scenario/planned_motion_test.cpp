@@ -105,8 +105,8 @@ TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
   EXPECT_THAT(refused(0, 0, "-1"), AllOf(HasSubstr("plan.csv:2: time is -1 s"), HasSubstr("shift")));
   EXPECT_THAT(refused(2, 3, "nan"),
               AllOf(HasSubstr("plan.csv:4"), HasSubstr("joint/shoulder_pan_joint/acceleration"),
-                    HasSubstr("no finite number")));
-  EXPECT_THAT(refused(2, 1, ""), HasSubstr("no finite number"));
+                    HasSubstr("not a finite number")));
+  EXPECT_THAT(refused(2, 1, ""), HasSubstr("not a finite number"));
   EXPECT_THAT(refused(1, 2, "fast"), AllOf(HasSubstr("plan.csv:3"), HasSubstr("'fast'")));
   EXPECT_THAT(refused(0, 7, "4"), AllOf(HasSubstr("plan.csv:2: joint/elbow_joint/position is 4"),
                                         HasSubstr("-3.14159 .. 3.14159")));

@@ -200,7 +200,8 @@ TEST(Limits, WhatIsNoneIsRefused) {
   EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_ratio<0.9"); }), HasSubstr("METRIC<=VALUE"));
   EXPECT_THAT(test::refusal([] { parse_limit("joint_velocity/max_rato<=0.9"); }),
               HasSubstr("joint_velocity/max_ratio"));
-  EXPECT_THAT(test::refusal([] { parse_limit("gaze/rms<=much"); }), HasSubstr("'much' is no finite number"));
+  EXPECT_THAT(test::refusal([] { parse_limit("gaze/rms<=much"); }),
+              HasSubstr("'much' is not a finite number"));
 }
 
 }  // namespace
