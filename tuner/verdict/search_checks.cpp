@@ -15,6 +15,14 @@
 namespace armtune {
 namespace {
 
+/// Returns what a constraint's value is: that of the scenario's own arm, or of many arms by the study's
+/// measure.
+std::string judged_by(const Study& study) {
+  if (!study.robust) return "over the whole scenario";
+  return fmt::format("{} of {} arms", risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
+                     arms(*study.robust));
+}
+
 /// The broken constraint c of the point `best`, in the scenario where it misses most, with the joint and the
 /// time of its first breach.
 Check broken_constraint(const Study& study, const Evaluation& best, const Objective& objective,
@@ -43,7 +51,7 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
     check.arm = breach->arm;
     check.joint = breach->joint;
     check.time = breach->time;
-    check.detail += fmt::format(" is first broken there; worst value{}", study.robust ? " on any arm" : "");
+    check.detail += " (this is where it is first broken); " + judged_by(study);
   }
   return check;
 }

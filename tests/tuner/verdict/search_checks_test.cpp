@@ -5,6 +5,7 @@
 
 #include "tests/sim/support/rollouts.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/robustness/margins.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/study/corner.hpp"
@@ -98,6 +99,40 @@ TEST(YieldCheck, CountsTheArmsThatMonteCarloCounts) {
     EXPECT_DOUBLE_EQ(verdict.checks.front().value, kept / 6.0) << factor;
     EXPECT_EQ(verdict.checks.front().passed, kept >= 3.0) << factor;
     EXPECT_EQ(kept > 3.0, factor == 1.0) << "or only one side of the check was seen";
+  }
+}
+
+/// A constraint's value is the study's measure over its arms, which need not be the worst one's.
+TEST(ConstraintCheck, SaysByWhichMeasureOverTheArmsItsValueIs) {
+  const test::ShortStudy files(test::kShortParameters, test::kShortObjective,
+                               "constraints: [{metric: joint_velocity/max_ratio, at_most: 0.01}]\n");
+  Study study = load_study(files.path());
+  for (const auto measure : {std::optional<RiskMeasure>(), std::optional(RiskMeasure::kMean),
+                             std::optional(RiskMeasure::kWorst)}) {
+    if (measure) {
+      study.robust.emplace();
+      study.robust->samples = 1;
+      study.robust->measure = *measure;
+    }
+    CandidateRunner runner(study.scenarios, study.stepper, 1, study.robust);
+    auto points = simulate_points(study, {study.space.start_point()}, runner, kNever, {});
+    ASSERT_TRUE(points);
+    Evaluation start = points->front();
+    const Objective objective(study.terms, study.constraints, simulated_scenarios(study), start.results,
+                              study.source);
+    objective.judge(start);
+    TuneResult result;
+    result.start = result.best = start;
+    SimulationVerdict verdict;
+    add_search_checks(study, result, objective, verdict);
+    const Check& check = verdict.checks.front();
+    ASSERT_FALSE(check.passed);
+    EXPECT_THAT(check.joint, testing::Not(testing::IsEmpty()));
+    const bool worst = measure == RiskMeasure::kWorst;
+    EXPECT_EQ(check.detail.find("worst of 2 arms") != std::string::npos, worst) << check.detail;
+    EXPECT_EQ(check.detail.find("mean of 2 arms") != std::string::npos, measure == RiskMeasure::kMean)
+        << check.detail;
+    EXPECT_EQ(check.detail.find(" arms") != std::string::npos, measure.has_value()) << check.detail;
   }
 }
 
