@@ -95,7 +95,7 @@ void look_at(const std::string& name_or_path, const std::string& sidecar, const 
 void add_robot_command(CLI::App& app, int&) {
   auto file = std::make_shared<std::string>("ur10");
   CLI::App* command = app.add_subcommand(
-      "robot", "Show what a robot file holds: joints, limits, masses, reach; or what it lacks");
+      "robot", "Show the joints, limits, masses and reach of a robot file, and what the file lacks");
   command->add_option("ROBOT", *file, "a bundled robot, a robot YAML, or an expanded URDF")
       ->capture_default_str();
   auto sidecar = std::make_shared<std::string>();
