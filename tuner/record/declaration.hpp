@@ -1,0 +1,93 @@
+#pragma once
+// A type that is stored as JSON is declared once: `declare` names each member with its value and its meaning.
+// Visitors make everything else of that: JsonWriter the text, JsonReader the value again, and TypePrinter the
+// interface that TypeScript code reads the text by.
+//
+//   struct Sample {
+//     long number = 0;
+//     std::string text;
+//     static void declare(auto& f, auto& sample) {
+//       f.type("Sample", "A sample that breaks a limit.")("number", sample.number);
+//       f("text", sample.text, "What it breaks.", Presence::kIfAny);
+//     }
+//   };
+//
+// Members are numbers, truth values, texts, enumerations with a function `name`, vectors of space,
+// quaternions (w, x, y, z), and lists, pairs and optional values of these, and of types that are declared
+// themselves. A text that is one of a few words, and a truth value that is told by two, have the words after
+// the value.
+
+#include <concepts>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace armtune::record {
+
+/// How a member stands in its object.
+enum class Presence {
+  kAlways,
+  kIfAny,   ///< left out where it is empty
+  kOrNull,  ///< null where it is not a number, or for those of its items that are not; never read back
+  kLater    ///< written always; files of older versions lack it
+};
+
+using Words = std::initializer_list<const char*>;
+
+/// Of a function `declare` beside a type that does not declare itself: that type, const or not.
+template <typename T, typename Type>
+concept Of = std::same_as<std::remove_const_t<T>, Type>;
+
+/// Visits the members of a type that declares itself.
+template <typename Fields, typename T>
+requires requires(Fields& f, T& value) {
+  std::remove_const_t<T>::declare(f, value);
+}
+void declare(Fields& f, T& value) {
+  std::remove_const_t<T>::declare(f, value);
+}
+
+/// The names of an enumeration whose values count from 0.
+template <typename Enum>
+std::vector<std::string> names_of() {
+  std::vector<std::string> names;
+  for (int i = 0; *name(static_cast<Enum>(i)) != '\0'; ++i) names.emplace_back(name(static_cast<Enum>(i)));
+  return names;
+}
+
+template <typename T>
+concept Text = std::is_convertible_v<const T&, std::string_view>;
+template <typename T>
+concept Optional = requires(const T& value) {
+  value.has_value();
+};
+template <typename T>
+concept Pair = requires(const T& value) {
+  value.second;
+};
+template <typename T>
+concept Quaternion = requires(const T& value) {
+  value.vec();
+};
+template <typename T>
+concept List = !Text<T> && requires(const T& value) {
+  value.begin();
+};
+/// As long as its type says.
+template <typename T>
+concept Vector = List<T> && requires(const T& value) {
+  T::RowsAtCompileTime;
+};
+
+/// True of an empty text or list, and of an optional value that is not there.
+template <typename T>
+bool is_empty(const T& value) {
+  if constexpr (Text<T>) return std::string_view(value).empty();
+  if constexpr (Optional<T>) return !value.has_value();
+  if constexpr (requires { value.size(); }) return value.size() == 0;
+  return false;
+}
+
+}  // namespace armtune::record

@@ -1,0 +1,101 @@
+#pragma once
+// Declared types read back from JSON by the reader of YAML, of which JSON is a part: the same limits, and
+// errors that name file, line and key.
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sim/yaml/map_reader.hpp"
+#include "tuner/record/declaration.hpp"
+
+namespace armtune::record {
+
+template <typename T>
+void read(const yaml::Node& node, T& value);
+
+/// The index of a word among those that are allowed. Throws InputError naming them.
+inline std::size_t index_of_word(const yaml::Node& node, const std::vector<std::string>& words) {
+  const std::string word = node.as_string();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string all;
+  for (const std::string& allowed : words) all += (all.empty() ? "" : ", ") + allowed;
+  node.fail("'" + word + "' is not known here; expected one of " + all);
+}
+
+/// Reads the members that `declare` visits; a value that is computed of others is passed over.
+class JsonReader {
+ public:
+  explicit JsonReader(yaml::MapReader& map) : map_(map) {}
+
+  JsonReader& type(const char*, const char* = "") { return *this; }
+
+  template <typename T>
+  JsonReader& operator()(const char* key, T& value, const char* = "", Presence presence = Presence::kAlways) {
+    const yaml::Node* node = find(key, presence);
+    if (node != nullptr) read(*node, value);
+    return *this;
+  }
+  template <typename T>
+  JsonReader& operator()(const char* key, const T&&) {
+    map_.ignore(key);
+    return *this;
+  }
+  template <typename T>
+  JsonReader& operator()(const char* key, T& value, Words words, const char* = "",
+                         Presence presence = Presence::kAlways) {
+    const yaml::Node* node = find(key, presence);
+    if (node == nullptr) return *this;
+    const std::size_t index = index_of_word(*node, {words.begin(), words.end()});
+    if constexpr (std::is_same_v<T, bool>) value = index == 1;
+    if constexpr (Text<T>) value = words.begin()[index];
+    return *this;
+  }
+
+ private:
+  const yaml::Node* find(const char* key, Presence presence) {
+    const bool absent = presence == Presence::kIfAny || presence == Presence::kLater;
+    return absent ? map_.optional(key) : &map_.required(key);
+  }
+
+  yaml::MapReader& map_;
+};
+
+/// Throws InputError naming file, line, key, value and what is expected, also for a key that is not declared.
+/// Another type is read by a function `read` beside it.
+template <typename T>
+void read(const yaml::Node& node, T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    value = static_cast<T>(index_of_word(node, names_of<T>()));
+  } else if constexpr (std::is_same_v<T, bool>) {
+    value = node.as_boolean();
+  } else if constexpr (std::is_floating_point_v<T>) {
+    value = node.as_number();
+  } else if constexpr (std::is_integral_v<T>) {
+    const long number = node.as_integer();
+    if (!std::in_range<T>(number)) node.fail(std::to_string(number) + " is out of range");
+    value = static_cast<T>(number);
+  } else if constexpr (Text<T>) {
+    value = node.as_string();
+  } else if constexpr (Optional<T>) {
+    value.reset();
+    if (node.kind() != yaml::Node::Kind::kNull) read(node, value.emplace());
+  } else if constexpr (Vector<T>) {
+    const auto numbers = node.as_numbers(T::RowsAtCompileTime);
+    std::copy(numbers.begin(), numbers.end(), value.begin());
+  } else if constexpr (Quaternion<T>) {
+    const auto q = node.as_numbers(4);
+    value = T(q[0], q[1], q[2], q[3]);
+  } else if constexpr (List<T>) {
+    value.clear();
+    for (const yaml::Node& item : node.items()) read(item, value.emplace_back());
+  } else {
+    yaml::MapReader map(node);
+    JsonReader fields(map);
+    declare(fields, value);
+    map.finish();
+  }
+}
+
+}  // namespace armtune::record

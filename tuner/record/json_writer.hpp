@@ -1,0 +1,84 @@
+#pragma once
+// Declared types written as JSON.
+
+#include <utility>
+
+#include "tuner/record/declaration.hpp"
+#include "tuner/record/json_scalar.hpp"
+
+namespace armtune::record {
+
+template <typename T>
+void write(std::string& out, const T& value);
+
+/// Appends the members that `declare` visits.
+class JsonWriter {
+ public:
+  explicit JsonWriter(std::string& out) : out_(out) {}
+
+  JsonWriter& type(const char*, const char* = "") { return *this; }
+
+  template <typename T>
+  JsonWriter& operator()(const char* key, const T& value, const char* = "",
+                         Presence presence = Presence::kAlways) {
+    if (presence == Presence::kIfAny && is_empty(value)) return *this;
+    out_ += (std::exchange(separate_, true) ? "," : "") + json_scalar(key) + ':';
+    write(out_, value);
+    return *this;
+  }
+  template <typename T>
+  JsonWriter& operator()(const char* key, const T& value, Words words, const char* = "",
+                         Presence presence = Presence::kAlways) {
+    if constexpr (std::is_same_v<T, bool>) return (*this)(key, words.begin()[value ? 1 : 0]);
+    return (*this)(key, value, "", presence);
+  }
+
+ private:
+  std::string& out_;
+  bool separate_ = false;
+};
+
+/// Appends a value. One of a type that neither declares itself nor is among those of `declare` is written by
+/// a function `write` beside that type.
+template <typename T>
+void write(std::string& out, const T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    out += value ? "true" : "false";
+  } else if constexpr (std::is_integral_v<T>) {
+    out += std::to_string(value);
+  } else if constexpr (std::is_enum_v<T>) {
+    out += json_scalar(name(value));
+  } else if constexpr (std::is_arithmetic_v<T> || Text<T>) {
+    out += json_scalar(value);
+  } else if constexpr (Optional<T>) {
+    value ? write(out, *value) : void(out += "null");
+  } else if constexpr (List<T>) {
+    out += '[';
+    bool separate = false;
+    for (const auto& item : value) {
+      if (std::exchange(separate, true)) out += ',';
+      write(out, item);
+    }
+    out += ']';
+  } else if constexpr (Pair<T>) {
+    write(out += '[', value.first);
+    write(out += ',', value.second);
+    out += ']';
+  } else if constexpr (Quaternion<T>) {
+    write(out, std::vector<double>{value.w(), value.x(), value.y(), value.z()});
+  } else {
+    JsonWriter fields(out += '{');
+    declare(fields, value);
+    out += '}';
+  }
+}
+
+/// The text of one value.
+template <typename T>
+std::string json_of(const T& value) {
+  std::string text;
+  write(text, value);
+  return text;
+}
+
+}  // namespace armtune::record
