@@ -1,4 +1,4 @@
-# Copies the FILES of WEB to WORK, builds them there with NPM, and writes the page as the C++ file PAGE. The source tree is
+# Copies the FILES of WEB, and the TYPES of its data, to WORK, builds them there with NPM, and writes the page as the C++ file PAGE. The source tree is
 # only read. Packages are installed anew only where package-lock.json has changed.
 
 file(GLOB before LIST_DIRECTORIES true ${WORK}/*)
@@ -11,6 +11,8 @@ foreach(name ${FILES})
   get_filename_component(folder ${name} DIRECTORY)
   file(COPY ${WEB}/${name} DESTINATION ${WORK}/${folder})
 endforeach()
+
+file(COPY ${TYPES} DESTINATION ${WORK}/src)
 
 function(npm)
   execute_process(COMMAND ${NPM} ${ARGV} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE failed

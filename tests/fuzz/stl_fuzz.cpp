@@ -20,7 +20,7 @@ void check(std::string_view bytes) {
   for (const float corner : *corners) require(std::isfinite(corner));
   report::Scene with_mesh = scene;
   report::ArmShape mesh;
-  mesh.kind = "mesh";
+  mesh.kind = ShapeKind::kMesh;
   mesh.triangles = report::base64_f32(*corners);
   with_mesh.arms.front().shapes.push_back(mesh);
   folder.write("scene.json", report::scene_json(with_mesh));

@@ -37,10 +37,10 @@ ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
   shape.pose = {0.5 * (from + to), Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), along)};
   if (along.norm() < 1e-6) {
     shape.pose.q.setIdentity();
-    shape.kind = name(ShapeKind::kSphere);
+    shape.kind = ShapeKind::kSphere;
     shape.size = {radius};
   } else {
-    shape.kind = name(ShapeKind::kCapsule);
+    shape.kind = ShapeKind::kCapsule;
     shape.size = {radius, along.norm()};
   }
   return shape;
@@ -48,7 +48,7 @@ ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
 
 /// Nothing for a mesh that cannot be loaded, or has more triangles than are left.
 std::optional<ArmShape> drawn(const Shape& shape, const std::string& urdf, std::size_t& triangles_left) {
-  ArmShape result{shape.body, pose_of(shape.R_BS, shape.p_BS), name(shape.kind), size_of(shape), {}};
+  ArmShape result{shape.body, pose_of(shape.R_BS, shape.p_BS), shape.kind, size_of(shape), {}};
   if (shape.kind != ShapeKind::kMesh) return result;
   const auto path = mesh_path(shape.file, urdf);
   const auto corners = path ? read_binary_stl(*path, triangles_left) : std::nullopt;

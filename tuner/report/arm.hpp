@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/robot/robot_model.hpp"
+#include "core/robot/shape.hpp"
+#include "tuner/record/declaration.hpp"
 
 namespace armtune::report {
 
@@ -13,35 +15,61 @@ struct Pose {
   Vec3 p = Vec3::Zero();  ///< [m]
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
   bool operator==(const Pose&) const = default;
+
+  static void declare(auto& f, auto& pose) { f.type("Pose")("p", pose.p, "m.")("q", pose.q); }
 };
 
 struct ArmJoint {
   std::string name;
   bool prismatic = false;
-  Pose pose;  ///< of its frame in the previous joint's at q = 0; it moves about or along its z
-  double velocity_limit = 0.0;  ///< [rad/s, m/s]
-  double effort_limit = 0.0;    ///< [N m, N]
-  std::optional<double> lower;  ///< [rad, m]
-  std::optional<double> upper;
+  Pose pose;
+  double velocity_limit = 0.0, effort_limit = 0.0;
+  std::optional<double> lower, upper;
   bool operator==(const ArmJoint&) const = default;
+
+  static void declare(auto& f, auto& joint) {
+    f.type("Joint", "It turns about, or moves along, its own z.")("name", joint.name);
+    f("kind", joint.prismatic, {"revolute", "prismatic"});
+    f("p", joint.pose.p, "Its frame in the previous joint's (the base for the first) at position 0, m.");
+    f("q", joint.pose.q)("velocity_limit", joint.velocity_limit, "rad/s or m/s.");
+    f("effort_limit", joint.effort_limit, "N m or N.");
+    f("lower", joint.lower, "rad or m; null without a limit.")("upper", joint.upper);
+  }
 };
 
 struct ArmShape {
-  int joint = -1;  ///< -1: the base
-  Pose pose;       ///< in that joint's frame
-  std::string kind;
-  std::vector<double> size;  ///< as data.ts says
-  std::string triangles;     ///< of a mesh: base64 of singles, nine per triangle
+  int joint = -1;
+  Pose pose;
+  ShapeKind kind = ShapeKind::kSphere;
+  std::vector<double> size;
+  std::string triangles;
   bool operator==(const ArmShape&) const = default;
+
+  static void declare(auto& f, auto& shape) {
+    f.type("Shape")("joint", shape.joint, "Index of the joint it moves with; -1: the base.")("kind",
+                                                                                             shape.kind);
+    f("size", shape.size,
+      "m. box: edges; cylinder: radius, length along z; sphere: radius; capsule: radius, length along z between the centres of its half-spheres; mesh: scale (empty: 1).");
+    f("p", shape.pose.p, "Of its middle in the joint's frame, m.")("q", shape.pose.q);
+    f("triangles", shape.triangles, "mesh: base64 of little-endian float32, nine per triangle.",
+      record::Presence::kIfAny);
+  }
 };
 
 struct Arm {
   std::string name;
   std::vector<ArmJoint> joints;
   std::vector<ArmShape> shapes;
-  std::size_t undrawn = 0;  ///< shapes of the URDF that could not be drawn
-  Pose tool;                ///< in the last joint's frame
+  std::size_t undrawn = 0;
+  Pose tool;
   bool operator==(const Arm&) const = default;
+
+  static void declare(auto& f, auto& arm) {
+    f.type("Robot", "An arm as the replay draws it.")("name", arm.name)("joints", arm.joints)("shapes",
+                                                                                              arm.shapes);
+    f("undrawn", arm.undrawn, "Shapes of the URDF that could not be drawn.", record::Presence::kLater);
+    f("tool", arm.tool, "Its frame in the last joint's; z is the direction of gaze.");
+  }
 };
 
 /// Shapes as the URDF has them: of each link what is to be seen, else what is to collide. Meshes that cannot

@@ -86,9 +86,9 @@ class PlanAssembly {
   const Arm* arm() const { return scenario() == nullptr ? nullptr : &scene_.arms[scenario()->arm]; }
 
   void read_run() {
-    data_.provenance = read_provenance(file("run.yaml"));
-    for (const auto& [key, value] : data_.provenance) run_[key] = value;
-    data_.command = entry("command");
+    data_.provenance.entries = read_provenance(file("run.yaml"));
+    for (const auto& [key, value] : data_.provenance.entries) run_[key] = value;
+    data_.provenance.command = entry("command");
     data_.plan->scenario = entry("scenario");
     for (const auto& [key, words] : kFigures) {
       if (const std::string value = entry(key); !value.empty())

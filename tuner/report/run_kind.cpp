@@ -29,24 +29,6 @@ std::optional<RunKind> journal_kind(const std::string& folder) {
 
 }  // namespace
 
-const char* name(RunKind kind) {
-  switch (kind) {
-    case RunKind::kSimulate:
-      return "simulate";
-    case RunKind::kTune:
-      return "tune";
-    case RunKind::kPareto:
-      return "pareto";
-    case RunKind::kRobustness:
-      return "robustness";
-    case RunKind::kCompare:
-      return "compare";
-    case RunKind::kPlan:
-      return "plan";
-  }
-  return "";
-}
-
 RunKind kind_of(const std::string& folder) {
   const auto has = [&folder](const char* file) {
     std::error_code ignored;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/common/error.hpp"
+#include "tuner/record/json_writer.hpp"
 #include "tuner/report/nearest_obstacles.hpp"
 #include "tuner/report/recording.hpp"
 #include "tuner/report/telling.hpp"
@@ -170,7 +171,7 @@ class Recordings {
       for (const SceneObstacle& obstacle : scenario->obstacles)
         with_runs.obstacles.push_back(obstacle.radius);
     }
-    const std::size_t size = scenario_json(with_runs).size();
+    const std::size_t size = record::json_of(with_runs).size();
     if (size > room_) {
       data_.thinned.push_back(fmt::format("plots and replay of {}", shown.name));
       return;

@@ -99,9 +99,9 @@ class Assembly {
     const auto path = find("run.yaml");
     facts_.ended = path.has_value();
     if (!facts_.ended) return;
-    data_.provenance = report::read_provenance(*path);
-    for (const auto& [key, value] : data_.provenance) facts_.run[key] = value;
-    data_.command = entry("command");
+    data_.provenance.entries = report::read_provenance(*path);
+    for (const auto& [key, value] : data_.provenance.entries) facts_.run[key] = value;
+    data_.provenance.command = entry("command");
   }
 
   std::string title() const {

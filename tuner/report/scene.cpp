@@ -55,17 +55,18 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
 std::vector<Vec3> drawn_path(const Path& path) {
   constexpr int kPoints = 180;
   constexpr int kPointsOfKnots = 720;  // corners
-  if (path.rests() || (!path.spline && !(path.period() > 0.0))) return {path.at(0.0).position};
+  const auto at = [&path](double t) { return Vec3((1e5 * path.at(t).position).array().round() / 1e5); };
+  if (path.rests() || (!path.spline && !(path.period() > 0.0))) return {at(0.0)};
   const int count = path.spline ? kPointsOfKnots : kPoints;
   const double turn = path.period();
   const double from = path.spline ? path.spline->begin() : 0.0;
   const double length = turn > 0.0 ? turn : path.spline->end() - from;
   std::vector<Vec3> points;
   points.reserve(2 * static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) points.push_back(path.at(from + length * i / count).position);
+  for (int i = 0; i < count; ++i) points.push_back(at(from + length * i / count));
   if (turn > 0.0) return points;
   // Drawn closed: one that does not close goes back the way it came.
-  for (int i = count; i > 0; --i) points.push_back(path.at(from + length * i / count).position);
+  for (int i = count; i > 0; --i) points.push_back(at(from + length * i / count));
   return points;
 }
 

@@ -16,11 +16,15 @@ struct SceneSet {
   std::string name;
   std::string folder = ".";           ///< below the run's
   std::string errors = "errors.csv";  ///< below the run's
+
+  static void declare(auto& f, auto& set) { f("name", set.name)("folder", set.folder)("errors", set.errors); }
 };
 
 struct SceneObstacle {
   Path path;
   double radius = 0.0;  ///< of its body [m]
+
+  static void declare(auto& f, auto& obstacle) { f("radius", obstacle.radius)("path", obstacle.path); }
 };
 
 struct SceneScenario {
@@ -30,12 +34,21 @@ struct SceneScenario {
   Path path;              ///< of the tool
   std::vector<SceneObstacle> obstacles;
   double influence_radius = 0.0;  ///< [m], of the first set's gains; 0 without obstacles
+
+  static void declare(auto& f, auto& scenario) {
+    f("name", scenario.name)("duration", scenario.duration)("robot", scenario.arm)("path", scenario.path);
+    f("obstacles", scenario.obstacles)("influence_radius", scenario.influence_radius);
+  }
 };
 
 struct Scene {
   std::vector<SceneSet> sets;  ///< the reference first, the result last
   std::vector<Arm> arms;
   std::vector<SceneScenario> scenarios;
+
+  static void declare(auto& f, auto& scene) {
+    f("sets", scene.sets)("scenarios", scene.scenarios)("robots", scene.arms);
+  }
 };
 
 /// The sets of a run that left no scene.json, by its kind; of a comparison by its file. Throws InputError if
@@ -45,8 +58,8 @@ std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 /// influence_radius: of the reference gains [m].
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);
 
-/// A path [m] to be drawn closed: one period of it, there and back where it has none; a single point where it
-/// is at rest.
+/// A path to be drawn closed, to a hundredth of a millimetre [m]: one period of it, there and back where it
+/// has none; a single point where it is at rest.
 std::vector<Vec3> drawn_path(const Path& path);
 
 /// Text of scene.json.

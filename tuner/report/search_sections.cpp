@@ -107,7 +107,7 @@ std::optional<Front> front_of_search(const CsvTable& table, const Evaluations& e
   for (const StudyLimit& limit : limits) {
     const bool all = limit.scenarios.empty() || limit.scenarios.size() >= columns.size();
     if (limit.metric == Metric::kJointVelocityMaxRatio && limit.upper && limit.value && all) {
-      front.limits.emplace_back(1, *limit.value);
+      front.limits.push_back({1, *limit.value});
     }
   }
   for (std::size_t r = 0; r < table.rows(); ++r) {
@@ -142,7 +142,7 @@ Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, 
   for (const std::string& criterion : criteria) {
     columns.push_back(table.column(criterion));
     const auto metric = metric_from_name(criterion);
-    front.criteria.emplace_back(criterion, metric ? field(*metric).unit : "1");
+    front.criteria.push_back({criterion, metric ? field(*metric).unit : "1"});
   }
   const std::size_t kind = table.column("kind");
   const std::size_t point = table.column("point");

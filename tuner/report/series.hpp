@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "tuner/report/base64.hpp"
+
 namespace armtune::report {
 
 struct Series {
@@ -17,6 +19,13 @@ struct Series {
 
   /// The number at i, half a step (hi - lo) / 131068 off at most, lo and hi exact; NaN where there is none.
   double at(std::size_t i) const;
+
+  static void declare(auto& f, auto& series) {
+    f.type("Series", "One column, thinned and quantised; lo = hi for a constant.");
+    f("lo", series.lo)("hi", series.hi);
+    f("u16", base64_u16(series.steps),
+      "Base64 of little-endian uint16: 0 to 65534 linear from lo to hi, 65535 where the value is not finite.");
+  }
 };
 
 Series quantize(std::span<const double> values);

@@ -142,7 +142,7 @@ void shorten(ReportData& data) {
     keep_first(data.robustness->histograms, kMostHistograms, "histograms, which summary.csv has in numbers",
                data);
   keep_first(data.verdict.details, kMostHistograms, "lines of this list", data);
-  keep_first(data.provenance, kMostRows, "entries of run.yaml", data);
+  keep_first(data.provenance.entries, kMostRows, "entries of run.yaml", data);
   for (ReportScenario& scenario : data.scenarios)
     keep_first(scenario.limits, kMostRows, "rows of limits.csv", data);
 }

@@ -172,7 +172,7 @@ Verdict of_compare(const ReportData& data) {
 bool beats(const FrontPoint& point, const FrontPoint& start, const Front& front) {
   bool somewhere = false;
   for (std::size_t c = 0; c < front.criteria.size(); ++c) {
-    const auto metric = metric_from_name(front.criteria[c].first);
+    const auto metric = metric_from_name(front.criteria[c].name);
     const double sign = metric && larger_is_better(*metric) ? -1.0 : 1.0;
     const double difference = sign * (point.values[c] - start.values[c]);
     if (!(difference <= 0.0)) return false;
@@ -198,7 +198,7 @@ Verdict of_pareto(const ReportData& data) {
     }
     if (points == 0) continue;
     ranges.push_back(fmt::format(
-        "{} from {:.4g} to {:.4g}{}", data.front->criteria[c].first, low, high,
+        "{} from {:.4g} to {:.4g}{}", data.front->criteria[c].name, low, high,
         start != data.front->points.end() ? fmt::format(" (start {:.4g})", start->values[c]) : ""));
   }
   const std::size_t last = data.sets.empty() ? 0 : data.sets.size() - 1;
@@ -218,7 +218,7 @@ Verdict of_pareto(const ReportData& data) {
   verdict.details = std::move(ranges);
   if (last > 0) {
     verdict.details.push_back(fmt::format("replay, plots and tables show {}, the one with the least {}",
-                                          data.sets[last], data.front->criteria.front().first));
+                                          data.sets[last], data.front->criteria.front().name));
     const auto told = improvements(changes(data.tables, headline_terms(), last), data.tables.size());
     if (!told.empty()) verdict.details.push_back(fmt::format("{}: {}", data.sets[last], told));
     const std::string worse = price(data.tables, last);
@@ -238,8 +238,7 @@ Verdict of_robustness(const ReportData& data) {
   const Robustness& r = *data.robustness;
   verdict.sentence = joined(
       {fmt::format("{:.1f} % of {} arms keep every limit (95 % confidence: {:.1f} to {:.1f} %)",
-                   100.0 * static_cast<double>(r.kept) / static_cast<double>(r.samples), r.samples,
-                   100.0 * r.interval.first, 100.0 * r.interval.second),
+                   100.0 * r.yield(), r.samples, 100.0 * r.interval.first, 100.0 * r.interval.second),
        r.broken.empty()
            ? ""
            : fmt::format("most often broken: {}, by {}", r.broken.front().first, r.broken.front().second),

@@ -6,22 +6,31 @@
 #include <vector>
 
 #include "sim/csv/csv_table.hpp"
+#include "tuner/record/declaration.hpp"
 
 namespace armtune::report {
 
 struct YardstickRow {
   std::size_t set = 0;
-  std::string scenario;
-  std::string event;     ///< switch, return, lap
-  double time = 0.0;     ///< when it begins [s]
-  double reached = 0.0;  ///< of `unit`; NaN where it was not
-  double limit = 0.0;    ///< of `unit`; NaN where none was found
-  double ratio = 0.0;    ///< NaN where there is none
-  std::string unit;      ///< s, rad
-  std::string outcome;
-  std::string held_back_by;
-  std::string status;
-  std::string words;  ///< "reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)"
+  std::string scenario, event;
+  double time = 0.0, reached = 0.0, limit = 0.0, ratio = 0.0;
+  std::string unit, outcome, held_back_by, status, words;
+
+  static void declare(auto& f, auto& row) {
+    using enum record::Presence;
+    f.type("YardstickEvent",
+           "A part of a rollout beside the best that the arm's limits allow from the same state.");
+    f("set", row.set, "Index into `sets`.")("scenario", row.scenario)("event", row.event,
+                                                                      {"switch", "return", "lap"});
+    f("time", row.time, "When it begins, s.");
+    f("reached", row.reached, "Of `unit`; null where it was not reached.", kOrNull);
+    f("limit", row.limit, "Of `unit`; null where none was found.", kOrNull);
+    f("ratio", row.ratio, "reached / limit; null where there is none.", kOrNull)("unit", row.unit,
+                                                                                 {"s", "rad"});
+    f("held_back_by", row.held_back_by, "The limit of the arm that costs the plan most.");
+    f("words", row.words,
+      "\"reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)\".");
+  }
 };
 
 /// One file per set; none where there is no file. Throws InputError naming file and column.

@@ -69,7 +69,7 @@ TEST(Page, OfManyScenariosIsCoarserAndStillAtMostSixMegabytes) {
   // More obstacles and a heavier arm than any estimate thought of.
   for (SceneScenario& s : scene.scenarios) s.obstacles.resize(12, s.obstacles.front());
   ArmShape mesh;
-  mesh.kind = "mesh";
+  mesh.kind = ShapeKind::kMesh;
   mesh.triangles = std::string(1'400'000, 'A');
   scene.arms.front().shapes.push_back(mesh);
   folder.write("scene.json", scene_json(scene));

@@ -113,7 +113,8 @@ TEST(Scene, NamesWhatIsWrongInAFile) {
   const auto refusal = [&](const std::string& text) {
     return test::refusal([&] { read_scene(folder.write("scene.json", text)); });
   };
-  EXPECT_THAT(refusal("{\"sets\": []}"), testing::AllOf(HasSubstr("scene.json:1"), HasSubstr("robots")));
+  EXPECT_THAT(refusal("{\"sets\": [], \"scenarios\": []}"),
+              testing::AllOf(HasSubstr("scene.json:1"), HasSubstr("robots")));
   std::string text = scene_json(test::recorded().scene);
   text.replace(text.find("\"robot\":0"), 9, "\"robot\":7");
   EXPECT_THAT(refusal(text), HasSubstr("no such robot"));
@@ -152,10 +153,10 @@ TEST(Arm, WithoutShapesIsCapsulesFromJointToJoint) {
     ASSERT_NE(shape, arm.shapes.end()) << "every link is drawn";
     const Vec3 end = i + 1 < arm.joints.size() ? arm.joints[i + 1].pose.p : arm.tool.p;
     if (end.norm() < 1e-6) {
-      EXPECT_EQ(shape->kind, "sphere");
+      EXPECT_EQ(shape->kind, ShapeKind::kSphere);
       continue;
     }
-    ASSERT_EQ(shape->kind, "capsule");
+    ASSERT_EQ(shape->kind, ShapeKind::kCapsule);
     const Vec3 half = shape->pose.q * Vec3(0, 0, shape->size[1] / 2);
     EXPECT_LT((shape->pose.p - half).norm(), 1e-12) << "begins at its own joint";
     EXPECT_LT((shape->pose.p + half - end).norm(), 1e-12) << "ends at the next one";
@@ -188,7 +189,7 @@ TEST(Arm, MeshesAreLoadedOrTheirLinksAreCapsules) {
   add(3, "missing.dae", false);
   add(3, "good.stl", true);
   const Arm arm = arm_of(model);
-  std::vector<std::string> kinds(4);
+  std::vector<ShapeKind> kinds(4, ShapeKind::kBox);
   EXPECT_EQ(
       std::count_if(arm.shapes.begin(), arm.shapes.end(), [](const ArmShape& s) { return s.joint == 0; }), 1);
   EXPECT_EQ(arm.undrawn, 3U) << "one of link 1, two of link 2; link 3 has its collision body";
@@ -199,11 +200,10 @@ TEST(Arm, MeshesAreLoadedOrTheirLinksAreCapsules) {
       EXPECT_THAT(shape.size, testing::ElementsAre(2, 2, 2));
     }
   }
-  EXPECT_EQ(kinds[0], "mesh");
-  EXPECT_NE(kinds[1], "mesh");
-  EXPECT_NE(kinds[2], "mesh");
-  EXPECT_NE(kinds[1], "");
-  EXPECT_EQ(kinds[3], "mesh");
+  EXPECT_EQ(kinds[0], ShapeKind::kMesh);
+  EXPECT_EQ(kinds[1], ShapeKind::kCapsule);
+  EXPECT_EQ(kinds[2], ShapeKind::kCapsule);
+  EXPECT_EQ(kinds[3], ShapeKind::kMesh);
 }
 
 TEST(StlFile, IsReadWholeOrNotAtAll) {

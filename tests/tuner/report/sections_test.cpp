@@ -68,7 +68,7 @@ TEST(FrontSection, OfASearchIsTheObjectiveAgainstTheWorstScenario) {
                                           {Metric::kObstacleMinClearance, false, 0.1, {}}};
   const auto front = front_of_search(table, evaluations_of(table, {}), limits);
   ASSERT_TRUE(front);
-  EXPECT_THAT(front->limits, ElementsAre(std::pair<std::size_t, double>(1, 0.9)));
+  EXPECT_THAT(front->limits, ElementsAre(CriterionLimit{1, 0.9}));
   ASSERT_EQ(front->points.size(), 4U) << "one has no figures";
   EXPECT_THAT(front->points[0].values, ElementsAre(1.0, 1.1));
   EXPECT_THAT(front->points[1].values, ElementsAre(0.5, 0.85));
@@ -114,7 +114,7 @@ TEST(FrontSection, OfParetoCsvHasItsPointsAndItsStart) {
       "pareto.csv");
   const Front front = front_of(table, {"objective", "gaze/rms"}, "2", 0.5);
   ASSERT_EQ(front.points.size(), 3U);
-  EXPECT_EQ(front.criteria[1].second, "rad");
+  EXPECT_EQ(front.criteria[1].unit, "rad");
   EXPECT_EQ(front.points[0].role, "point");
   EXPECT_EQ(front.points[1].role, "shown");
   EXPECT_EQ(front.points[2].role, "start");

@@ -32,7 +32,7 @@ test("of thinned evaluations numbers, counts and phases are those of all", () =>
   assert.equal(numberOf({}, 2), 2);
   const thinned = {
     number: [0, 40, 900], total: 1000, feasible: 300, native: 20, without_objective: 7,
-    phase_runs: [[0, 0, 0], [1, 1, 999]] as [number, number, number][], more_phase_runs: false,
+    phase_runs: [{ phase: 0, from: 0, to: 0 }, { phase: 1, from: 1, to: 999 }], more_phase_runs: false,
   };
   const counts = countsOf({ ...few, thinned });
   assert.deepEqual([counts.total, counts.feasible, counts.native, counts.undrawn], [1000, 300, 20, 7]);

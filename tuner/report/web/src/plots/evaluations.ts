@@ -60,7 +60,7 @@ export interface PhaseRun {
 export function phaseRuns(evaluations: Pick<Evaluations, "phase" | "of" | "thinned">): PhaseRun[] {
   const { thinned } = evaluations;
   if (thinned !== undefined)
-    return thinned.phase_runs.map(([index, from, to]) => ({ phase: evaluations.phase[index] ?? "", from, to }));
+    return thinned.phase_runs.map(({ phase, from, to }) => ({ phase: evaluations.phase[phase] ?? "", from, to }));
   const runs: PhaseRun[] = [];
   evaluations.of.forEach((index, i) => {
     const phase = evaluations.phase[index] ?? "";

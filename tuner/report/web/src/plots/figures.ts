@@ -1,8 +1,8 @@
 // Which figures a scenario has, in their order.
-import type { Group, Scenario } from "../data";
+import type { Column, Scenario } from "../data";
 
 export interface Figure {
-  group: Group;
+  group: Column["group"];
   title: string;
   axis: string;
   /** The y axis begins at zero. */

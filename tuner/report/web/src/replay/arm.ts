@@ -1,8 +1,8 @@
 // The arm in the scene: shapes that follow their joints, and a joint's colour when it comes close to its limit.
 import { Color, Group, Mesh, MeshStandardMaterial, type Material } from "three";
-import type { Robot, Shape } from "../data";
+import type { Pose, Robot, Shape } from "../data";
 import { ORANGE, VERMILLION } from "../palette";
-import { forwardKinematics, reachOf, type Pose } from "./kinematics";
+import { forwardKinematics, reachOf } from "./kinematics";
 import { geometryOf } from "./shapes";
 
 /** Ratios of velocity to limit between which a joint's colour goes from its own to the warning's. */

@@ -1,11 +1,5 @@
 // Forward kinematics of the chain: frames of joints and tool in the base, from joint positions.
-import type { Quaternion, Robot, Vec3 } from "../data";
-
-export interface Pose {
-  p: Vec3;
-  /** w, x, y, z, of unit length. */
-  q: Quaternion;
-}
+import type { Pose, Quaternion, Robot, Vec3 } from "../data";
 
 export function multiply(a: Quaternion, b: Quaternion): Quaternion {
   const [aw, ax, ay, az] = a;

@@ -54,7 +54,7 @@ export class Surroundings {
     );
     this.sight = new Rod(0.0022 * reach, PURPLE, 0.9);
     this.gaze = new Rod(0.0014 * reach, GREEN, 0.9);
-    this.obstacles = scenario.obstacles.map((obstacle) => this.obstacle(obstacle.body_radius, scenario.influence_radius));
+    this.obstacles = scenario.obstacles.map((radius) => this.obstacle(radius, scenario.influence_radius));
     const shadow = new Mesh(new PlaneGeometry(6 * reach, 6 * reach), new ShadowMaterial({ opacity: 0.22 }));
     shadow.receiveShadow = true;
     this.group.add(this.target, this.sight.mesh, this.gaze.mesh, ...this.obstacles, shadow, this.path(scenario));
@@ -96,7 +96,7 @@ export class Surroundings {
     return path;
   }
 
-  private obstacle(body: number | null, influence: number): Group {
+  private obstacle(body: number, influence: number): Group {
     const group = new Group();
     const ball = (radius: number, opacity: number) =>
       new Mesh(
@@ -110,9 +110,9 @@ export class Surroundings {
         }),
       );
     group.add(ball(0.012 * this.reach, 1));
-    if (body !== null && body > 0) group.add(ball(body, 0.45));
+    if (body > 0) group.add(ball(body, 0.45));
     // It is counted from the body's surface.
-    if (influence > 0) group.add(new Mesh(new SphereGeometry((body ?? 0) + influence, 48, 32), shellMaterial(VERMILLION)));
+    if (influence > 0) group.add(new Mesh(new SphereGeometry(body + influence, 48, 32), shellMaterial(VERMILLION)));
     return group;
   }
 }

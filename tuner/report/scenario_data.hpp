@@ -1,0 +1,144 @@
+#pragma once
+// What a report page shows of a scenario: its runs, their plots and replays, and the limits of a plan.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/control/state_machine.hpp"
+#include "tuner/record/declaration.hpp"
+#include "tuner/report/arm.hpp"
+#include "tuner/report/series.hpp"
+
+namespace armtune::report {
+
+using enum record::Presence;
+
+/// The plots that a page has.
+inline constexpr record::Words kPlots = {"position",       "position_error",     "orientation_error",
+                                         "gaze",           "joint_position",     "linear_velocity_error",
+                                         "velocity_ratio", "joint_velocity",     "angular_velocity_error",
+                                         "torque_ratio",   "joint_acceleration", "slide_position",
+                                         "joint_error",    "joint_jerk",         "slide_velocity",
+                                         "theta",          "joint_torque",       "slide_acceleration",
+                                         "clearance",      "slide_jerk",         "slide_torque",
+                                         "manipulability"};
+
+struct PlotColumn {
+  std::string name, group, unit;
+  Series series;
+
+  static void declare(auto& f, auto& column) {
+    f.type("Column");
+    f("name", column.name,
+      "As in rollout_*.csv, such as error/position/x or joint/elbow_joint/velocity_ratio.");
+    f("group", column.group, kPlots, "The plot that it is drawn in.")("unit", column.unit);
+    f("series", column.series, "As many points as the run's `time`.");
+  }
+};
+
+struct Replay {
+  double dt = 0.0;
+  std::size_t n = 0;
+  std::vector<Series> q, target;
+  std::vector<std::vector<Series>> obstacles;
+  std::vector<Series> tool;
+  Series error;
+  std::vector<Series> velocity_ratio;
+
+  static void declare(auto& f, auto& replay) {
+    f.type("Replay", "Sampled evenly in time: point i is at i * dt. All series have n points.");
+    f("dt", replay.dt, "s.")("n", replay.n, "0 where the run has no replay.");
+    f("q", replay.q, "Per joint, rad or m.");
+    f("target", replay.target, "x, y, z of the active target in the base frame; empty without one.");
+    f("obstacles", replay.obstacles, "Per obstacle: x, y, z of its centre.")("tool", replay.tool, "x, y, z.");
+    f("error", replay.error, "Norm of the position error, m; no value where the state tracks no position.");
+    f("velocity_ratio", replay.velocity_ratio,
+      "Per joint, |velocity| over its limit: the largest within dt / 2 of the sample, so that no peak is missed.");
+  }
+};
+
+struct StateChange {
+  double time = 0.0;
+  int state = 0;
+
+  static void declare(auto& f, auto& change) {
+    f.type("StateChange")("t", change.time, "s.");
+    f("state", change.state, "Index into the scenario's `states`.");
+  }
+};
+
+struct Run {
+  std::size_t set = 0;
+  std::string status, reason;
+  double start = 0.0, end = 0.0;
+  std::vector<StateChange> states;
+  std::vector<std::pair<double, double>> slerps;
+  double shortest_state = 0.0;  ///< states and slerps that are shorter [s] are left out; 0: all are there
+  Series time;
+  std::vector<PlotColumn> columns;
+  Replay replay;
+
+  static void declare(auto& f, auto& run) {
+    f.type("Run")("set", run.set, "Index into `sets`.")("status", run.status);
+    f("reason", run.reason, "When, where and why it ended, of what did not complete.");
+    f("start", run.start,
+      "What the scenario's clock began with, s: 0, or the time at which a planned trajectory begins. All other times are since then.");
+    f("end", run.end, "When it ended, s: before the scenario's duration, unless it completed.");
+    f("states", run.states, "Changes, in order.")("slerps", run.slerps, "Begin and end of every slerp, s.");
+    f("time", run.time,
+      "s, not decreasing. Two points per bucket (the smallest and the largest of each column, in order of time), or every sample of a short run.");
+    f("columns", run.columns)("replay", run.replay);
+  }
+};
+
+struct PlanLimit {
+  std::string limit, part, words, unit;
+  double lower = 0.0, upper = 0.0, from = 0.0, to = 0.0;
+  double at_knots = 0.0, between_knots = 0.0, active = 0.0, strength = 0.0;
+  std::vector<std::pair<double, double>> active_lower, active_upper;
+  std::string group, column;
+
+  static void declare(auto& f, auto& limit) {
+    f.type("PlanLimit", "A limit of one joint or axis that a plan keeps. Times from the plan's start, s.");
+    f("limit", limit.limit, "\"velocity\", \"torque\", \"gaze\" ...")("part", limit.part,
+                                                                      "The joint or axis.");
+    f("words", limit.words, "Both: \"torque of elbow_joint\", \"gaze\".")("unit", limit.unit);
+    f("lower", limit.lower, "In `unit`; null: none on this side.", kOrNull)("upper", limit.upper, "",
+                                                                            kOrNull);
+    f("from", limit.from, "When it holds.")("to", limit.to);
+    f("at_knots", limit.at_knots, "Largest share of it that is used at the plan's knots, 1 at the limit.",
+      kOrNull);
+    f("between_knots", limit.between_knots, "The same between them, where it is not enforced.", kOrNull);
+    f("active", limit.active, "Share of the knots at which it holds the plan back.");
+    f("strength", limit.strength,
+      "Sum of its multipliers: s, or cost, per unit of relief; 0 where inactive.");
+    f("active_lower", limit.active_lower)("active_upper", limit.active_upper);
+    f("group", limit.group, kPlots, "The plot that it is drawn in.")("column", limit.column, "Beside which.");
+  }
+};
+
+struct ReportScenario {
+  std::string name;
+  double duration = 0.0;
+  std::vector<Vec3> path;
+  double influence_radius = 0.0;
+  std::vector<double> obstacles;
+  long arm = -1;
+  std::vector<Run> runs;
+  std::vector<PlanLimit> limits;
+
+  static void declare(auto& f, auto& scenario) {
+    f.type("Scenario")("name", scenario.name)("duration", scenario.duration, "s.");
+    f("path", scenario.path, "Closed polyline of the desired path, m.");
+    f("influence_radius", scenario.influence_radius, "m; 0 without obstacles.");
+    f("obstacles", scenario.obstacles, "Radius of the body of each, m.");
+    f("states", record::names_of<ControlState>(), "Names of the controller's states.");
+    f("robot", scenario.arm,
+      "Index into `robots`; -1 where the folder does not say: its runs have no replay.");
+    f("runs", scenario.runs, "At most one per set.");
+    f("limits", scenario.limits, "Of a plan, the strongest first.", kIfAny);
+  }
+};
+
+}  // namespace armtune::report

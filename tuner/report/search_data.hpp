@@ -1,0 +1,188 @@
+#pragma once
+// What a report page shows of a search: its evaluations, gains, sensitivity and trade-off, and the arms that
+// the result was tried on.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/metrics/metric.hpp"
+#include "tuner/record/declaration.hpp"
+
+namespace armtune::report {
+
+using enum record::Presence;
+
+struct PhaseRun {
+  std::size_t phase = 0, from = 0, to = 0;
+
+  static void declare(auto& f, auto& run) {
+    f.type("PhaseStretch", "Consecutive evaluations of one phase.");
+    f("phase", run.phase, "Index into `phase` of the evaluations.");
+    f("from", run.from, "Number of its first evaluation.")("to", run.to, "And of its last one.");
+  }
+};
+
+struct ThinnedEvaluations {
+  std::vector<std::size_t> number;
+  std::size_t total = 0, feasible = 0, native = 0, without_objective = 0;
+  std::vector<PhaseRun> phase_runs;
+  bool more_phase_runs = false;
+
+  static void declare(auto& f, auto& all) {
+    f.type("ThinnedEvaluations", "Counts of all evaluations, where there are too many to show.");
+    f("number", all.number, "Of each evaluation that is shown.")("total", all.total)("feasible",
+                                                                                     all.feasible);
+    f("native", all.native)("without_objective", all.without_objective);
+    f("phase_runs", all.phase_runs, "The first 500.")("more_phase_runs", all.more_phase_runs);
+  }
+};
+
+struct Evaluations {
+  std::vector<std::string> phases;
+  std::vector<std::size_t> of;
+  std::vector<double> objective, violation;
+  std::vector<bool> feasible, native;
+  long start = -1, chosen = -1;
+  std::optional<ThinnedEvaluations> thinned;
+
+  static void declare(auto& f, auto& all) {
+    f.type("Evaluations", "Each list has an item for each evaluation, but the first.");
+    f("phase", all.phases, "Dictionary of phases: start, sweep, search ...");
+    f("of", all.of, "Index into `phase`.")("objective", all.objective, "", kOrNull)("feasible", all.feasible);
+    f("violation", all.violation, "", kOrNull);
+    f("start", all.start, "Index of the start's evaluation; -1 if there is none.");
+    f("chosen", all.chosen, "Of the one that was chosen; -1 if there is none.");
+    f("native", all.native,
+      "Of armtune's own engine: neither chosen nor reported. Absent: all are Simbody's.", kIfAny);
+    f("thinned", all.thinned, "Left out where all evaluations are shown.", kIfAny);
+  }
+};
+
+struct Gain {
+  std::string name, unit;
+  double lower = 0.0, upper = 0.0;
+  std::string scale;
+  std::vector<double> values;
+
+  static void declare(auto& f, auto& gain) {
+    f.type("Gain")("name", gain.name)("unit", gain.unit)("lower", gain.lower)("upper", gain.upper);
+    f("scale", gain.scale, {"log", "linear"})("values", gain.values, "One per set.");
+  }
+};
+
+struct Sensitivity {
+  std::string gain;
+  double importance = 0.0, local = 0.0, elasticity = 0.0, rank_correlation = 0.0;
+
+  static void declare(auto& f, auto& one) {
+    f.type("Sensitivity")("gain", one.gain);
+    f("importance", one.importance, "What the merit loses when this gain alone goes back to its start.",
+      kOrNull);
+    f("local", one.local, "Change of the merit for a small step of the gain, either way.", kOrNull);
+    f("elasticity", one.elasticity, "", kOrNull)("rank_correlation", one.rank_correlation, "", kOrNull);
+  }
+};
+
+struct MarginRow {
+  std::string margin, unit, scenario;
+  std::vector<double> values;
+  std::vector<std::string> text, reason;
+
+  static void declare(auto& f, auto& row) {
+    f.type("Margin")("margin", row.margin)("unit", row.unit);
+    f("scenario", row.scenario, "Scenario, or \"all\" for the smallest.");
+    f("values", row.values, "Per set: how far it stands.", kOrNull);
+    f("text", row.text,
+      "Per set, the value in words: \"2\", \"≥ 100\" where nothing failed, \"none\" where not even the nominal value stands, empty where it was not looked for.");
+    f("reason", row.reason, "Per set: why it ends there.");
+  }
+};
+
+struct FrontPoint {
+  std::vector<double> values;
+  std::string label;
+  bool feasible = false;
+  std::string role;
+
+  static void declare(auto& f, auto& point) {
+    f.type("FrontPoint")("values", point.values)("label", point.label)("feasible", point.feasible);
+    f("role", point.role, {"start", "chosen", "shown", "point"},
+      "chosen: of a search, what it ended with; shown: of a front, the one of which replay and tables are.");
+  }
+};
+
+struct Criterion {
+  std::string name, unit;
+
+  static void declare(auto& f, auto& c) { f.type("Criterion")("name", c.name)("unit", c.unit); }
+};
+
+struct CriterionLimit {
+  std::size_t criterion = 0;
+  double value = 0.0;
+  bool operator==(const CriterionLimit&) const = default;
+
+  static void declare(auto& f, auto& limit) {
+    f.type("CriterionLimit", "What the study allows of a criterion.");
+    f("criterion", limit.criterion, "Index into `criteria`.")("value", limit.value);
+  }
+};
+
+struct Front {
+  std::vector<Criterion> criteria;
+  std::vector<FrontPoint> points;
+  std::vector<CriterionLimit> limits;
+  std::optional<double> hypervolume;
+
+  static void declare(auto& f, auto& front) {
+    f.type("Front")("criteria", front.criteria)("points", front.points)("limits", front.limits);
+    f("hypervolume", front.hypervolume);
+  }
+};
+
+struct Histogram {
+  Metric metric = Metric::kPositionMax;
+  std::string scenario;
+  std::optional<double> limit, nominal;
+  std::vector<std::size_t> counts;
+  std::size_t failed = 0;
+  std::vector<double> edges;
+
+  static void declare(auto& f, auto& one) {
+    f.type("Histogram")("metric", field(one.metric).name)("unit", field(one.metric).unit);
+    f("scenario", one.scenario)("limit", one.limit)("counts", one.counts);
+    f("failed", one.failed, "Arms that did not complete, of which there is no value.");
+    f("edges", one.edges, "One more than counts.")("nominal", one.nominal);
+  }
+};
+
+struct WorstSample {
+  long sample = 0;
+  std::string text;
+
+  static void declare(auto& f, auto& one) { f.type("WorstSample")("sample", one.sample)("text", one.text); }
+};
+
+struct Robustness {
+  std::size_t samples = 0;
+  std::size_t kept = 0;  ///< keep every limit
+  std::pair<double, double> interval;
+  std::vector<Histogram> histograms;
+  std::vector<WorstSample> worst;
+  std::vector<std::pair<std::string, std::size_t>> broken;  ///< limit and samples that break it, most first
+
+  /// Portion of the arms that keep every limit; 0 without arms.
+  double yield() const {
+    return samples > 0 ? static_cast<double>(kept) / static_cast<double>(samples) : 0.0;
+  }
+
+  static void declare(auto& f, auto& all) {
+    f.type("Robustness")("samples", all.samples);
+    f("yield", all.yield(), "Portion of the arms that keep every limit.");
+    f("interval", all.interval, "Its 95 % interval.")("histograms", all.histograms)("worst", all.worst);
+  }
+};
+
+}  // namespace armtune::report
