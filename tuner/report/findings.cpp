@@ -97,15 +97,12 @@ std::string closest_joint(const std::vector<Table>& tables, std::size_t set) {
       if (row.metric != Metric::kJointVelocityMaxRatio || set >= row.values.size()) continue;
       if (!(row.values[set] > largest)) continue;
       largest = row.values[set];
-      // "JOINT at TIME s"; a joint's name may hold " at " itself
-      const std::string& where = set < row.text.size() ? row.text[set] : std::string();
-      const std::size_t at = where.rfind(" at ");
+      const Place place = set < row.places.size() ? row.places[set] : Place();
       const std::string percent =
           largest > 1.0 ? told_apart(100.0 * largest, 100.0).first : fmt::format("{:.0f}", 100.0 * largest);
-      const std::string joint = where.empty() ? "a joint" : where.substr(0, at);
-      text = fmt::format("{} {}, {} %{} in {}", joint,
+      text = fmt::format("{} {}, {} %{} in {}", place.joint.empty() ? "a joint" : place.joint,
                          largest > 1.0 ? "breaks its velocity limit" : "comes closest to its velocity limit",
-                         percent, at == std::string::npos ? std::string() : where.substr(at), table.scenario);
+                         percent, place.when, table.scenario);
     }
   }
   return text;

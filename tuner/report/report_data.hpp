@@ -18,10 +18,16 @@
 
 namespace armtune::report {
 
+/// A joint, and when: " at 6.01 s". Each may be empty.
+struct Place {
+  std::string joint, when;
+};
+
 struct MetricRow {
   Metric metric = Metric::kPositionMax;
   std::vector<double> values;
   std::vector<std::string> text;
+  std::vector<Place> places;  ///< of each set's value, or empty
 
   static void declare(auto& f, auto& row) {
     const MetricField& metric = field(row.metric);

@@ -116,7 +116,7 @@ class Assembly {
     auto judged = tables_of(of_sets("robust_errors.csv"));
     // Each metric is measured over the arms by itself: joint and time of a ratio are of no one arm.
     for (Table& table : judged) {
-      for (MetricRow& row : table.rows) row.text.clear();
+      for (MetricRow& row : table.rows) row = {row.metric, row.values, {}, {}};
     }
     if (!judged.empty()) data_.judged = {facts_.study ? facts_.study->measure : "", std::move(judged)};
   }

@@ -35,11 +35,10 @@ std::vector<std::string> scenarios_in(const std::vector<std::optional<CsvTable>>
   return names;
 }
 
-/// "wrist_1_joint at 6.01 s"
-std::string joint_and_time(const CsvTable& errors, std::size_t row) {
+Place place_of_ratio(const CsvTable& errors, std::size_t row) {
   const std::string joint = errors.text(row, errors.column("joint_velocity/max_ratio_joint"));
   const double time = errors.number(row, errors.column(name(Metric::kJointVelocityMaxRatioTime)));
-  return joint.empty() || std::isnan(time) ? joint : fmt::format("{} at {:.2f} s", joint, time);
+  return {joint, joint.empty() || std::isnan(time) ? "" : fmt::format(" at {:.2f} s", time)};
 }
 
 /// Headlines first.
@@ -75,7 +74,8 @@ Table table_of(const std::vector<std::optional<CsvTable>>& errors,
       row.values.push_back(column ? errors[set]->number(*rows[set], *column) : NAN);
       any = any || !std::isnan(row.values.back());
       if (metric == Metric::kJointVelocityMaxRatio) {
-        row.text.push_back(rows[set] ? joint_and_time(*errors[set], *rows[set]) : std::string());
+        row.places.push_back(rows[set] ? place_of_ratio(*errors[set], *rows[set]) : Place());
+        row.text.push_back(row.places.back().joint + row.places.back().when);
       }
     }
     if (any) table.rows.push_back(std::move(row));
