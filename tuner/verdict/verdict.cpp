@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace armtune {
 namespace {
@@ -32,37 +33,12 @@ std::vector<std::string> kinds_of(const SimulationVerdict& verdict) {
 }  // namespace
 
 const char* name(CheckKind kind) {
-  switch (kind) {
-    case CheckKind::kCompleted:
-      return "completion";
-    case CheckKind::kVelocityLimit:
-      return "velocity limit";
-    case CheckKind::kPositionLimit:
-      return "position limit";
-    case CheckKind::kEffortLimit:
-      return "effort limit";
-    case CheckKind::kContact:
-      return "clear of obstacles";
-    case CheckKind::kConstraints:
-      return "constraints";
-    case CheckKind::kTorqueDelay:
-      return "delay margin";
-    case CheckKind::kGainFactor:
-      return "gain margin";
-    case CheckKind::kControlRate:
-      return "control rate margin";
-    case CheckKind::kVelocityNoise:
-      return "noise margin";
-    case CheckKind::kYield:
-      return "yield";
-    case CheckKind::kEndurance:
-      return "endurance";
-    case CheckKind::kErrorGrowth:
-      return "error growth";
-    case CheckKind::kBetterThanStart:
-      return "better than the start";
-  }
-  return "";
+  constexpr const char* kNames[] = {
+      "completion",  "velocity limit", "position limit", "effort limit",          "clear of obstacles",
+      "constraints", "delay margin",   "gain margin",    "control rate margin",   "noise margin",
+      "yield",       "endurance",      "error growth",   "better than the start", ""};
+  static_assert(std::size(kNames) == static_cast<std::size_t>(CheckKind::kBetterThanStart) + 2);
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 bool SimulationVerdict::passed() const {

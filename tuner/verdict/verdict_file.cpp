@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "core/common/message_text.hpp"
-#include "sim/yaml/map_reader.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/record/json_reader.hpp"
 #include "tuner/verdict/verdict.hpp"
 
 namespace armtune {
 namespace {
-
-constexpr int kKinds = static_cast<int>(CheckKind::kBetterThanStart) + 1;
 
 std::string list(const std::vector<std::string>& texts) {
   std::vector<std::string> quoted;
@@ -24,18 +20,6 @@ std::string list(const std::vector<std::string>& texts) {
 
 void add_number(const char* key, double value, std::string& line) {
   if (std::isfinite(value)) line += fmt::format(", {}: {}", key, value);
-}
-
-CheckKind read_kind(const yaml::Node& node) {
-  const std::string text = node.as_string();
-  for (int kind = 0; kind < kKinds; ++kind) {
-    if (text == name(static_cast<CheckKind>(kind))) return static_cast<CheckKind>(kind);
-  }
-  node.fail(fmt::format("'{}' is not a check that this version knows", text));
-}
-
-std::vector<std::string> read_list(const yaml::Node& node) {
-  return node.items().empty() ? std::vector<std::string>() : node.as_strings();
 }
 
 }  // namespace
@@ -63,30 +47,22 @@ std::string verdict_yaml(const SimulationVerdict& verdict) {
   return text;
 }
 
+static void declare(auto& f, record::Of<Check> auto& check) {
+  using enum record::Presence;
+  f("check", check.kind)("passed", check.passed)("scenario", check.scenario, "", kIfAny);
+  f("arm", check.arm, "", kIfAny)("joint", check.joint, "", kIfAny)("time", check.time, "", kIfAny);
+  f("value", check.value, "", kIfAny)("threshold", check.threshold, "", kIfAny);
+  f("unit", check.unit, "", kIfAny)("detail", check.detail, "", kIfAny);
+}
+
+static void declare(auto& f, record::Of<SimulationVerdict> auto& verdict) {
+  f("passed", verdict.passed())("checks", verdict.checks)("not_checked", verdict.not_checked);
+  f("assumes", verdict.assumes)("notes", verdict.notes);
+}
+
 SimulationVerdict read_verdict(const std::string& path) {
-  const yaml::Node root = yaml::parse_file(path);
-  yaml::MapReader map(root);
   SimulationVerdict verdict;
-  map.ignore("passed");
-  for (const yaml::Node& item : map.required("checks").items()) {
-    yaml::MapReader one(item);
-    Check& check = verdict.checks.emplace_back();
-    check.kind = read_kind(one.required("check"));
-    check.passed = one.required("passed").as_boolean();
-    check.scenario = one.string("scenario", "");
-    check.arm = one.string("arm", "");
-    check.joint = one.string("joint", "");
-    check.time = one.number("time", NAN);
-    check.value = one.number("value", NAN);
-    check.threshold = one.number("threshold", NAN);
-    check.unit = one.string("unit", "");
-    check.detail = one.string("detail", "");
-    one.finish();
-  }
-  verdict.not_checked = read_list(map.required("not_checked"));
-  verdict.assumes = read_list(map.required("assumes"));
-  verdict.notes = read_list(map.required("notes"));
-  map.finish();
+  record::read(yaml::parse_file(path), verdict);
   return verdict;
 }
 
