@@ -75,10 +75,7 @@ class PlanAssembly {
   /// Throws InputError where it is missing or leads elsewhere.
   std::string file(const std::string& name) const { return run_file(folder_, name); }
 
-  std::string entry(const std::string& key) const {
-    const auto found = run_.find(key);
-    return found == run_.end() ? std::string() : found->second;
-  }
+  std::string entry(const std::string& key) const { return run_.contains(key) ? run_.at(key) : ""; }
 
   const SceneScenario* scenario() const {
     return scene_.scenarios.empty() ? nullptr : &scene_.scenarios.front();

@@ -90,22 +90,17 @@ class Assembly {
     const auto path = find(name);
     return path ? std::optional(CsvTable::read(*path)) : std::nullopt;
   }
-  std::string entry(const std::string& key) const {
-    const auto found = facts_.run.find(key);
-    return found == facts_.run.end() ? std::string() : found->second;
-  }
-
   void read_provenance() {
     const auto path = find("run.yaml");
     facts_.ended = path.has_value();
     if (!facts_.ended) return;
     data_.provenance.entries = report::read_provenance(*path);
     for (const auto& [key, value] : data_.provenance.entries) facts_.run[key] = value;
-    data_.provenance.command = entry("command");
+    data_.provenance.command = facts_.entry("command");
   }
 
   std::string title() const {
-    const std::string study = entry("study");
+    const std::string study = facts_.entry("study");
     return page_title(report::name(data_.kind), study.empty() ? study : stem(study), folder_);
   }
 
@@ -196,13 +191,13 @@ class Assembly {
     name_start();
     if (data_.kind != RunKind::kRobustness) return;
     if (const auto samples = table_if_any("samples.csv")) {
-      data_.robustness = robustness_of(*samples, entry("limits"), data_.tables);
+      data_.robustness = robustness_of(*samples, facts_.entry("limits"), data_.tables);
     }
   }
 
   /// "start (published)"
   void name_start() {
-    const std::string start = entry("start");
+    const std::string start = facts_.entry("start");
     if (!data_.front || start.empty()) return;
     for (FrontPoint& point : data_.front->points) {
       if (point.role == "start") point.label = fmt::format("start ({})", start);
@@ -211,10 +206,10 @@ class Assembly {
 
   void read_front() {
     std::vector<std::string> criteria;
-    std::istringstream words(entry("criteria"));
+    std::istringstream words(facts_.entry("criteria"));
     for (std::string word; words >> word;) criteria.push_back(word);
     if (criteria.empty()) return;  // killed before run.yaml was written
-    const std::string text = entry("hypervolume");
+    const std::string text = facts_.entry("hypervolume");
     const std::string last = data_.sets.empty() ? std::string() : data_.sets.back();
     constexpr std::string_view kPoint = "point ";
     data_.front = front_of(CsvTable::read(run_file(folder_, "pareto.csv")), criteria,

@@ -24,13 +24,8 @@ std::vector<StudyTerm> headline_terms() {
   return terms;
 }
 
-std::string entry(const VerdictFacts& facts, const std::string& key) {
-  const auto found = facts.run.find(key);
-  return found == facts.run.end() ? std::string() : found->second;
-}
-
 double number_entry(const VerdictFacts& facts, const std::string& key) {
-  const std::string text = entry(facts, key);
+  const std::string text = facts.entry(key);
   double value = NAN;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
@@ -65,14 +60,14 @@ Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
 Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const std::size_t tuned = data.sets.size() - 1;
   const std::vector<Table>& tables = data.judged ? data.judged->tables : data.tables;
-  const std::string ended = entry(facts, "ended");
+  const std::string ended = facts.entry("ended");
   const double objective = number_entry(facts, "objective");
   const auto all = changes(tables, facts.study ? facts.study->terms : headline_terms(), tuned);
   const auto asked = facts.study ? facts.study->limits : limits_of_arm();
   const auto broken = wrong_with(tables, asked, tuned);
   const auto beside = beyond_arm(tables, asked, tuned);
   const bool feasible =
-      entry(facts, "feasible") == "true" || (entry(facts, "feasible").empty() && broken.empty());
+      facts.entry("feasible") == "true" || (facts.entry("feasible").empty() && broken.empty());
   const bool interrupted = ended.find("interrupted") != std::string::npos;
   std::string gain;
   if (!std::isnan(objective)) {

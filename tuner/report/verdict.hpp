@@ -18,6 +18,9 @@ struct VerdictFacts {
   bool ended = true;                        ///< whether there is a run.yaml, the last file of a run
   bool resumable = false;                   ///< whether there is a journal
   std::optional<SimulationVerdict> checks;  ///< verdict.yaml, of the runs that have one
+
+  /// Of run.yaml; empty where it is not there.
+  std::string entry(const std::string& key) const { return run.contains(key) ? run.at(key) : ""; }
 };
 
 /// data: everything but its verdict.
