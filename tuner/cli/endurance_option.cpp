@@ -5,8 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "tuner/cli/interrupt.hpp"
-#include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 
 namespace armtune::cli {
@@ -22,22 +20,12 @@ CLI::Option* add_endurance_option(CLI::App& command, double& minutes) {
       ->check(CLI::Range(0.01, 1440.0));
 }
 
-std::vector<EnduranceResult> run_endurance(const std::vector<Scenario>& scenarios,
-                                           const std::function<Gains(const Scenario&)>& gains_of,
-                                           const EnduranceOptions& options, const std::string& set) {
-  ProgressLine line;
-  EnduranceOptions how = options;
-  how.progress = [&](std::size_t done, std::size_t all) {
-    line.show(fmt::format("{}: {} of {} scenarios extended to {:.4g} minutes", set, done, all, how.minutes));
-  };
-  auto results = endure(scenarios, gains_of, how, stop_requested());
-  line.clear();
+void say_how_extended(const std::vector<Scenario>& scenarios) {
   for (const Scenario& scenario : scenarios) {
     for (const std::string& sentence : how_extended(scenario)) {
       say(fmt::format("{}, extended: {}\n", scenario.name, sentence));
     }
   }
-  return results;
 }
 
 std::string endurance_table(const std::vector<EnduranceResult>& results) {

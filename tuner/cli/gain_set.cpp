@@ -7,8 +7,8 @@
 #include "core/common/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "tuner/cli/task_notes.hpp"
 #include "tuner/run/run_file.hpp"
+#include "tuner/session/task_notes.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::cli {
@@ -50,6 +50,11 @@ GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scena
     refuse_winding(scenario, load_gains(path, joint_names(*scenario.robot)));
   }
   return {path, load_gains(path, joint_names(*scenarios.front().robot))};
+}
+
+GainsToSimulate gains_to_simulate(const std::string& name, const std::string& file) {
+  std::string path = find_data_file("gains", file);
+  return {name, path, [path](const Scenario& s) { return load_gains(path, joint_names(*s.robot)); }};
 }
 
 }  // namespace armtune::cli

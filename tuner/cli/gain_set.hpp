@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/control/gains.hpp"
-#include "sim/scenario/scenario.hpp"
+#include "tuner/session/simulate_session.hpp"
 
 namespace armtune::cli {
 
@@ -25,5 +24,9 @@ struct GainSet {
 /// The gains of a set. Throws InputError unless they fit the robot of every scenario (at least one), and
 /// where a path winds a joint up.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
+
+/// The gains of a file, to be read for each scenario's robot. name: of the set, for tables. Throws InputError
+/// if there is no such file.
+GainsToSimulate gains_to_simulate(const std::string& name, const std::string& file);
 
 }  // namespace armtune::cli

@@ -26,15 +26,11 @@ void refuse_ranks(const std::string& command);
 /// all of them see the same.
 int report(const std::exception_ptr& failure);
 
-/// What --help says of --workers, --resume and --rollout-deadline.
+/// What --help says of --workers and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
     "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
 /// Its default as --help says it: not this machine's number.
 inline constexpr const char* kWorkersDefault = "one per processor";
-inline constexpr const char* kResumeHelp =
-    "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
-    "everything "
-    "but --workers, --rollout-deadline and --live is as it was begun";
 inline constexpr const char* kDeadlineHelp =
     "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
     "simulated second)";

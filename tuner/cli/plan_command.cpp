@@ -14,8 +14,8 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/progress_line.hpp"
-#include "tuner/cli/report_file.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/session_printer.hpp"
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 #include "tuner/planning/output/ros_trajectory.hpp"
@@ -24,6 +24,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/session/report_files.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -176,7 +177,11 @@ int run(const Arguments& args) {
   out.folder = folder;
   const FolderLock lock = make_run_folder(folder);
   write_files(out, task, problem, planned, uses, seconds);
-  const std::string report = add_report(folder, [&task] { return scene_of_plan(task); });
+  SessionPrinter<> printer;
+  std::string report;
+  for (const std::string& page : add_report(
+           folder, [&task] { return scene_of_plan(task); }, printer))
+    report += ", " + page;
   say(plan_text(task, problem, planned, uses, seconds));
   say(fmt::format(
       "wrote {}: trajectory.csv, motion.csv, limits.csv, joint_trajectory.yaml, task.yaml, columns.csv, "

@@ -8,8 +8,9 @@
 #include "core/common/path_state.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/cli/commands.hpp"
-#include "tuner/cli/report_file.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/session_printer.hpp"
+#include "tuner/session/report_files.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -25,7 +26,8 @@ int run(const Arguments& args) {
   if (!own) refuse_existing(path);  // before the work, not after it
   const report::Written written =
       report::write_report(args.folder, path, own ? report::Existing::kReplace : report::Existing::kRefuse);
-  warn_of_left_out(written);
+  SessionPrinter<> printer;
+  warn_of_left_out(written, printer);
   constexpr double kMegabyte = 1e6;
   say(fmt::format("wrote {} ({:.2f} MB)\n", path, static_cast<double>(written.bytes) / kMegabyte));
   return kDone;

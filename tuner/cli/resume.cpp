@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "core/common/error.hpp"
 #include "core/common/file_path.hpp"
-#include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/interrupt.hpp"
-#include "tuner/cli/warm_arguments.hpp"
+#include "tuner/cli/on_ranks.hpp"
 #include "tuner/ranks/transport.hpp"
-#include "tuner/run/arithmetic.hpp"
-#include "tuner/run/file_hash.hpp"
-#include "tuner/run/run_file.hpp"
-#include "tuner/run/run_folder.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -24,7 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kResume = "--resume";
-constexpr const char* kJournal = "journal.txt";
 /// Options that results do not depend on, and that a resumed run may be given anew.
 constexpr const char* kFree[] = {"--workers", "--rollout-deadline"};
 constexpr const char* kLive = "--live";  ///< another one, without a value
@@ -55,23 +50,23 @@ std::string shell_word(const std::string& word) {
   return text + "'";
 }
 
-/// Removes what a run that has just begun has in its folder but for its journal, and the folder if nothing
-/// else is in it: a journal would be another run's.
-void discard_folder(const std::string& folder) {
-  std::error_code ignored;
-  const fs::path warm = fs::path(folder) / kWarmGains;
-  fs::remove(warm, ignored);
-  fs::remove(warm.parent_path(), ignored);
-  fs::remove_all(fs::path(folder) / kInputCopies, ignored);
-  fs::remove(folder, ignored);
-}
-
-/// Path of a run's journal; where there is none, the name that it would have.
-std::string journal_in(const std::string& folder) {
-  return find_run_file(folder, kJournal).value_or(folder + "/" + kJournal);
-}
-
 }  // namespace
+
+void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& place, int& workers,
+                     double& deadline) {
+  command.add_option("--out", place.folder, out_help);
+  command.add_option_function<std::string>(
+      kResume,
+      [&place](const std::string& folder) {
+        place = {folder, true};
+      },
+      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
+      "everything but --workers, --rollout-deadline and --live is as it was begun");
+  command.add_option("--workers", workers, kWorkersHelp)
+      ->check(CLI::Range(1, 1024))
+      ->default_str(kWorkersDefault);
+  command.add_option("--rollout-deadline", deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
+}
 
 std::string quoted_command(const std::vector<std::string>& words) {
   std::string text = "armtune";
@@ -118,72 +113,11 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   return all;
 }
 
-std::vector<std::pair<std::string, std::string>> identity_of(const Study& study) {
-  const std::string warm = study.warm ? kWarmGains : "";
-  std::vector<std::pair<std::string, std::string>> identity = {
-      {"seed", fmt::format("{}", study.solver.seed)},
-      {"study", study_yaml(study, "start/gains.yaml", warm)},
-      {"start gains", gains_yaml(study.space.start, {})}};
-  if (study.warm) identity.emplace_back("warm gains", gains_yaml(study.warm->gains, {}));
-  return identity;
-}
-
-std::vector<std::string> inputs_of(const Study& study) {
-  std::vector<std::string> inputs;
-  add_inputs(study.scenarios, inputs);
-  return inputs;
-}
-
-RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
-                     const std::vector<std::string>& inputs) {
-  RunHeader header;
-  header.arguments = command_words();
-  header.arguments.erase(header.arguments.begin());
-  cut(header.arguments, "--out");
-  for (const char* option : kFree) cut(header.arguments, option);
-  header.working_folder = absolute_path(".");
-  header.identity = std::move(identity);
-  for (auto& version : versions()) header.identity.push_back(std::move(version));
-  header.identity.emplace_back("arithmetic", arithmetic().fingerprint);
-  header.identity.emplace_back(RunHeader::kProgram, hash_of_file("/proc/self/exe"));
-  for (auto& input : hashes(inputs)) header.identity.push_back(std::move(input));
-  return header;
-}
-
-std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
-                                      const RunHeader& header, const std::vector<std::string>& inputs) {
-  if (resume.empty()) {
-    std::unique_ptr<Journal> journal;
-    try {
-      journal = Journal::begin(folder + "/" + kJournal, header);
-      keep_inputs(folder, inputs);
-    } catch (...) {  // it is not to be in the way of another try
-      journal ? discard_run(folder) : discard_folder(folder);
-      throw;
-    }
-    return journal;
-  }
-  std::string warning;
-  constexpr double kPatience = 10.0;  // ranks of a killed run are gone by then
-  auto journal = Journal::resume(journal_in(folder), header, warning, kPatience);
-  if (!warning.empty()) fmt::print(stderr, "armtune: warning: {}\n", warning);
-  if (journal->exit_code()) return journal;
-  refuse_links(folder);
-  keep_inputs(folder, inputs);
-  return journal;
-}
-
-void tell_how_to_go_on(const std::string& command, const std::string& folder) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(folder + "/" + kJournal, ignored)) return;
-  fmt::print(stderr, "what was finished is in {}; once the cause is gone, go on: {} {} --resume {}\n", folder,
-             program_name(), command, folder);
-}
-
-void discard_run(const std::string& folder) {
-  std::error_code ignored;
-  fs::remove(folder + "/" + kJournal, ignored);
-  discard_folder(folder);
+SessionContext session_context() {
+  Invocation invocation{{command_words().begin() + 1, command_words().end()}, command_line()};
+  cut(invocation.words, "--out");
+  for (const char* option : kFree) cut(invocation.words, option);
+  return {stop_requested(), std::move(invocation)};
 }
 
 }  // namespace armtune::cli

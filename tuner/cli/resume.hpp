@@ -1,17 +1,23 @@
 #pragma once
 // --resume FOLDER: a run goes on where it was killed, with the arguments it was begun with.
 
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/common/error.hpp"
-#include "tuner/journal/journal.hpp"
 #include "tuner/run/input_copies.hpp"
-#include "tuner/study/study.hpp"
+#include "tuner/session/journalled_run.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace armtune::cli {
+
+/// Adds --out, --resume, --workers and --rollout-deadline, of a run that can be resumed. out_help: what
+/// --help says of --out.
+void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& place, int& workers,
+                     double& deadline);
 
 /// The words of a command line, the program's name first. With --resume: the words that the folder's run was
 /// begun with, then --resume with that folder, then what may differ between the two (--workers); the working
@@ -26,37 +32,19 @@ std::string quoted_command(const std::vector<std::string>& words);
 /// of its command line, of a resumed run those it was begun with.
 std::string repeating_command(std::vector<std::string> words);
 
-/// All that a study's results depend on but the files its scenarios are made from, and those files.
-std::vector<std::pair<std::string, std::string>> identity_of(const Study& study);
-std::vector<std::string> inputs_of(const Study& study);
-
-/// Header of a new run's journal: this command line without --out and what may differ, and all that the
-/// results depend on: `identity` (of the command), versions, hashes of the input files.
-RunHeader run_header(std::vector<std::pair<std::string, std::string>> identity,
-                     const std::vector<std::string>& inputs);
-
-/// Begins the journal in `folder`, or opens it to go on and says what it found, and keeps a copy of every
-/// input (see keep_inputs). `resume`: the folder given there, or empty. Throws InputError, of a resumed run
-/// also for a symbolic link in its folder; of a new one nothing is left then.
-std::unique_ptr<Journal> open_journal(const std::string& folder, const std::string& resume,
-                                      const RunHeader& header, const std::vector<std::string>& inputs);
+/// What a session is given: this program's stop flag, and its command line without what may differ.
+SessionContext session_context();
 
 /// Calls `load`, which reads the inputs of a run, and returns what it gives. If a resumed run cannot read
-/// them, the error says where their copies are. `resume`: as above.
+/// them, the error says where their copies are.
 template <class Load>
-auto load_inputs(const std::string& resume, const Load& load) {
+auto load_inputs(const RunPlace& place, const Load& load) {
   try {
     return load();
   } catch (const InputError& error) {
-    if (resume.empty()) throw;
-    throw InputError(error.what() + where_copies_are(resume));
+    if (!place.resume) throw;
+    throw InputError(error.what() + where_copies_are(place.folder));
   }
 }
-
-/// Says on stderr that a run which failed can go on, and how.
-void tell_how_to_go_on(const std::string& command, const std::string& folder);
-
-/// Takes away the folder of a new run that ended before anything was finished.
-void discard_run(const std::string& folder);
 
 }  // namespace armtune::cli

@@ -19,6 +19,7 @@
 #include "tuner/run/hashed_table.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/session/study_files.hpp"
 
 namespace armtune::cli {
 namespace {

@@ -5,16 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/csv/text_file.hpp"
 #include "tuner/cli/say.hpp"
 
 namespace armtune::cli {
-
-void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const std::string& folder) {
-  write_text_file(folder + "/sensitivity.csv", sensitivity_csv(study, sensitivity));
-  write_text_file(folder + "/reduced_study.yaml",
-                  study_yaml(without_less_important_half(study, sensitivity), "start/gains.yaml"));
-}
 
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most) {
   const auto number = [](double v) { return std::isnan(v) ? std::string("-") : fmt::format("{:.3f}", v); };

@@ -1,15 +1,9 @@
 #pragma once
 // What a finished run says of its gains: shared by `tune` and `sensitivity`.
 
-#include <string>
-
 #include "tuner/sensitivity/sensitivity.hpp"
 
 namespace armtune::cli {
-
-/// Writes sensitivity.csv and reduced_study.yaml into the folder; the study's start gains are in
-/// start/gains.yaml there.
-void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const std::string& folder);
 
 /// The gains from the most to the least important, `most` of them, with what each does.
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most);

@@ -2,14 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include <CLI/CLI.hpp>
 
 #include "core/common/error.hpp"
-#include "sim/csv/text_file.hpp"
-#include "sim/scenario/data_files.hpp"
-#include "sim/scenario/gains_file.hpp"
 
 namespace armtune::cli {
 
@@ -51,26 +46,6 @@ void apply(const WarmArguments& args, Study& study) {
     throw InputError(fmt::format("--warm-parameters: {}", e.what()));
   }
   study.warm = std::move(warm);
-}
-
-void warn_of_clamped(const Study& study) {
-  if (!study.warm) return;
-  for (const std::string& line : warm_point(study.space, *study.warm).clamped) {
-    fmt::print(stderr, "armtune: warning: {}\n", line);
-  }
-}
-
-std::string write_warm(const Study& study, const std::string& folder) {
-  if (!study.warm) return {};
-  std::string file = kWarmGains;
-  const std::string path = folder + "/" + file;
-  std::error_code none;
-  // A resumed run reads them from there: they keep the word on where they came from.
-  if (std::filesystem::equivalent(path, study.warm->source, none)) return file;
-  make_folder(folder + "/start");
-  write_text_file(path,
-                  gains_yaml(study.warm->gains, {"warm start, from " + shown_path(study.warm->source)}));
-  return file;
 }
 
 }  // namespace armtune::cli

@@ -15,13 +15,14 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
-#include "tuner/cli/report_file.hpp"
 #include "tuner/cli/rollout_scenarios.hpp"
 #include "tuner/cli/say.hpp"
+#include "tuner/cli/session_printer.hpp"
 #include "tuner/cli/yardstick_measures.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/session/report_files.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -64,7 +65,8 @@ void write_provenance(const Arguments& args, const std::string& csv, const std::
 std::string report_again(const std::string& run) {
   if (!exists(run + "/report.html") || !report::available()) return {};
   try {
-    warn_of_left_out(report::write_report(run, run + "/report.html"));
+    SessionPrinter<> printer;
+    warn_of_left_out(report::write_report(run, run + "/report.html"), printer);
     return fmt::format(", {}/report.html", run);
   } catch (const std::exception& error) {
     fmt::print(stderr, "armtune: warning: the report is as it was: {}\n", error.what());

@@ -29,6 +29,22 @@ FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
   return limit;
 }
 
+YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scenario>& scenarios,
+                               const std::function<Gains(const Scenario&)>& gains) {
+  YardstickFiles files;
+  try {
+    say(fmt::format("against the best that the arm's limits allow ({}):\n", folder));
+    const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {}).measures;
+    write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
+    files.written = {"yardstick.csv"};
+    files.columns = {{"yardstick.csv", yardstick_columns()}};
+    if (!stop_requested()) files.errors = {reacquisition_column(scenarios, measures)};
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "armtune: warning: the run is finished, but its yardstick is not: {}\n", error.what());
+  }
+  return files;
+}
+
 }  // namespace
 
 void add_yardstick_option(CLI::App& command, bool& wanted) {
@@ -37,20 +53,8 @@ void add_yardstick_option(CLI::App& command, bool& wanted) {
                    "yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
 }
 
-YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scenario>& scenarios,
-                               const std::function<Gains(const Scenario&)>& gains) {
-  YardstickFiles files;
-  try {
-    say(fmt::format("against the best that the arm's limits allow ({}):\n", folder));
-    const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {}).measures;
-    write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
-    files.written = ", yardstick.csv";
-    files.columns = {{"yardstick.csv", yardstick_columns()}};
-    if (!stop_requested()) files.errors = {reacquisition_column(scenarios, measures)};
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "armtune: warning: the run is finished, but its yardstick is not: {}\n", error.what());
-  }
-  return files;
+Yardstick yardstick_if(bool wanted) {
+  return wanted ? Yardstick(write_yardstick) : Yardstick();
 }
 
 }  // namespace armtune::cli

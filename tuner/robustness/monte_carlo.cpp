@@ -9,6 +9,104 @@
 #include "tuner/samples/statistics.hpp"
 
 namespace armtune {
+namespace {
+
+/// All samples of one call of monte_carlo: what is known of each, and what is still to be simulated.
+class Drawing {
+ public:
+  Drawing(RolloutPool& pool, const Gains& gains, const MonteCarloOptions& options)
+      : pool_(pool),
+        gains_(gains),
+        options_(options),
+        scenarios_(pool.plan().scenarios),
+        samples_(options.samples),
+        done_(options.samples, 0) {
+    for (std::size_t k = 0; k < samples_.size(); ++k) recall(k);
+    report();
+  }
+
+  std::vector<MonteCarloSample> run(const std::atomic<bool>& stop) {
+    std::vector<std::size_t> doubtful;
+    pool_.run(
+        jobs(), [&](std::size_t job) { return rollout(job, options_.engine); }, stop,
+        [&](std::size_t job, RolloutResult&& result) {
+          if (!keep(job, options_.engine, std::move(result))) doubtful.push_back(job);
+        });
+    pool_.run(
+        doubtful.size(), [&](std::size_t i) { return rollout(doubtful[i], Engine::kSimbody); }, stop,
+        [&](std::size_t i, RolloutResult&& result) {
+          keep(doubtful[i], Engine::kSimbody, std::move(result));
+        });
+    std::vector<MonteCarloSample> whole;
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      if (done_[k] == scenarios_.size()) whole.push_back(std::move(samples_[k]));
+    }
+    return whole;
+  }
+
+ private:
+  std::size_t jobs() const { return missing_.size() * scenarios_.size(); }
+
+  void judge(std::size_t k, std::size_t s) {
+    samples_[k].broken[s] = broken_limit(samples_[k].results[s], options_.limits, scenarios_[s]);
+  }
+
+  void recall(std::size_t k) {
+    MonteCarloSample& sample = samples_[k];
+    sample.number = options_.first + k;
+    sample.results.resize(scenarios_.size());
+    sample.broken.resize(scenarios_.size());
+    auto known = options_.known ? options_.known(sample.number) : std::nullopt;
+    if (!known) {
+      missing_.push_back(k);
+      return;
+    }
+    sample.results = std::move(*known);
+    for (std::size_t s = 0; s < scenarios_.size(); ++s) judge(k, s);
+    done_[k] = scenarios_.size();
+  }
+
+  RolloutJob rollout(std::size_t job, Engine engine) const {
+    RolloutJob one{job % scenarios_.size(), samples_[missing_[job / scenarios_.size()]].number, gains_};
+    one.engine = engine;
+    return one;
+  }
+
+  /// Keeps the result of a job. Returns false where another engine than Simbody saw a limit break: Simbody
+  /// has the last word.
+  bool keep(std::size_t job, Engine engine, RolloutResult&& result) {
+    const std::size_t k = missing_[job / scenarios_.size()];
+    const std::size_t s = job % scenarios_.size();
+    samples_[k].results[s] = std::move(result);
+    judge(k, s);
+    if (engine != Engine::kSimbody && !samples_[k].broken[s].empty()) return false;
+    if (++done_[k] == scenarios_.size() && options_.whole) options_.whole(samples_[k]);
+    report();
+    if (options_.progress) options_.progress(++rollouts_, jobs());
+    return true;
+  }
+
+  /// Tells of the samples that are whole, up to the first that is not.
+  void report() {
+    for (; options_.finished && reported_ < samples_.size() && done_[reported_] == scenarios_.size();
+         ++reported_) {
+      options_.finished(samples_[reported_]);
+    }
+  }
+
+  RolloutPool& pool_;
+  const Gains& gains_;
+  const MonteCarloOptions& options_;
+  const std::vector<Scenario>& scenarios_;
+  std::vector<MonteCarloSample> samples_;
+  std::vector<std::size_t> done_;     ///< [sample]: rollouts
+  std::vector<std::size_t> missing_;  ///< samples to simulate
+  std::size_t reported_ = 0;          ///< samples
+  std::size_t rollouts_ = 0;          ///< done
+};
+
+}  // namespace
+
 bool MonteCarloSample::keeps_all() const {
   return std::all_of(broken.begin(), broken.end(), [](const std::string& b) { return b.empty(); });
 }
@@ -30,66 +128,7 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
 
 std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop) {
-  const std::vector<Scenario>& scenarios = pool.plan().scenarios;
-  std::vector<MonteCarloSample> samples(options.samples);
-  std::vector<std::size_t> done(samples.size(), 0);
-  std::vector<std::size_t> missing;
-  const auto judge = [&](std::size_t k, std::size_t s) {
-    samples[k].broken[s] = broken_limit(samples[k].results[s], options.limits, scenarios[s]);
-  };
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    samples[k].number = options.first + k;
-    samples[k].results.resize(scenarios.size());
-    samples[k].broken.resize(scenarios.size());
-    if (auto known = options.known ? options.known(samples[k].number) : std::nullopt) {
-      samples[k].results = std::move(*known);
-      for (std::size_t s = 0; s < scenarios.size(); ++s) judge(k, s);
-      done[k] = scenarios.size();
-    } else {
-      missing.push_back(k);
-    }
-  }
-  std::size_t reported = 0;
-  const auto report = [&] {
-    for (; options.finished && reported < samples.size() && done[reported] == scenarios.size(); ++reported) {
-      options.finished(samples[reported]);
-    }
-  };
-  report();
-  std::size_t rollouts = 0;
-  const std::size_t jobs = missing.size() * scenarios.size();
-  const auto job_of = [&](std::size_t job, Engine engine) {
-    RolloutJob one{job % scenarios.size(), samples[missing[job / scenarios.size()]].number, gains};
-    one.engine = engine;
-    return one;
-  };
-  // Keeps the result of a job. Returns false where another engine than Simbody saw a limit break: Simbody has
-  // the last word.
-  const auto keep = [&](std::size_t job, Engine engine, RolloutResult&& result) {
-    const std::size_t k = missing[job / scenarios.size()];
-    const std::size_t s = job % scenarios.size();
-    samples[k].results[s] = std::move(result);
-    judge(k, s);
-    if (engine != Engine::kSimbody && !samples[k].broken[s].empty()) return false;
-    if (++done[k] == scenarios.size() && options.whole) options.whole(samples[k]);
-    report();
-    if (options.progress) options.progress(++rollouts, jobs);
-    return true;
-  };
-  std::vector<std::size_t> doubtful;
-  pool.run(
-      jobs, [&](std::size_t job) { return job_of(job, options.engine); }, stop,
-      [&](std::size_t job, RolloutResult&& result) {
-        if (!keep(job, options.engine, std::move(result))) doubtful.push_back(job);
-      });
-  pool.run(
-      doubtful.size(), [&](std::size_t i) { return job_of(doubtful[i], Engine::kSimbody); }, stop,
-      [&](std::size_t i, RolloutResult&& result) { keep(doubtful[i], Engine::kSimbody, std::move(result)); });
-  std::vector<MonteCarloSample> whole;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (done[k] == scenarios.size()) whole.push_back(std::move(samples[k]));
-  }
-  return whole;
+  return Drawing(pool, gains, options).run(stop);
 }
 
 std::string samples_header() {

@@ -1,26 +1,22 @@
-#include "tuner/cli/task_notes.hpp"
+#include "tuner/session/task_notes.hpp"
 
 #include <fmt/format.h>
-
-#include <cstdio>
 
 #include "core/common/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/path_walk.hpp"
 
-namespace armtune::cli {
+namespace armtune {
 
-void warn_of_task(const Scenario& scenario, const Gains& gains) {
+void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver& observer) {
   const auto [trouble, winds] = find_task_trouble(scenario, gains);
   if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
-  if (!trouble.empty()) fmt::print(stderr, "armtune: warning: {}: {}\n", scenario.name, trouble);
+  if (!trouble.empty()) observer.warned(fmt::format("{}: {}", scenario.name, trouble));
   if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
-    fmt::print(
-        stderr,
-        "armtune: warning: {}: the controller {} learns nothing, and the scenario tells it nothing of the "
-        "arm, not "
-        "even its weight; give it 'theta_start: {{model_scale: 1}}', or a theta from armtune identify\n",
-        scenario.name, gains.controller);
+    observer.warned(fmt::format(
+        "{}: the controller {} learns nothing, and the scenario tells it nothing of the arm, not even its "
+        "weight; give it 'theta_start: {{model_scale: 1}}', or a theta from armtune identify",
+        scenario.name, gains.controller));
   }
 }
 
@@ -29,4 +25,4 @@ void refuse_winding(const Scenario& scenario, const Gains& gains) {
   if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune

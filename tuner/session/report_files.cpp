@@ -1,4 +1,4 @@
-#include "tuner/cli/report_file.hpp"
+#include "tuner/session/report_files.hpp"
 
 #include <fmt/format.h>
 
@@ -10,28 +10,31 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/rollouts/simulate.hpp"
 
-namespace armtune::cli {
+namespace armtune {
 
-void warn_of_left_out(const report::Written& written) {
-  for (const std::string& why : written.left_out) {
-    fmt::print(stderr, "armtune: warning: left out of the report: {}\n", why);
-  }
+void warn_of_left_out(const report::Written& written, SessionObserver& observer) {
+  for (const std::string& why : written.left_out) observer.warned("left out of the report: " + why);
 }
 
 void write_scene(const std::string& folder, const report::Scene& scene) {
-  write_text_file(folder + "/scene.json", report::scene_json(scene));
+  write_text_file(folder + "/" + kScene, report::scene_json(scene));
 }
 
-std::string add_report(const std::string& folder, const std::function<report::Scene()>& scene) {
-  std::string written;
+void write_verdict(const std::string& folder, const SimulationVerdict& verdict) {
+  write_text_file(folder + "/verdict.yaml", verdict_yaml(verdict));
+}
+
+std::vector<std::string> add_report(const std::string& folder, const std::function<report::Scene()>& scene,
+                                    SessionObserver& observer) {
+  std::vector<std::string> written;
   try {
     write_scene(folder, scene());
-    written = ", scene.json";
+    written.emplace_back(kScene);
     if (!report::available()) return written;
-    warn_of_left_out(report::write_report(folder, folder + "/report.html"));
-    written += ", report.html";
+    warn_of_left_out(report::write_report(folder, folder + "/" + kReport), observer);
+    written.emplace_back(kReport);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "armtune: warning: the run is finished, but its report is not: {}\n", error.what());
+    observer.warned(fmt::format("the run is finished, but its report is not: {}", error.what()));
   }
   return written;
 }
@@ -52,4 +55,4 @@ report::SceneSet record_set(const std::string& name, const std::string& folder, 
   return {name, below, below + "/errors.csv"};
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune

@@ -1,4 +1,4 @@
-#include "tuner/cli/live_report.hpp"
+#include "tuner/session/live_report.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "core/common/error.hpp"
 #include "tuner/report/report.hpp"
 
-namespace armtune::cli {
+namespace armtune {
 namespace {
 
 constexpr double kLeastSeconds = 3.0;  ///< between two pages
@@ -17,7 +17,8 @@ constexpr double kShare = 20.0;        ///< of the time that is not spent on the
 
 }  // namespace
 
-LiveReport::LiveReport(std::string folder) : folder_(std::move(folder)), every_(kLeastSeconds) {
+LiveReport::LiveReport(std::string folder, SessionObserver& observer)
+    : folder_(std::move(folder)), observer_(observer), every_(kLeastSeconds) {
   if (!report::available())
     throw InputError(
         "--live: this armtune was built without the report's page; install node and npm, and build it again");
@@ -36,7 +37,7 @@ void LiveReport::update(long evaluations, long most_evaluations, double seconds_
     report::write_report(folder_, folder_ + "/report.html", report::Existing::kReplace, live);
   } catch (const std::exception& error) {
     failed_ = true;
-    fmt::print(stderr, "armtune: warning: the live report is not kept any more: {}\n", error.what());
+    observer_.warned(fmt::format("the live report is not kept any more: {}", error.what()));
     return;
   }
   const double took = std::chrono::duration<double>(Clock::now() - now).count();
@@ -44,4 +45,4 @@ void LiveReport::update(long evaluations, long most_evaluations, double seconds_
   next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(every_));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune

@@ -3,15 +3,16 @@
 
 #include "core/control/gains.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "tuner/session/observer.hpp"
 
-namespace armtune::cli {
+namespace armtune {
 
-/// Prints a line to stderr if the scenario's path leaves the workspace, a joint's limits, or runs through a
-/// singularity, and another if the controller would have to learn what it cannot. Throws InputError if the
+/// Warns if the scenario's path leaves the workspace, a joint's limits, or runs through a
+/// singularity, and if the controller would have to learn what it cannot. Throws InputError if the
 /// path itself winds a joint up beyond its limits within the scenario's duration, which no gain prevents.
-void warn_of_task(const Scenario& scenario, const Gains& gains);
+void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver& observer);
 
 /// The last of these alone: throws InputError if the path itself winds a joint up.
 void refuse_winding(const Scenario& scenario, const Gains& gains);
 
-}  // namespace armtune::cli
+}  // namespace armtune

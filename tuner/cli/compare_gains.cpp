@@ -1,0 +1,32 @@
+#include "tuner/cli/compare_gains.hpp"
+
+#include <fmt/format.h>
+
+#include "core/common/error.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "sim/yaml/joint_values.hpp"
+#include "tuner/cli/gain_set.hpp"
+#include "tuner/cli/say.hpp"
+#include "tuner/cli/set_labels.hpp"
+#include "tuner/gains/gains_difference.hpp"
+
+namespace armtune::cli {
+
+void say_gains_difference(const std::vector<std::string>& sets, const RobotModel& robot, bool guessed) {
+  if (sets.size() < 2) throw InputError("--gains: shows what differs between sets; name two or more");
+  const std::vector<std::string> labels = set_labels(sets);
+  const auto joints = joint_names(robot);
+  std::vector<NamedGains> named;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    try {
+      named.push_back({labels[i], load_gains(gains_name(sets[i]), joints)});
+    } catch (const yaml::OtherJoints& e) {
+      if (!guessed) throw;
+      throw InputError(fmt::format("{}; read for an arm of {} joints: name another with --robot", e.what(),
+                                   joints.size()));
+    }
+  }
+  say(gains_difference(named, joints));
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,45 @@
+#include "tuner/cli/front_printer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/say.hpp"
+#include "tuner/session/study_files.hpp"
+#include "tuner/trade_off/pareto_file.hpp"
+
+namespace armtune::cli {
+
+void FrontPrinter::began(const Study& study, const ParetoOptions& options, std::size_t recalled) {
+  say(fmt::format("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
+                  fmt::join(settings_.criteria, " against "), study.space.free.size(), study.scenarios.size(),
+                  budget_text(options.max_evaluations, study.max_minutes), settings_.place.folder));
+  if (settings_.place.resume) say(fmt::format("goes on after {} finished evaluations\n", recalled));
+  std::fflush(stdout);
+}
+
+void print_front(const FrontOutcome& outcome, const Study& study, const std::string& folder) {
+  if (outcome.was_finished) {
+    say(fmt::format("{}: this run is finished; there is nothing to resume\n", folder));
+    return;
+  }
+  if (outcome.result.evaluations == 0) {
+    fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
+    return;
+  }
+  say(pareto_table(study, outcome.options, outcome.result));
+  if (outcome.result.out_of_time) {
+    say(fmt::format("time used up after {} evaluations: levels may have been left out or be searched short\n",
+                    outcome.result.evaluations));
+  }
+  say(fmt::format("{}\nwrote {} in {:.0f} s: {}{}\n",
+                  !outcome.verified ? "interrupted: the points were not simulated again"
+                  : study.engine == Engine::kSimbody
+                      ? "every point was simulated again, with the same figures"
+                      : "every point was simulated again, by simbody: these are its figures",
+                  folder, outcome.seconds, fmt::join(outcome.files, ", "),
+                  outcome.verified ? "; recordings for the report in start/ and shown/" : ""));
+  if (!outcome.verified) say(fmt::format("to go on: {} pareto --resume {}\n", program_name(), folder));
+}
+
+}  // namespace armtune::cli

@@ -1,0 +1,26 @@
+#include "tuner/cli/session_printer.hpp"
+
+#include <fmt/format.h>
+
+#include "tuner/cli/interrupt.hpp"
+
+namespace armtune::cli {
+
+std::string to_text(const Progress& progress) {
+  std::string text = progress.work;
+  if (progress.all > 0) text += fmt::format(": {} of {}", progress.done, progress.all);
+  if (!progress.detail.empty()) text += ", " + progress.detail;
+  if (!std::isnan(progress.seconds_left)) text += fmt::format(", {:.0f} s left", progress.seconds_left);
+  return text;
+}
+
+void print_warning(const std::string& sentence) {
+  fmt::print(stderr, "armtune: warning: {}\n", sentence);
+}
+
+void print_can_resume(const std::string& folder) {
+  fmt::print(stderr, "what was finished is in {}; once the cause is gone, go on: {} {} --resume {}\n", folder,
+             program_name(), command_words()[1], folder);
+}
+
+}  // namespace armtune::cli

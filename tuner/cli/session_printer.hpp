@@ -1,0 +1,33 @@
+#pragma once
+// How the program tells what any session tells: a progress line, and warnings on stderr.
+
+#include <string>
+
+#include "tuner/cli/progress_line.hpp"
+#include "tuner/session/observer.hpp"
+
+namespace armtune::cli {
+
+/// "margins of the start gains: 3 of 8, 12 s left"
+std::string to_text(const Progress& progress);
+void print_warning(const std::string& sentence);
+/// Says on stderr that a run which failed can be resumed, and how.
+void print_can_resume(const std::string& folder);
+
+/// Observer: SessionObserver, or that of a kind of session, of which the rest stays to be told.
+template <class Observer = SessionObserver>
+class SessionPrinter : public Observer {
+ public:
+  void progressed(const Progress& progress) override { line_.show(to_text(progress)); }
+  void part_is_over() override { line_.clear(); }
+  void warned(const std::string& sentence) override { print_warning(sentence); }
+  void can_resume(const std::string& folder) override {
+    line_.clear();
+    print_can_resume(folder);
+  }
+
+ private:
+  ProgressLine line_;
+};
+
+}  // namespace armtune::cli

@@ -1,0 +1,169 @@
+#include "tuner/cli/tune_printer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "tuner/cli/conclusion.hpp"
+#include "tuner/cli/endurance_option.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/say.hpp"
+#include "tuner/cli/sensitivity_report.hpp"
+#include "tuner/search/last_steps.hpp"
+#include "tuner/search/sweep.hpp"
+#include "tuner/session/report_files.hpp"
+#include "tuner/session/study_files.hpp"
+#include "tuner/verdict/search_checks.hpp"
+
+namespace armtune::cli {
+namespace {
+
+void print_gains(const Study& study, const TuneResult& result) {
+  const Gains& gains = result.best.gains;
+  const std::string found = name(outcome_of(result));
+  say(fmt::format("{:<44}{:>12}{:>17}{:>11}\n", "gain", "start", found, "ratio"));
+  for (const Parameter& p : study.space.free) {
+    const double tuned = value(gains, p.entry);
+    say(fmt::format("{:<44}{:>12.5g}{:>17.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
+                    p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
+                    on_bound(p, tuned) ? "  at its bound" : ""));
+  }
+  say(fmt::format("\n"));
+}
+
+/// Prints what a search that found nothing better, or nothing feasible, recommends. constraints: the check of
+/// that kind, which says what is in the way.
+void print_recommendation(const TuneResult& result, const Check& constraints, const std::string& folder) {
+  const SearchOutcome outcome = outcome_of(result);
+  if (outcome == SearchOutcome::kTuned) return;
+  if (outcome == SearchOutcome::kStart) {
+    say(fmt::format(
+        "The search found nothing better than the start gains, so {0}/gains.yaml holds the start gains.\n"
+        "{1}Allow more evaluations, or give the parameters other bounds.\n",
+        folder,
+        constraints.passed
+            ? ""
+            : fmt::format("They break a constraint: do not load them on the robot. In the way: {}.\n"
+                          "Recommended for a further search: the start gains. ",
+                          to_text(constraints))));
+    return;
+  }
+  say(fmt::format("Nothing feasible was found. In the way: {}.\n", to_text(constraints)));
+  if (result.best.objective <= 1.0) {
+    say(fmt::format(
+        "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "
+        "on the robot. Recommended for a further search: the least violation (--warm-start {0}).\n",
+        folder));
+  } else {
+    say(fmt::format(
+        "{0}/gains.yaml holds the point with the least violation, whose objective is {1:.3g} times the "
+        "start's. The start gains ({0}/start/gains.yaml) break a constraint too: load neither on the robot. "
+        "Recommended for a further search, with more evaluations: the start gains.\n",
+        folder, result.best.objective));
+  }
+}
+
+}  // namespace
+
+void TunePrinter::began(const Study& study, std::size_t recalled) {
+  const std::string& folder = settings_.place.folder;
+  if (settings_.live) say(fmt::format("watch it: open {}/report.html in a browser\n", folder));
+  say(fmt::format(
+      "study {}: {} gains over {} scenarios{}{}, {} in {} and {} at most, {} rollouts each; results go to "
+      "{}\n",
+      study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
+      study.margins.empty() ? "" : fmt::format(" and {} margins as corners", study.margins.size()),
+      search_text(study), engine_text(engine_of_search(study)),
+      budget_text(study.max_evaluations, study.max_minutes), rollouts_per_evaluation(study), folder));
+  const auto swept = static_cast<long>(sweep_points(study).size());
+  const long room = evaluations_to_search(study);
+  if (swept > 0 && swept >= room) {
+    say(fmt::format(
+        "the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
+        swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched"));
+  }
+  if (settings_.place.resume) say(fmt::format("goes on after {} finished evaluations\n", recalled));
+  std::fflush(stdout);
+}
+
+void TunePrinter::verified(const TuneOutcome& so_far) {
+  if (!so_far.robust.empty()) {
+    say(fmt::format("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
+                    robust_text(study_), comparison_table(so_far.robust, headline_metrics())));
+  }
+  say(comparison_table(so_far.sets, headline_metrics()));
+  print_gains(study_, so_far.result);
+}
+
+void TunePrinter::found_margins(const std::vector<ComparedMargins>& sets) {
+  say(fmt::format("{}\n", margins_table(study_.scenarios, sets)));
+}
+
+void TunePrinter::found_sensitivity(const Sensitivity& sensitivity) {
+  print_sensitivity(study_, sensitivity, kMostShown);
+  print_advice(study_, sensitivity);
+}
+
+/// What the search did, and what the objective came to.
+void TunePrinter::searched(const TuneOutcome& so_far) {
+  const TuneResult& result = so_far.result;
+  const Objective& objective = *so_far.objective;
+  say(fmt::format("{}: objective {:.4f} (start 1{}) after {} evaluations; {}\n", study_.name,
+                  result.best.objective,
+                  result.best_of_sweep
+                      ? fmt::format(", best of the coarse sweep {:.4f}{}", result.best_of_sweep->objective,
+                                    result.best_of_sweep->feasible ? "" : ", not feasible")
+                      : "",
+                  result.evaluations, result.reason));
+  say(fmt::format("largest velocity ratio {:.4f}{}; {}\n", largest_velocity_ratio(study_, result.best),
+                  robust_text(study_), result.best.feasible ? "every constraint holds" : "NOT feasible:"));
+  if (result.best.feasible) return;
+  if (result.best.status != "completed") say(fmt::format("  {}\n", result.best.status));
+  for (std::size_t c = 0; c < objective.constraints().size(); ++c) {
+    if (result.best.constraints[c] > 0.0) {
+      say(fmt::format("  {} is missed by {:.4g}\n", objective.constraint_name(c),
+                      result.best.constraints[c]));
+    }
+  }
+}
+
+void TunePrinter::extended(const std::vector<EnduranceResult>& results) {
+  say_how_extended(study_.scenarios);
+  if (results.size() < study_.scenarios.size()) return;
+  say(fmt::format("Every scenario extended to at least {:.4g} minutes:\n{}\n", study_.thresholds.minutes,
+                  endurance_table(results)));
+}
+
+void TunePrinter::ended(const TuneOutcome& outcome) const {
+  const std::string& folder = settings_.place.folder;
+  if (outcome.was_finished) {
+    say(fmt::format(
+        "{}: this run is finished; there is nothing to resume. To search on from its best: {} tune {} "
+        "--warm-start {}\n",
+        folder, program_name(), study_name_, folder));
+    return;
+  }
+  if (outcome.result.evaluations == 0) {
+    fmt::print(stderr, "interrupted before the start gains were simulated; nothing to report\n");
+    return;
+  }
+  if (!outcome.sets.empty()) {
+    print_recommendation(outcome.result, outcome.verdict.checks.front(), folder);
+    const bool seen = std::find(outcome.files.begin(), outcome.files.end(), kReport) != outcome.files.end();
+    say(fmt::format("wrote {} in {:.0f} s: {}; the start's in start/\nnext: {}{} compare {}/start {}\n",
+                    folder, outcome.seconds, fmt::join(outcome.files, ", "),
+                    seen ? fmt::format("open {}/report.html in a browser; or ", folder) : "", program_name(),
+                    folder, folder));
+  }
+  if (outcome.ending == Ending::kInterrupted) {
+    say(fmt::format("interrupted: {}; to go on: {} tune --resume {}\n",
+                    outcome.result.interrupted ? "the search was not finished"
+                                               : "the search was finished, the analysis after it was not",
+                    program_name(), folder));
+    return;
+  }
+  conclude(outcome.verdict);
+}
+
+}  // namespace armtune::cli

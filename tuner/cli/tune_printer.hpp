@@ -1,0 +1,30 @@
+#pragma once
+// What `armtune tune` prints of its session, while it works and at its end.
+
+#include "tuner/cli/session_printer.hpp"
+#include "tuner/session/tune_session.hpp"
+
+namespace armtune::cli {
+
+class TunePrinter : public SessionPrinter<TuneObserver> {
+ public:
+  /// Study and settings outlive it. study_name: as the command line names the study.
+  TunePrinter(const Study& study, const TuneSettings& settings, std::string study_name)
+      : study_(study), settings_(settings), study_name_(std::move(study_name)) {}
+
+  void began(const Study& study, std::size_t recalled) override;
+  void verified(const TuneOutcome& so_far) override;
+  void found_margins(const std::vector<ComparedMargins>& sets) override;
+  void found_sensitivity(const Sensitivity& sensitivity) override;
+  void searched(const TuneOutcome& so_far) override;
+  void extended(const std::vector<EnduranceResult>& results) override;
+  /// Prints how it all ended.
+  void ended(const TuneOutcome& outcome) const;
+
+ private:
+  const Study& study_;
+  const TuneSettings& settings_;
+  std::string study_name_;
+};
+
+}  // namespace armtune::cli

@@ -1,0 +1,115 @@
+#include "tuner/session/compare_session.hpp"
+
+#include <filesystem>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/rollouts/recording_memory.hpp"
+#include "tuner/session/report_files.hpp"
+#include "tuner/session/task_notes.hpp"
+#include "tuner/verdict/assumptions.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
+
+namespace armtune {
+
+CompareSession::CompareSession(RolloutSettings settings, std::vector<GainsToSimulate> sets,
+                               SessionContext context, SessionObserver& observer)
+    : settings_(std::move(settings)),
+      sets_(std::move(sets)),
+      context_(std::move(context)),
+      observer_(observer) {}
+
+CompareOutcome CompareSession::run() {
+  for (const GainsToSimulate& set : sets_) {
+    for (const Scenario& s : settings_.scenarios) refuse_winding(s, set.gains_of(s));
+  }
+  const std::string& folder = settings_.folder;
+  if (!folder.empty())
+    require_recording_memory(settings_.scenarios, settings_.record_every, settings_.workers);
+  const FolderLock lock = make_run_folder(folder);
+  if (!simulate_sets()) return std::move(outcome_);
+  if (!folder.empty()) write_files();  // an endurance may take hours
+  check();
+  if (!folder.empty()) write_conclusion();
+  if (!context_.stop) {
+    outcome_.ending = outcome_.verdict.passed() ? Ending::kPassed : Ending::kChecksFailed;
+  }
+  return std::move(outcome_);
+}
+
+/// Where a set's gains and recordings are.
+std::string CompareSession::recordings_of(const std::string& set) const {
+  return settings_.folder + "/rollouts_" + set;
+}
+
+/// Returns false, and leaves nothing, if interrupted.
+bool CompareSession::simulate_sets() {
+  for (const GainsToSimulate& set : sets_) {
+    const std::string below = settings_.folder.empty() ? "" : recordings_of(set.name);
+    if (!below.empty()) make_folder(below);
+    outcome_.sets.push_back(
+        {set.name, simulate(settings_.scenarios, set.gains_of,
+                            simulate_options(settings_, below, set.name, observer_), context_.stop)});
+    if (context_.stop) break;
+  }
+  observer_.part_is_over();
+  if (!context_.stop) return true;
+  std::error_code ignored;
+  for (const ComparedSet& set : outcome_.sets) {
+    if (!settings_.folder.empty()) std::filesystem::remove_all(recordings_of(set.name), ignored);
+  }
+  outcome_.sets.clear();
+  return false;
+}
+
+/// Checks all gain sets together: each failure names the set that it belongs to.
+void CompareSession::check() {
+  bool extended = true;
+  for (std::size_t i = 0; i < sets_.size(); ++i) {
+    outcome_.endured.push_back(extended ? extend_scenarios(settings_, sets_[i], observer_, context_.stop)
+                                        : std::nullopt);
+    extended = check_rollouts(settings_, outcome_.sets[i].results, outcome_.endured.back(), sets_[i].name,
+                              outcome_.verdict);
+  }
+  add_unchecked(extended, outcome_.verdict);
+  add_assumptions(settings_.scenarios, settings_.stepper, outcome_.verdict);
+}
+
+void CompareSession::write_files() const {
+  write_text_file(settings_.folder + "/comparison.csv", comparison_csv(outcome_.sets));
+  for (const ComparedSet& set : outcome_.sets) {
+    write_text_file(settings_.folder + "/errors_" + set.name + ".csv", errors_csv(set.results));
+  }
+  Provenance p;
+  p.command = context_.invocation.line;
+  for (const GainsToSimulate& set : sets_) p.inputs.push_back(set.path);
+  add_inputs(settings_.scenarios, p.inputs);
+  p.workers = settings_.workers;
+  write_provenance(settings_.folder, p);
+}
+
+report::Scene CompareSession::scene() const {
+  const Scenario& first = settings_.scenarios.front();
+  std::vector<report::SceneSet> shown;
+  shown.reserve(sets_.size());
+  for (const GainsToSimulate& set : sets_) {
+    write_text_file(recordings_of(set.name) + "/gains.yaml",
+                    gains_yaml(set.gains_of(first), {"from " + set.name}));
+    shown.push_back({set.name, "rollouts_" + set.name, "errors_" + set.name + ".csv"});
+  }
+  return report::scene_of(settings_.scenarios, std::move(shown),
+                          sets_.front().gains_of(first).obstacleInfluenceRadius);
+}
+
+void CompareSession::write_conclusion() {
+  outcome_.files = {"comparison.csv", "errors_<set>.csv", "rollouts_<set>/", "run.yaml", "inputs/"};
+  if (!context_.stop) {
+    write_verdict(settings_.folder, outcome_.verdict);
+    outcome_.files.emplace_back("verdict.yaml");
+  }
+  const auto pages = add_report(
+      settings_.folder, [this] { return scene(); }, observer_);
+  outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
+}
+
+}  // namespace armtune

@@ -1,0 +1,170 @@
+#include "tuner/session/monte_carlo_session.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/rollouts/recording_memory.hpp"
+#include "tuner/rollouts/simulate.hpp"
+#include "tuner/run/file_hash.hpp"
+#include "tuner/session/report_files.hpp"
+#include "tuner/verdict/yield_check.hpp"
+
+namespace armtune {
+
+MonteCarloSession::MonteCarloSession(MonteCarloSettings settings, SessionContext context,
+                                     MonteCarloObserver& observer)
+    : settings_(std::move(settings)), context_(std::move(context)), observer_(observer) {}
+
+std::optional<MonteCarloOutcome> MonteCarloSession::run(RankGroup& ranks) {
+  if (!ranks.begin(plan(), settings_.options.workers)) return std::nullopt;
+  const auto pool = ranks.pool();
+  if (writes()) begin();
+  if (const auto ended = run_ ? run_->finished() : std::nullopt) {
+    outcome_.was_finished = true;
+    outcome_.ending = *ended;
+    return std::move(outcome_);
+  }
+  if (run_ && run_->resumed()) observer_.resumed(run_->journal().records());
+  draw(*pool);
+  const auto& samples = outcome_.samples;
+  if (!samples.empty() && !context_.stop) {
+    outcome_.verdict = yield_verdict(settings_.scenarios, samples, settings_.options);
+  }
+  if (writes()) write_results(pool->count());
+  if (context_.stop) return std::move(outcome_);
+  outcome_.ending = outcome_.verdict.passed() ? Ending::kPassed : Ending::kChecksFailed;
+  if (run_) run_->complete(outcome_.ending);
+  return std::move(outcome_);
+}
+
+std::vector<std::string> MonteCarloSession::inputs() const {
+  std::vector<std::string> inputs;
+  if (!settings_.gains_path.empty()) inputs.push_back(settings_.gains_path);
+  add_inputs(settings_.scenarios, inputs);
+  return inputs;
+}
+
+RolloutPlan MonteCarloSession::plan() const {
+  RolloutPlan plan = monte_carlo_plan(settings_.scenarios, settings_.options);
+  plan.deadline = settings_.deadline;
+  if (!settings_.gains_path.empty()) plan.facts = {{"gains", hash_of_input(settings_.gains_path)}};
+  return plan;
+}
+
+RunHeader MonteCarloSession::header() const {
+  const MonteCarloOptions& options = settings_.options;
+  std::vector<std::string> files;
+  add_inputs(settings_.scenarios, files);
+  std::string uncertainty;
+  for (const PerturbationField& f : perturbation_fields()) {
+    uncertainty += fmt::format("{}: {}\n", f.name, options.perturbation.*f.width);
+  }
+  uncertainty += fmt::format("phases: {}\n", options.perturbation.phases);
+  std::string names;  // a record's results are in their order
+  for (const Scenario& scenario : settings_.scenarios) names += scenario.name + '\n';
+  std::string limits;
+  for (const MetricLimit& limit : options.limits) limits += to_string(limit) + '\n';
+  return run_header(context_.invocation,
+                    {{"seed", fmt::format("{}", options.seed)},
+                     {"samples", fmt::format("{}", options.samples)},
+                     {"scenarios", names},
+                     {"uncertainty", uncertainty},
+                     {"limits", limits},
+                     {"stepper", name(options.stepper)},
+                     {"gains", gains_yaml(settings_.gains, {})}},
+                    files);
+}
+
+void MonteCarloSession::begin() {
+  const RunHeader begun = header();
+  require_recording_memory(settings_.scenarios, SimulateOptions().record_stride, settings_.options.workers);
+  run_.emplace(settings_.place, begun, inputs(), observer_);
+  run_->keep();
+}
+
+/// Every whole sample goes to the journal, and to samples.csv as soon as all before it are whole.
+void MonteCarloSession::keep_samples() {
+  MonteCarloOptions& options = settings_.options;
+  rows_.emplace(folder() + "/samples.csv", AppendFile::Open::kReplace);
+  rows_->append(samples_header(), false);
+  options.known = [this](std::uint64_t number) {
+    auto record = run_->journal().find(number);
+    return record ? std::optional(std::move(record->results)) : std::nullopt;
+  };
+  options.finished = [this](const MonteCarloSample& sample) {
+    rows_->append(sample_rows(settings_.scenarios, sample), false);
+  };
+  options.whole = [this](const MonteCarloSample& sample) {
+    run_->journal().append({sample.number, "sample", run_->seconds(), {}, sample.results});
+    rows_->publish();
+  };
+}
+
+void MonteCarloSession::draw(RolloutPool& pool) {
+  MonteCarloOptions& options = settings_.options;
+  options.progress = [this](std::size_t done, std::size_t all) {
+    const double left = watch_.seconds() / static_cast<double>(done) * static_cast<double>(all - done);
+    observer_.progressed({"rollouts", static_cast<long>(done), static_cast<long>(all), left});
+  };
+  if (writes()) keep_samples();
+  auto& samples = outcome_.samples;
+  try {
+    samples = monte_carlo(pool, settings_.gains, options, context_.stop);
+  } catch (...) {
+    if (run_) observer_.can_resume(folder());
+    throw;
+  }
+  // Interrupted, those before the first gap: what samples.csv holds.
+  const auto gap =
+      std::find_if(samples.begin(), samples.end(),
+                   [next = options.first](const MonteCarloSample& s) mutable { return s.number != next++; });
+  samples.erase(gap, samples.end());
+  observer_.part_is_over();
+  if (!rows_) return;
+  rows_->publish();
+  rows_->sync();
+}
+
+void MonteCarloSession::write_results(int workers) {
+  const MonteCarloOptions& options = settings_.options;
+  write_text_file(folder() + "/summary.csv", summary_csv(settings_.scenarios, outcome_.samples));
+  Provenance p;
+  p.command = context_.invocation.line;
+  p.inputs = inputs();
+  p.seed = options.seed;
+  p.workers = workers;
+  p.wall_seconds = run_->seconds();
+  std::vector<std::string> limits;
+  for (const MetricLimit& limit : options.limits) limits.push_back(to_string(limit));
+  p.extra = {{"samples", fmt::format("{}", outcome_.samples.size())},
+             {"stepper", name(options.stepper)},
+             {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
+  write_provenance(folder(), p);
+  outcome_.files = {"samples.csv", "summary.csv", "run.yaml", "inputs/"};
+  if (!outcome_.verdict.checks.empty()) {
+    write_verdict(folder(), outcome_.verdict);
+    outcome_.files.emplace_back("verdict.yaml");
+  }
+  outcome_.recorded = !context_.stop;
+  const auto pages = add_report(
+      folder(), [this] { return scene(); }, observer_);
+  outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
+}
+
+/// What the report replays: the arm of the scenarios themselves.
+report::Scene MonteCarloSession::scene() const {
+  const std::string label = settings_.gains_path.empty() ? "gains" : stem(settings_.gains_path);
+  report::SceneSet nominal = {label, "nominal", "nominal/errors.csv"};
+  if (outcome_.recorded) {
+    nominal = record_set(label, folder(), "nominal", settings_.scenarios, settings_.gains,
+                         {settings_.options.stepper, settings_.options.workers});
+  }
+  return report::scene_of(settings_.scenarios, {nominal}, settings_.gains.obstacleInfluenceRadius);
+}
+
+}  // namespace armtune

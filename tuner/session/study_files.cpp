@@ -1,0 +1,110 @@
+#include "tuner/session/study_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/gains_file.hpp"
+
+namespace armtune {
+
+std::string search_text(const Study& study) {
+  return fmt::format("{}{}{}", global_of(study).empty() ? "" : global_of(study) + ", then ",
+                     study.solver.algorithm,
+                     study.starts > 1 ? fmt::format(" from {} starts", study.starts) : "");
+}
+
+std::string engine_text(Engine searched_in) {
+  return searched_in == Engine::kSimbody ? "simbody" : fmt::format("{}, then simbody", name(searched_in));
+}
+
+std::string robust_text(const Study& study) {
+  if (!study.robust) return {};
+  return fmt::format(" ({} of {} arms each)",
+                     risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
+                     arms(*study.robust));
+}
+
+std::string budget_text(long max_evaluations, double max_minutes) {
+  return fmt::format("{} evaluations{}", max_evaluations,
+                     max_minutes > 0.0 ? fmt::format(" or {} minutes", max_minutes) : "");
+}
+
+double seconds_left(long evaluations, long max_evaluations, double seconds, double max_minutes) {
+  const double by_evaluations =
+      seconds / static_cast<double>(evaluations) * static_cast<double>(max_evaluations - evaluations);
+  if (max_minutes <= 0.0) return by_evaluations;
+  return std::min(by_evaluations, std::max(0.0, 60.0 * max_minutes - seconds));
+}
+
+std::vector<std::string> files_of(const Study& study) {
+  std::vector<std::string> files = {study.source, study.gains};
+  if (study.warm) files.push_back(study.warm->source);
+  add_inputs(study.scenarios, files);
+  return files;
+}
+
+std::vector<std::pair<std::string, std::string>> identity_of(const Study& study) {
+  const std::string warm = study.warm ? kWarmGains : "";
+  std::vector<std::pair<std::string, std::string>> identity = {
+      {"seed", fmt::format("{}", study.solver.seed)},
+      {"study", study_yaml(study, "start/gains.yaml", warm)},
+      {"start gains", gains_yaml(study.space.start, {})}};
+  if (study.warm) identity.emplace_back("warm gains", gains_yaml(study.warm->gains, {}));
+  return identity;
+}
+
+std::vector<std::string> inputs_of(const Study& study) {
+  std::vector<std::string> inputs;
+  add_inputs(study.scenarios, inputs);
+  return inputs;
+}
+
+Provenance study_provenance(const Study& study, const Invocation& invocation, int workers, double seconds,
+                            const std::vector<std::pair<std::string, std::string>>& found) {
+  Provenance p;
+  p.command = invocation.line;
+  p.inputs = files_of(study);
+  p.seed = study.solver.seed;
+  p.workers = workers;
+  p.wall_seconds = seconds;
+  p.extra = {{"study", shown_path(study.source)}, {"start", stem(study.gains)}};
+  p.extra.insert(p.extra.end(), found.begin(), found.end());
+  return p;
+}
+
+void write_start(const Study& study, const std::string& folder) {
+  make_folder(folder + "/start");
+  write_text_file(folder + "/start/gains.yaml",
+                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
+  write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml", write_warm(study, folder)));
+}
+
+std::string write_warm(const Study& study, const std::string& folder) {
+  if (!study.warm) return {};
+  std::string file = kWarmGains;
+  const std::string path = folder + "/" + file;
+  std::error_code none;
+  // A resumed run reads them from there: they keep the word on where they came from.
+  if (std::filesystem::equivalent(path, study.warm->source, none)) return file;
+  make_folder(folder + "/start");
+  write_text_file(path,
+                  gains_yaml(study.warm->gains, {"warm start, from " + shown_path(study.warm->source)}));
+  return file;
+}
+
+void warn_of_clamped(const Study& study, SessionObserver& observer) {
+  if (!study.warm) return;
+  for (const std::string& line : warm_point(study.space, *study.warm).clamped) observer.warned(line);
+}
+
+void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const std::string& folder) {
+  write_text_file(folder + "/sensitivity.csv", sensitivity_csv(study, sensitivity));
+  write_text_file(folder + "/reduced_study.yaml",
+                  study_yaml(without_less_important_half(study, sensitivity), "start/gains.yaml"));
+}
+
+}  // namespace armtune

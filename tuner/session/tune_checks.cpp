@@ -1,0 +1,66 @@
+// The simulation checks at the end of a tuning session.
+
+#include "tuner/session/tune_session.hpp"
+#include "tuner/verdict/assumptions.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
+#include "tuner/verdict/search_checks.hpp"
+
+namespace armtune {
+namespace {
+
+/// Adds margins, random arms and endurance; names those that an interruption left out.
+void add_deep_checks(const Study& study, const Gains& gains, int workers, const std::atomic<bool>& stop,
+                     TuneObserver& observer, SimulationVerdict& verdict) {
+  DeepCheckOptions how;
+  how.workers = workers;
+  how.progress = [&observer](const std::string& what, std::size_t done, std::size_t all) {
+    progress_of(observer, "checks: " + what)(done, all);
+  };
+  if (!add_margin_checks(study, gains, how, stop, verdict))
+    verdict.not_checked.emplace_back("stability margins (interrupted)");
+  if (!add_yield_check(study, gains, how, stop, verdict))
+    verdict.not_checked.emplace_back("arms that differ from the model (interrupted)");
+  observer.part_is_over();
+  if (study.thresholds.minutes <= 0.0) {
+    verdict.not_checked.emplace_back("endurance (its threshold is zero minutes)");
+    return;
+  }
+  const auto endured = endure(
+      study.scenarios, [&gains](const Scenario&) { return gains; },
+      {study.thresholds.minutes, study.stepper, workers, progress_of(observer, "checks: scenarios extended")},
+      stop);
+  observer.part_is_over();
+  observer.extended(endured);
+  if (endured.size() < study.scenarios.size()) {
+    verdict.not_checked.emplace_back("endurance (interrupted)");
+    return;
+  }
+  add_endurance_checks(endured, study.thresholds, "", verdict);
+}
+
+}  // namespace
+
+/// Makes every check of the search's result: constraints, the start, the arm's own limits in the study's
+/// scenarios and, where it was analysed, margins, random arms and endurance. What was left out stands under
+/// "Not checked".
+void TuneSession::check(bool analysed) {
+  const TuneResult& result = outcome_.result;
+  SimulationVerdict& verdict = outcome_.verdict;
+  add_search_checks(study_, result, *outcome_.objective, verdict);
+  add_rollout_checks(outcome_.sets[1].results, "", verdict);
+  add_contact_check(study_.scenarios, outcome_.sets[1].results, "", verdict);
+  if (analysed) {
+    add_deep_checks(study_, result.best.gains, settings_.workers, context_.stop, observer_, verdict);
+  } else {
+    for (const char* what :
+         {"stability margins", "arms that differ from the model", "what happens after the scenarios end"}) {
+      verdict.not_checked.emplace_back(what);
+    }
+  }
+  verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
+  add_assumptions(study_.scenarios, study_.stepper, verdict);
+  verdict.notes = loosened(study_.thresholds);
+  add_bounds_note(study_, result.best.gains, verdict);
+}
+
+}  // namespace armtune

@@ -1,0 +1,129 @@
+#include "tuner/session/tune_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/rollout/columns.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "tuner/evaluation/evaluations_file.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
+#include "tuner/rollouts/simulate.hpp"
+#include "tuner/run/file_hash.hpp"
+#include "tuner/search/last_steps.hpp"
+#include "tuner/session/study_files.hpp"
+#include "tuner/verdict/search_checks.hpp"
+
+namespace armtune {
+namespace {
+
+/// Returns the first words of a gains file, which say what its gains are.
+const char* title_of(SearchOutcome outcome) {
+  switch (outcome) {
+    case SearchOutcome::kTuned:
+      return "tuned by armtune";
+    case SearchOutcome::kStart:
+      return "start gains: armtune found nothing better";
+    case SearchOutcome::kLeastViolation:
+      return "NOT feasible: the point with the least violation that armtune found";
+  }
+  return "";
+}
+
+bool same_metrics(const RolloutResult& a, const RolloutResult& b) {
+  const auto metrics = all_metrics();
+  return std::none_of(metrics.begin(), metrics.end(), [&](Metric m) {
+    return a.metrics[m] != b.metrics[m] && !(std::isnan(a.metrics[m]) && std::isnan(b.metrics[m]));
+  });
+}
+
+}  // namespace
+
+std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
+                                        const TuneSettings& settings) {
+  const std::atomic<bool> never{false};  // an interrupted search still ends with its files
+  const std::string& folder = settings.place.folder;
+  SimulateOptions how;
+  how.stepper = study.stepper;
+  how.workers = settings.workers;
+  how.record_stride = settings.record_every;
+  how.folder = folder.empty() ? "" : folder + "/start";
+  const auto start = [&](const Scenario&) { return study.space.start; };
+  std::vector<ComparedSet> sets = {{"start", simulate(study.scenarios, start, how, never)}};
+  how.folder = folder;
+  const auto best = [&](const Scenario&) { return result.best.gains; };
+  sets.push_back({name(outcome_of(result)), simulate(study.scenarios, best, how, never)});
+  return sets;
+}
+
+std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
+                                             const TuneSettings& settings, RankGroup& ranks) {
+  const std::atomic<bool> never{false};
+  CandidateRunner fresh(ranks.pool(), study.robust);
+  const auto evaluations = simulate_points(study, {result.start.x, result.best.x}, fresh, never, {});
+  std::vector<ComparedSet> sets = {{"start", {}}, {name(outcome_of(result)), {}}};
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const Evaluation& seen = i == 0 ? result.start : result.best;
+    for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+      const RolloutResult& again = (*evaluations)[i].results[s];
+      if (seen.engine == Engine::kSimbody && !same_metrics(again, seen.results[s])) {
+        throw std::runtime_error(fmt::format("{}: the {} gains simulated again give other figures",
+                                             study.scenarios[s].name, sets[i].name));
+      }
+      sets[i].results.push_back({study.scenarios[s].name, again});
+    }
+  }
+  const std::string& folder = settings.place.folder;
+  if (folder.empty()) return sets;
+  write_text_file(folder + "/start/robust_errors.csv", errors_csv(sets[0].results));
+  write_text_file(folder + "/robust_errors.csv", errors_csv(sets[1].results));
+  return sets;
+}
+
+void judge(const Objective& objective, const ComparedSet& simulated, TuneResult& result) {
+  Evaluation& e = result.best;
+  for (std::size_t s = 0; s < simulated.results.size(); ++s) e.results[s] = simulated.results[s].result;
+  e.engine = Engine::kSimbody;
+  objective.judge(e);
+}
+
+void write_gains(const Study& study, const TuneResult& result, const std::string& folder) {
+  write_text_file(
+      folder + "/gains.yaml",
+      gains_yaml(
+          result.best.gains,
+          {fmt::format("{}, study {}, seed {}", title_of(outcome_of(result)), study.name, study.solver.seed),
+           fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}{}",
+                       result.best.objective, largest_velocity_ratio(study, result.best), robust_text(study),
+                       result.best.feasible ? "feasible" : "NOT feasible",
+                       result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
+}
+
+void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
+                  const std::vector<YardstickFiles>& yardsticks, const std::string& folder) {
+  write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results, yardsticks[0].errors));
+  write_text_file(folder + "/errors.csv", errors_csv(sets[1].results, yardsticks[1].errors));
+  std::vector<FileColumns> columns = {{"errors.csv", error_columns(yardsticks[1].errors)},
+                                      {"rollout_*.csv", rollout_columns(study.scenarios)},
+                                      {"evaluations.csv", evaluation_columns(study)}};
+  columns.insert(columns.end(), yardsticks[1].columns.begin(), yardsticks[1].columns.end());
+  write_text_file(folder + "/columns.csv", columns_csv(columns));
+}
+
+Provenance tune_provenance(const Study& study, const TuneResult& result, const Invocation& invocation,
+                           int workers, double seconds, const std::string& folder) {
+  return study_provenance(study, invocation, workers, seconds,
+                          {{"evaluations", fmt::format("{}", result.evaluations)},
+                           {"algorithm", search_text(study)},
+                           {"stepper", name(study.stepper)},
+                           {"engine", engine_text(engine_of_search(study))},
+                           {"ended", result.reason},
+                           {"feasible", result.best.feasible ? "true" : "false"},
+                           {"objective", fmt::format("{}", result.best.objective)},
+                           {"gains_file", hash_of_file(folder + "/gains.yaml")}});
+}
+
+}  // namespace armtune

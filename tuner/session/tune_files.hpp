@@ -1,0 +1,34 @@
+#pragma once
+// What a tuning session writes of its result, and the fresh rollouts that it reports.
+
+#include <string>
+#include <vector>
+
+#include "tuner/session/tune_session.hpp"
+
+namespace armtune {
+
+/// Simulates the start and the result, with recordings where the run has a folder.
+std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
+                                        const TuneSettings& settings);
+
+/// Of a study on many arms: the measure of fresh rollouts of all of them, as robust_errors.csv where the run
+/// has a folder. Throws std::runtime_error if it is not what the search saw in Simbody.
+std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
+                                             const TuneSettings& settings, RankGroup& ranks);
+
+/// Takes Simbody's fresh rollouts of the best gains for what they are, where an interrupted search ended with
+/// another engine's. simulated: those the objective is of.
+void judge(const Objective& objective, const ComparedSet& simulated, TuneResult& result);
+
+void write_gains(const Study& study, const TuneResult& result, const std::string& folder);
+
+/// errors.csv of both sets, and columns.csv. yardsticks: one for each set.
+void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
+                  const std::vector<YardstickFiles>& yardsticks, const std::string& folder);
+
+/// workers: of the search; seconds: of the whole run.
+Provenance tune_provenance(const Study& study, const TuneResult& result, const Invocation& invocation,
+                           int workers, double seconds, const std::string& folder);
+
+}  // namespace armtune
