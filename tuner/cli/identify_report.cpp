@@ -1,6 +1,7 @@
 #include "tuner/cli/identify_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,9 +59,7 @@ void print_not_excited(const Identification& found) {
   for (const int b : groups) say(fmt::format("  {}\n", found.base.names[static_cast<std::size_t>(b)]));
 }
 
-}  // namespace
-
-void print_identification(const RobotModel& model, const Identification& found) {
+void print_fit(const RobotModel& model, const Identification& found) {
   print_base_parameters(model, found);
   print_unexplained(model, found);
   print_not_excited(found);
@@ -88,6 +87,18 @@ void print_identification(const RobotModel& model, const Identification& found) 
         "excites them.\n",
         uncertain, 100.0 * kUncertain));
   }
+}
+
+}  // namespace
+
+void print_identification(const IdentifySettings& settings, const IdentifyOutcome& outcome) {
+  print_fit(*settings.model, outcome.found);
+  if (!outcome.files.empty())
+    say(fmt::format("wrote {}: {}\n", settings.folder, fmt::join(outcome.files, ", ")));
+  if (outcome.doubts.empty()) return;
+  say("\nThe logs do not fit the robot file:\n");
+  for (const std::string& doubt : outcome.doubts) say(fmt::format("  {}.\n", doubt));
+  if (outcome.files.empty()) say("Nothing was written. If the logs are right all the same, add --accept.\n");
 }
 
 }  // namespace armtune::cli

@@ -1,12 +1,11 @@
 #pragma once
-// What `armtune identify` prints: base parameters, what is left unexplained joint by joint, and what to look
-// at.
+// What `armtune identify` prints: base parameters, what is left unexplained joint by joint, what to look at,
+// and which files there are.
 
-#include "core/robot/robot_model.hpp"
-#include "tuner/identification/identify.hpp"
+#include "tuner/identification/session/identify_session.hpp"
 
 namespace armtune::cli {
 
-void print_identification(const RobotModel& model, const Identification& found);
+void print_identification(const IdentifySettings& settings, const IdentifyOutcome& outcome);
 
 }  // namespace armtune::cli

@@ -1,0 +1,56 @@
+#include "tuner/planning/session/plan_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/sim/support/files.hpp"
+#include "tuner/planning/tasks/solve_plan.hpp"
+
+namespace armtune {
+namespace {
+
+namespace fs = std::filesystem;
+
+PlanSettings settings_in(const std::string& folder) {
+  PlanSettings settings;
+  settings.folder = folder;
+  settings.task = load_plan_task("ur10_switch");
+  settings.task.knots = 40;
+  return settings;
+}
+
+TEST(PlanSession, WithAndWithoutAFolderThePlanIsThatOfTheSolver) {
+  const std::atomic<bool> never{false};
+  const test::TemporaryFolder files;
+  SessionObserver silent;
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const PlanOutcome bare = PlanSession(settings_in(""), {never}, silent).run();
+  const PlanOutcome kept = PlanSession(settings_in(files / "run"), {never}, silent).run();
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+  const PlannedTrajectory solved = solve_plan(plan_problem(settings_in("").task));
+  ASSERT_EQ(solved.result.status, PlanStatus::kSolved);
+  for (const PlanOutcome* outcome : {&bare, &kept}) {
+    ASSERT_EQ(outcome->planned.result.status, PlanStatus::kSolved);
+    EXPECT_EQ(outcome->planned.trajectory.durations, solved.trajectory.durations);
+    EXPECT_FALSE(outcome->uses.empty());
+  }
+  EXPECT_TRUE(bare.files.empty());
+  EXPECT_FALSE(kept.files.empty());
+  for (const std::string& file : kept.files)
+    EXPECT_TRUE(fs::is_regular_file(files / ("run/" + file))) << file;
+}
+
+TEST(PlanSession, InterruptedItLeavesNothing) {
+  const std::atomic<bool> stop{true};
+  const test::TemporaryFolder files;
+  SessionObserver silent;
+  const PlanOutcome outcome = PlanSession(settings_in(files / "run"), {stop}, silent).run();
+  EXPECT_EQ(outcome.planned.result.status, PlanStatus::kInterrupted);
+  EXPECT_TRUE(outcome.files.empty());
+  EXPECT_FALSE(fs::exists(files / "run"));
+}
+
+}  // namespace
+}  // namespace armtune

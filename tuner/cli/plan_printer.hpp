@@ -1,0 +1,11 @@
+#pragma once
+// What `armtune plan` prints of its session's outcome.
+
+#include "tuner/planning/session/plan_session.hpp"
+
+namespace armtune::cli {
+
+/// Prints the plan, or why there is none. Returns the exit code.
+int print_plan(const PlanOutcome& outcome, const PlanSettings& settings);
+
+}  // namespace armtune::cli

@@ -1,0 +1,109 @@
+#include "tuner/identification/session/identify_session.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
+#include "core/common/error.hpp"
+#include "core/robot/urdf_writer.hpp"
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tuner/identification/identification_files.hpp"
+#include "tuner/identification/theta_doubts.hpp"
+#include "tuner/run/run_folder.hpp"
+
+namespace armtune {
+namespace {
+
+constexpr long kShownEvery = 20000;  ///< samples
+
+/// Why the logs may not be of this arm: the likely mistake alone, as everything else follows from it, or what
+/// is odd about the result.
+std::vector<std::string> find_doubts(const RobotModel& model, const Identification& found) {
+  if (found.comparison.mistake) return {to_text(*found.comparison.mistake, model)};
+  return theta_doubts(model, found);
+}
+
+/// The folder is made before the logs, which can take minutes, are read.
+void remove_if_empty(const std::string& folder) {
+  std::error_code ignored;
+  if (!folder.empty()) std::filesystem::remove(folder, ignored);
+}
+
+}  // namespace
+
+IdentifySession::IdentifySession(IdentifySettings settings, SessionContext context, SessionObserver& observer)
+    : settings_(std::move(settings)), context_(std::move(context)), observer_(observer) {}
+
+IdentifyOutcome IdentifySession::run() {
+  const std::string& folder = settings_.folder;
+  const FolderLock lock = make_run_folder(folder);
+  settings_.options.progress = [this, shown = -1L](int pass, std::size_t log, long samples) mutable {
+    if (samples / kShownEvery == shown) return;
+    shown = samples / kShownEvery;
+    observer_.progressed({fmt::format("pass {}, log {} of {}, {} samples", pass + 1, log + 1,
+                                      settings_.logs.size(), samples)});
+  };
+  const Stopwatch watch;
+  try {
+    outcome_.found =
+        identify(*settings_.model, settings_.logs, settings_.columns, settings_.options, context_.stop);
+  } catch (const InputError&) {
+    remove_if_empty(folder);
+    throw;
+  }
+  observer_.part_is_over();
+  if (outcome_.found.interrupted) return std::move(outcome_);
+  outcome_.seconds = watch.seconds();
+  outcome_.doubts = find_doubts(*settings_.model, outcome_.found);
+  if (!folder.empty() && (outcome_.doubts.empty() || settings_.accept)) {
+    write_files();
+  } else {
+    remove_if_empty(folder);
+  }
+  outcome_.ending = outcome_.doubts.empty() ? Ending::kPassed : Ending::kChecksFailed;
+  return std::move(outcome_);
+}
+
+void IdentifySession::write_files() {
+  const std::string& folder = settings_.folder;
+  const RobotModel& model = *settings_.model;
+  const Identification& found = outcome_.found;
+  const std::vector<std::string>& doubts = outcome_.doubts;
+  const RobotModel identified = with_theta(model, found.theta);
+  std::vector<std::string> header = {
+      fmt::format("theta of {}, identified by armtune from {} samples", model.name, found.samples),
+      "a scenario's controller starts from it with `theta_start: {file: theta.yaml}`"};
+  for (const std::string& doubt : doubts) header.push_back("ACCEPTED ALTHOUGH " + doubt);
+  write_text_file(folder + "/theta.yaml", theta_yaml(model, found.theta, header));
+  write_text_file(folder + "/base_parameters.csv", base_parameters_csv(model, found));
+  write_text_file(folder + "/robot.urdf", urdf_text(identified));
+  write_text_file(folder + "/robot.yaml", robot_yaml(identified, "robot.urdf"));
+  Provenance p;
+  p.command = context_.invocation.line;
+  for (std::size_t i = 0; i < settings_.logs.size(); ++i)
+    p.streamed.emplace_back(settings_.logs[i], found.log_hashes[i]);
+  p.inputs.push_back(model.source);
+  if (!settings_.columns_path.empty()) p.inputs.push_back(settings_.columns_path);
+  p.wall_seconds = outcome_.seconds;
+  p.extra = {{"samples", fmt::format("{}", found.samples)},
+             {"base_parameters", fmt::format("{}", found.base.rank())},
+             {"condition_number", fmt::format("{:.6g}", found.estimate.condition)},
+             {"made_physical", found.made_physical ? "yes" : "no"}};
+  const auto add = [&](const char* key, const Eigen::VectorXd& values) {
+    for (int j = 0; j < model.n(); ++j) {
+      p.extra.emplace_back(fmt::format("{}/{}", key, model.joints[static_cast<std::size_t>(j)].name),
+                           fmt::format("{:.6g}", values[j]));
+    }
+  };
+  add("torque_rms", found.fitted.torque);
+  add("torque_not_explained/fitted", found.fitted.by_theta);
+  if (found.held_out.rows > 0) add("torque_not_explained/held_out", found.held_out.by_theta);
+  add("torque_not_explained/robot_file", found.fitted.by_file);
+  if (!doubts.empty()) p.extra.emplace_back("accepted_although", fmt::format("{}", fmt::join(doubts, "; ")));
+  write_provenance(folder, p);
+  outcome_.files = {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.yaml"};
+}
+
+}  // namespace armtune
