@@ -91,7 +91,7 @@ std::string TypePrinter::type_of(bool or_null) {
     return "Quaternion";
   } else if constexpr (List<T>) {
     const std::string type = type_of<typename T::value_type>(or_null);
-    return (type.find('|') == type.npos ? type : '(' + type + ')') + "[]";
+    return (type.find('|') == std::string::npos ? type : '(' + type + ')') + "[]";
   } else if constexpr (Pair<T>) {
     return '[' + type_of<typename T::first_type>() + ", " + type_of<typename T::second_type>() + ']';
   } else {
