@@ -68,7 +68,6 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   const auto beside = beyond_arm(tables, asked, tuned);
   const bool feasible =
       facts.entry("feasible") == "true" || (facts.entry("feasible").empty() && broken.empty());
-  const bool interrupted = ended.find("interrupted") != std::string::npos;
   std::string gain;
   if (!std::isnan(objective)) {
     gain = objective < 1.0
@@ -78,7 +77,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   std::string kept = feasible ? "every constraint holds" : "";
   if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);
   Verdict verdict;
-  verdict.sentence = joined({interrupted ? "Interrupted before the search was finished" : "",
+  verdict.sentence = joined({facts.interrupted() ? "Interrupted before the search was finished" : "",
                              feasible ? "" : "no feasible point was found: the best one breaks a constraint",
                              feasible ? "" : first_of(broken), gain, improvements(all, tables.size()),
                              closest_joint(tables, tuned), kept});

@@ -21,6 +21,11 @@ struct VerdictFacts {
 
   /// Of run.yaml; empty where it is not there.
   std::string entry(const std::string& key) const { return run.contains(key) ? run.at(key) : ""; }
+  /// By run.yaml's `interrupted`; runs of older versions say it in their `ended` alone.
+  bool interrupted() const {
+    return run.contains("interrupted") ? entry("interrupted") == "true"
+                                       : entry("ended").starts_with("interrupted");
+  }
 };
 
 /// data: everything but its verdict.

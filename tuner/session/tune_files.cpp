@@ -121,6 +121,7 @@ Provenance tune_provenance(const Study& study, const TuneResult& result, const I
                            {"stepper", name(study.stepper)},
                            {"engine", engine_text(engine_of_search(study))},
                            {"ended", result.reason},
+                           {"interrupted", result.interrupted ? "true" : "false"},
                            {"feasible", result.best.feasible ? "true" : "false"},
                            {"objective", fmt::format("{}", result.best.objective)},
                            {"gains_file", hash_of_file(folder + "/gains.yaml")}});

@@ -32,6 +32,9 @@ TEST(Verdict, NamesTheJointClosestToItsLimitWithPlaceAndTime) {
                  "motor at the elbow")})});
   EXPECT_EQ(closest_joint(barely, 0),
             "motor at the elbow breaks its velocity limit, 100.0002 % at 3.00 s in a");
+  const auto timeless =
+      tables_of({errors_of({result_of("a", {{Metric::kJointVelocityMaxRatio, 0.5}}, "motor at the elbow")})});
+  EXPECT_EQ(closest_joint(timeless, 0), "motor at the elbow comes closest to its velocity limit, 50 % in a");
   EXPECT_THAT(violations(barely, {{Metric::kJointVelocityMaxRatio, true, 1.0, {}}}, 0),
               ElementsAre(AllOf(HasSubstr("is 1.000002 in a"), HasSubstr("at most 1"))));
 }
@@ -162,8 +165,15 @@ TEST(Verdict, WithoutAFeasiblePointSaysSoFirstAndNamesTheConstraint) {
 
 TEST(Verdict, OfAnInterruptedRunSaysSoFirst) {
   VerdictFacts facts = tuned_facts(0.9);
+  facts.run["ended"] = "stopped by a signal";
+  facts.run["interrupted"] = "true";
+  EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, testing::StartsWith("Interrupted"));
+  facts.run.erase("interrupted");  // as older versions had it
   facts.run["ended"] = "interrupted";
   EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, testing::StartsWith("Interrupted"));
+  facts.run["ended"] = "the phase 'interrupted' used up its budget";
+  facts.run["interrupted"] = "false";
+  EXPECT_THAT(verdict_of(tuned_data(), facts).sentence, Not(HasSubstr("Interrupted")));
 }
 
 TEST(Verdict, OfARunThatGotNoBetterDoesNotSayItDid) {
