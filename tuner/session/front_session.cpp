@@ -63,7 +63,7 @@ std::optional<FrontOutcome> FrontSession::run(RankGroup& ranks) {
   try {
     search(ranks, workers);
   } catch (...) {
-    if (run_ && objective_) observer_.can_resume(folder());
+    if (run_ && objective_ && run_->can_resume()) observer_.can_resume(folder());
     throw;
   }
   if (outcome_.result.evaluations == 0) {

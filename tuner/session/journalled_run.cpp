@@ -98,4 +98,9 @@ std::optional<Ending> JournalledRun::finished() const {
   return static_cast<Ending>(*journal_->exit_code());
 }
 
+bool JournalledRun::can_resume() const {
+  std::error_code ignored;
+  return fs::exists(place_.folder + "/" + kJournal, ignored);
+}
+
 }  // namespace armtune

@@ -49,6 +49,8 @@ class JournalledRun {
   Journal& journal() { return *journal_; }
   /// How the run ended, if it did: then there is nothing to resume.
   std::optional<Ending> finished() const;
+  /// Whether its journal is still there, so that a run which failed can be resumed.
+  bool can_resume() const;
   /// Wall time of the run, that of its earlier parts included [s].
   double seconds() const { return before_ + watch_.seconds(); }
   /// From now on the folder stays, whatever happens.

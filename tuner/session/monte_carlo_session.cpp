@@ -116,7 +116,7 @@ void MonteCarloSession::draw(RolloutPool& pool) {
   try {
     samples = monte_carlo(pool, settings_.gains, options, context_.stop);
   } catch (...) {
-    if (run_) observer_.can_resume(folder());
+    if (run_ && run_->can_resume()) observer_.can_resume(folder());
     throw;
   }
   // Interrupted, those before the first gap: what samples.csv holds.

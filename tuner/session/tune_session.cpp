@@ -64,7 +64,7 @@ void TuneSession::search(CandidateRunner& workers) {
   try {
     outcome_.result = search_with_files(workers);
   } catch (...) {
-    if (run_ && outcome_.objective) observer_.can_resume(folder());
+    if (run_ && outcome_.objective && run_->can_resume()) observer_.can_resume(folder());
     throw;
   }
   observer_.part_is_over();
