@@ -20,6 +20,7 @@ const expect = (holds, what) => {
 async function until(holds, what) {
   for (const late = Date.now() + PATIENCE_MS; Date.now() < late; ) {
     if (await holds()) return;
+    if (run.exitCode !== null && !interrupted) throw new Error(`${what}: the run ended with ${run.exitCode} before`);
     await new Promise((done) => setTimeout(done, 200));
   }
   throw new Error(`${what}: not within ${PATIENCE_MS / 1000} s`);
@@ -53,6 +54,7 @@ async function drawn(page) {
 }
 
 const run = spawn(armtune, ["tune", "live.yaml", "--out", "live", "--live", "--no-analysis"], { cwd: folder, stdio: "ignore" });
+let interrupted = false;
 const ended = new Promise((done) => run.on("exit", (code) => done(code)));
 const browser = await launch();
 try {
@@ -62,6 +64,7 @@ try {
   await watch(page);
   await drawn(page);
   expect(run.exitCode === null, "the run still goes on");
+  interrupted = true;
   run.kill("SIGINT");
   expect((await ended) === 130, "interrupted, it ends with 130");
   await until(async () => (await page.locator("#live").count().catch(() => 1)) === 0, "the ended run's own page");
