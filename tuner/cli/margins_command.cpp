@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include "sim/csv/text_file.hpp"
@@ -17,6 +16,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/robustness/margin_report.hpp"
 #include "tuner/run/run_folder.hpp"
+#include "tuner/session/session_context.hpp"
 
 namespace armtune::cli {
 namespace {
@@ -42,15 +42,12 @@ int run(Arguments args) {
   const GainSet set = load_gain_set(args.set, scenarios);
   const FolderLock lock = make_run_folder(args.folder);
 
-  const auto began = std::chrono::steady_clock::now();
-  const auto seconds = [began] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  };
+  const Stopwatch watch;
   ProgressLine line;
   line.show("the nominal rollouts");
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(fmt::format("{} of {} margins, {:.0f} s left", done, all,
-                          seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
+                          watch.seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
   };
   if (!args.folder.empty()) {
     options.finished = [&](const std::vector<Margin>& so_far) {
@@ -66,7 +63,7 @@ int run(Arguments args) {
     p.inputs = {set.path};
     add_inputs(scenarios, p.inputs);
     p.workers = options.workers;
-    p.wall_seconds = seconds();
+    p.wall_seconds = watch.seconds();
     p.extra = {{"margins", fmt::format("{}", found.size())}, {"stepper", args.stepper}};
     write_provenance(args.folder, p);
   }
@@ -76,9 +73,8 @@ int run(Arguments args) {
   }
   if (!args.folder.empty()) say(fmt::format("\nwrote {}: margins.csv, run.yaml, inputs/\n", args.folder));
   if (stop_requested()) return kInterrupted;
-  const bool nominal =
-      std::all_of(found.begin(), found.end(), [](const Margin& m) { return m.stands.has_value(); });
-  return nominal ? kDone : kChecksFailed;
+  const auto holds = [](const Margin& m) { return m.stands.has_value(); };
+  return std::all_of(found.begin(), found.end(), holds) ? kDone : kChecksFailed;
 }
 
 std::string help_footer() {
@@ -89,12 +85,9 @@ std::string help_footer() {
   }
   text += fmt::format(
       "\nA closed loop stands if its rollout completes, keeps the limits, and saturates a joint's torque in "
-      "at\n"
-      "most {} % of the control periods: a loop that is unstable chatters from bound to bound, long before "
-      "it\n"
-      "diverges or tracks much worse. The search strides away from the nominal value to the first failure "
-      "and\n"
-      "bisects: to adjacent periods, or to 2 %. A margin is 'none' where not even the nominal value stands.\n"
+      "at\nmost {} % of the control periods: a loop that is unstable chatters from bound to bound, long before "
+      "it\ndiverges or tracks much worse. The search strides away from the nominal value to the first failure "
+      "and\nbisects: to adjacent periods, or to 2 %. A margin is 'none' where not even the nominal value stands.\n"
       "\nExample:\n  armtune margins extended_tuned --scenarios moving_target realistic_moving_target "
       "--limit 'joint_velocity/max_ratio<=0.9'\n",
       100.0 * kSaturatedShare);
