@@ -15,14 +15,14 @@
 #include <thread>
 #include <vector>
 
+#include "armtune/error.hpp"
 #include "benchmarks/ablation_runs.hpp"
-#include "core/common/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 
 /// At least, or for a bound at most.
 struct Demand {

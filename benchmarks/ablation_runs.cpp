@@ -10,7 +10,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/workers/parallel.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kCameraNoise = 0.002;  // m
@@ -99,4 +99,4 @@ double factor(const RolloutResult& before, const RolloutResult& now, Metric m) {
   return ratio > 0.0 && std::isfinite(ratio) ? ratio : NAN;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

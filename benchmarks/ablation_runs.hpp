@@ -8,7 +8,7 @@
 
 #include "sim/rollout/rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Variant {
   std::string name;
@@ -51,4 +51,4 @@ Results simulate_all(const std::vector<Variant>& all, int workers);
 /// Returns before / now; NaN where one of them did not complete or has no such figure.
 double factor(const RolloutResult& before, const RolloutResult& now, Metric m);
 
-}  // namespace armtune
+}  // namespace armtune::internal

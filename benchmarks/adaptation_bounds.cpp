@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/adaptation.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/task_resolution.hpp"
@@ -26,7 +26,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 
 /// How a compared law forms Y and S of its adaptation; the torque is that of the adaptive law.
 enum class Bound { kDeadZone, kDesired };
@@ -255,7 +255,7 @@ int main(int argc, char** argv) {
       p.workers = workers;
       write_text_file(folder + "/run.yaml", run_yaml(p));
     }
-  } catch (const InputError& error) {
+  } catch (const armtune::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
   }

@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 using Clock = std::chrono::steady_clock;
 
 double median(std::vector<double> values) {

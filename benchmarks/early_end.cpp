@@ -16,7 +16,7 @@
 
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 struct Outcome {
@@ -77,11 +77,11 @@ void compare(const std::vector<std::string>& args) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal
 
 int main(int argc, char** argv) {
   try {
-    armtune::compare({argv + 1, argv + argc});
+    armtune::internal::compare({argv + 1, argv + argc});
     return 0;
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());

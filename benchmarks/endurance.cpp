@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/csv/cell.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -26,7 +26,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 
 struct Case {
   std::string gains;
@@ -167,7 +167,7 @@ int main(int argc, char** argv) {
     }
     fmt::print("{} of {} long runs failed\n", failed, jobs.size());
     return failed == 0 ? 0 : 3;
-  } catch (const InputError& error) {
+  } catch (const armtune::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
   }

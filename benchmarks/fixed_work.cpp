@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 
 /// Two arms side by side with the kernels that every processor has.
 int run_lanes(const Scenario& scenario, const Gains& gains) {
@@ -34,7 +34,7 @@ int run(const char* engine, const char* name, double seconds) {
   if (engine == std::string("lanes")) return run_lanes(scenario, gains);
   Rollout rollout(scenario, Stepper::kMidpoint, engine_from_name(engine));
   const RolloutResult result = rollout.run(gains);
-  fmt::print("{} periods, {}\n", scenario.periods(), armtune::name(result.status));
+  fmt::print("{} periods, {}\n", scenario.periods(), armtune::internal::name(result.status));
   return result.end_time == seconds ? 0 : 1;
 }
 

@@ -21,7 +21,7 @@
 #include "ipopt_solver.hpp"
 #endif
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::VectorXd;
@@ -221,7 +221,7 @@ int run(bool whole, int random_tasks, int repeats, std::uint64_t seed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal
 
 int main(int argc, char** argv) {
   const bool whole = argc > 1 && std::string(argv[1]) == "whole";
@@ -229,6 +229,6 @@ int main(int argc, char** argv) {
     return argc > place ? std::atoi(argv[place]) : otherwise;
   };
   const int first = whole ? 2 : 1;
-  return armtune::run(whole, number(first, 50), number(first + 1, 3),
-                      static_cast<std::uint64_t>(number(first + 2, 1)));
+  return armtune::internal::run(whole, number(first, 50), number(first + 1, 3),
+                                static_cast<std::uint64_t>(number(first + 2, 1)));
 }

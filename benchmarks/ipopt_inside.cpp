@@ -6,7 +6,7 @@
 #include "ipopt_solver.hpp"
 #include "tuner/planning/solver/violation_price.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Eigen::VectorXd multipliers,
                                 const SequentialQuadraticOptions& options, const PlanObserver& observer) {
@@ -36,4 +36,4 @@ SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Ei
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

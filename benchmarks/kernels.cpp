@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 
 /// A random state of the UR10 and what the kernels need of it.
 struct Fixture {
@@ -42,7 +42,7 @@ void forward_kinematics(benchmark::State& state) {
   Fixture f;
   for (auto _ : state) {
     f.q[0] += 1e-6;
-    armtune::forward_kinematics(f.chain, f.q, f.poses);
+    armtune::internal::forward_kinematics(f.chain, f.q, f.poses);
     benchmark::DoNotOptimize(f.poses);
   }
 }
@@ -63,7 +63,7 @@ void inverse_dynamics(benchmark::State& state) {
   Fixture f;
   JointVector tau;
   for (auto _ : state) {
-    armtune::inverse_dynamics(f.chain, f.poses, f.qd, f.qddr, tau);
+    armtune::internal::inverse_dynamics(f.chain, f.poses, f.qd, f.qddr, tau);
     benchmark::DoNotOptimize(tau);
   }
 }
@@ -75,8 +75,8 @@ void forward_dynamics(benchmark::State& state) {
   JointVector qdd;
   for (auto _ : state) {
     f.q[0] += 1e-6;
-    armtune::body_poses(f.chain, f.q, f.poses);
-    armtune::forward_dynamics(f.chain, f.poses, f.qd, f.qddr, work, qdd);
+    armtune::internal::body_poses(f.chain, f.q, f.poses);
+    armtune::internal::forward_dynamics(f.chain, f.poses, f.qd, f.qddr, work, qdd);
     benchmark::DoNotOptimize(qdd);
   }
 }
@@ -86,7 +86,7 @@ void mass_matrix(benchmark::State& state) {
   Fixture f;
   JointMatrix M;
   for (auto _ : state) {
-    armtune::mass_matrix(f.chain, f.poses, M);
+    armtune::internal::mass_matrix(f.chain, f.poses, M);
     benchmark::DoNotOptimize(M);
   }
 }
@@ -111,7 +111,7 @@ void slotine_li_regressor(benchmark::State& state) {
   Regressor Y;
   for (auto _ : state) {
     slotine_li_forward(f.chain, f.poses, f.qd, f.qdr, f.qddr, f.motion);
-    armtune::slotine_li_regressor(f.chain, f.poses, f.motion, Y);
+    armtune::internal::slotine_li_regressor(f.chain, f.poses, f.motion, Y);
     benchmark::DoNotOptimize(Y);
   }
 }

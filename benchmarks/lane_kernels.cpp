@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 constexpr int kLanes = 4;
 using T = Pack<kLanes>;
 
@@ -35,7 +35,7 @@ struct Fixture {
       }
     }
     theta = theta_of(load_scenario("obstacle_pass").robot->chain).cast<T>();
-    armtune::forward_kinematics(chain, q, poses);
+    armtune::internal::forward_kinematics(chain, q, poses);
     tool_jacobian(chain, poses, J);
   }
 };
@@ -48,7 +48,7 @@ void forward_kinematics(benchmark::State& state) {
   Fixture f;
   for (auto _ : state) {
     f.q[0] += T(1e-6);
-    armtune::forward_kinematics(f.chain, f.q, f.poses);
+    armtune::internal::forward_kinematics(f.chain, f.q, f.poses);
     benchmark::DoNotOptimize(f.poses);
   }
   count_arms(state);
@@ -74,7 +74,7 @@ void forward_dynamics(benchmark::State& state) {
   for (auto _ : state) {
     f.q[0] += T(1e-6);
     body_poses(f.chain, f.q, f.poses);
-    armtune::forward_dynamics(f.chain, f.poses, f.qd, f.qddr, work, qdd);
+    armtune::internal::forward_dynamics(f.chain, f.poses, f.qd, f.qddr, work, qdd);
     benchmark::DoNotOptimize(qdd);
   }
   count_arms(state);

@@ -20,10 +20,10 @@ struct Timing {
   double seconds = 0.0;
 };
 
-double seconds_of(const armtune::PlanTask& task, armtune::PlannedTrajectory& planned) {
+double seconds_of(const armtune::internal::PlanTask& task, armtune::internal::PlannedTrajectory& planned) {
   const auto began = std::chrono::steady_clock::now();
-  const armtune::PlanProblem problem = armtune::plan_problem(task);
-  planned = armtune::solve_plan(problem);
+  const armtune::internal::PlanProblem problem = armtune::internal::plan_problem(task);
+  planned = armtune::internal::solve_plan(problem);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
@@ -45,20 +45,20 @@ double exponent(const std::vector<Timing>& timings) {
 
 int main(int argc, char** argv) {
   const int repeats = argc > 1 ? std::atoi(argv[1]) : 3;
-  armtune::PlanTask task = armtune::load_plan_task("ur10_switch");
+  armtune::internal::PlanTask task = armtune::internal::load_plan_task("ur10_switch");
   std::vector<Timing> timings;
   timings.reserve(8);
-  fmt::print("{}\n", armtune::measured_with());
+  fmt::print("{}\n", armtune::internal::measured_with());
   fmt::print("{}: the best of {}\n{:>8} {:>10} {:>12} {:>10} {:>12} {:>14} {:>12} {:>12}\n", task.name,
              repeats, "knots", "seconds", "us a knot", "exponent", "duration s", "interior steps",
              "violation", "KKT");
   for (const int knots : {200, 500, 1000, 2000, 5000, 10000, 20000}) {
     task.knots = knots;
     double best = INFINITY;
-    armtune::PlannedTrajectory planned;
+    armtune::internal::PlannedTrajectory planned;
     for (int repeat = 0; repeat < repeats; ++repeat) best = std::min(best, seconds_of(task, planned));
     const auto& last = planned.result.last;
-    if (planned.result.status != armtune::PlanStatus::kSolved) {
+    if (planned.result.status != armtune::internal::PlanStatus::kSolved) {
       fmt::print("{} knots: not solved\n", knots);
       return 1;
     }

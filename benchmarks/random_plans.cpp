@@ -7,13 +7,13 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/uniform.hpp"
 #include "tuner/planning/solver/violation_price.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::VectorXd;
@@ -148,4 +148,4 @@ std::vector<RandomPlan> random_plans(int count, int knots, std::uint64_t seed) {
   return plans;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

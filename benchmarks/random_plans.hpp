@@ -7,7 +7,7 @@
 
 #include "tuner/planning/tasks/plan_problem.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct RandomPlan {
   PlanTask task;
@@ -18,4 +18,4 @@ struct RandomPlan {
 /// that violates a limit or an obstacle's clearance where it starts or ends, is drawn again.
 std::vector<RandomPlan> random_plans(int count, int knots, std::uint64_t seed);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -23,7 +23,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 using Clock = std::chrono::steady_clock;
 
 /// The least of several runs [s]: what the work takes when nothing else disturbs it.

@@ -6,10 +6,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS armtune RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT armtune)
 install(TARGETS armtune_core armtune_sim armtune_tuner armtune_simbody EXPORT armtune
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
-foreach(room core sim tuner)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/armtune COMPONENT dev
-    FILES_MATCHING PATTERN "*.hpp" PATTERN "web" EXCLUDE)
-endforeach()
+# The interface alone: headers of core, sim and tuner are armtune's own.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/armtune DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
 if(ARMTUNE_SUITESPARSE)
   install(TARGETS armtune_identification armtune_planning EXPORT armtune_suitesparse
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
@@ -55,7 +53,8 @@ endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSE-THIRD-PARTY.md ${PROJECT_SOURCE_DIR}/README.md
   ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT armtune)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT armtune)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/controller DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT dev)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/controller ${PROJECT_SOURCE_DIR}/examples/cpp
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT dev)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/python DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT python)
 # Debian wants to find the licence of every package here.
 set(licence ${PROJECT_SOURCE_DIR}/LICENSE)

@@ -44,7 +44,8 @@ function(armtune_room NAME)
   add_library(armtune::${NAME} ALIAS armtune_${NAME})
   set_target_properties(armtune_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   target_include_directories(armtune_${NAME} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/armtune>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(armtune_${NAME} PUBLIC cxx_std_20)
   target_link_libraries(armtune_${NAME} PRIVATE $<BUILD_INTERFACE:armtune_options>)
   armtune_precompile(armtune_${NAME})

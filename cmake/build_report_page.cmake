@@ -46,5 +46,5 @@ string(FIND "${page}" ")${end}\"" clash)
 if(NOT clash EQUAL -1)
   message(FATAL_ERROR "The page holds the end of a raw string, ')${end}\"'; rename it in build_report_page.cmake.")
 endif()
-file(WRITE ${PAGE} "#include \"tuner/report/page.hpp\"\n\nnamespace armtune::report {\n\n"
-  "std::string_view page_text() {\n  return R\"${end}(" "${page}" ")${end}\";\n}\n\n}  // namespace armtune::report\n")
+file(WRITE ${PAGE} "#include \"tuner/report/page.hpp\"\n\nnamespace armtune::internal::report {\n\n"
+  "std::string_view page_text() {\n  return R\"${end}(" "${page}" ")${end}\";\n}\n\n}  // namespace armtune::internal::report\n")

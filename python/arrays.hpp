@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace armtune::python {
+namespace armtune::internal::python {
 
 /// An array of these extents that owns the vector, which is moved from.
 template <class Value>
@@ -25,4 +25,4 @@ inline pybind11::array view(const double* first, std::size_t count, std::size_t 
   return array;
 }
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python

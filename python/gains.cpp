@@ -7,18 +7,18 @@
 
 #include <algorithm>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "armtune/gains.hpp"
+#include "armtune/scenario.hpp"
 #include "core/control/laws/controller_kind.hpp"
-#include "core/control/laws/valid_gains.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "sim/scenario/gains_file.hpp"
-#include "sim/scenario/scenario.hpp"
 #include "tuner/gains/gains_formats.hpp"
 
 namespace py = pybind11;
 
-namespace armtune::python {
+namespace armtune::internal::python {
 namespace {
 
 const GainField& field_of(const Gains& gains, const std::string& name) {
@@ -28,20 +28,20 @@ const GainField& field_of(const Gains& gains, const std::string& name) {
   throw py::key_error(fmt::format("{}: the controller {} has no such gain", name, gains.controller));
 }
 
-std::vector<std::string> names(const NamedJoints& self) {
+std::vector<std::string> names(const armtune::Gains& self) {
   std::vector<std::string> all;
-  for (const GainField& field : fields_of(self.gains)) all.emplace_back(field.name);
+  for (const GainField& field : fields_of(self.inside())) all.emplace_back(field.name);
   return all;
 }
 
 /// Numbers: an array onto them; switches: True, False or a word.
 py::object get(const py::object& self, const std::string& name) {
-  auto& gains = self.cast<NamedJoints&>().gains;
+  auto& gains = self.cast<armtune::Gains&>().inside();
   const GainField& field = field_of(gains, name);
   if (field.is_number()) {
     const auto values = numbers(gains, field);
     const py::array flat = view(values.data(), values.size(), 1, self, true);
-    const auto n = self.cast<NamedJoints&>().joints.size();
+    const auto n = self.cast<armtune::Gains&>().joints().size();
     const auto* forces = std::get_if<ForceGains Gains::*>(&field.member);
     if (forces == nullptr || !is_per_joint(gains.**forces, static_cast<int>(n))) return flat;
     return flat.attr("reshape")(n, n);  // of the same memory
@@ -66,23 +66,23 @@ ForceGains force_gains_of(const std::string& name, const py::object& value, py::
   return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
 }
 
-void assign(NamedJoints& self, const std::string& name, const py::object& value) {
-  const GainField& field = field_of(self.gains, name);
+void assign(armtune::Gains& self, const std::string& name, const py::object& value) {
+  const GainField& field = field_of(self.inside(), name);
   if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
-    self.gains.** flag = value.cast<bool>();
+    self.inside().** flag = value.cast<bool>();
   } else if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
     const auto word = value.cast<std::string>();
     if (word != "start" && word != "current")
       throw InputError(fmt::format("{}: '{}' is not start or current", name, word));
-    self.gains.** reference = word == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
+    self.inside().** reference = word == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
   } else {
-    const auto values = numbers(self.gains, field);
+    const auto values = numbers(self.inside(), field);
     if (!py::isinstance<py::sequence>(value) && !py::isinstance<py::array>(value)) {
       std::fill(values.begin(), values.end(), value.cast<double>());
       return;
     }
     if (const auto* forces = std::get_if<ForceGains Gains::*>(&field.member)) {
-      self.gains.** forces = force_gains_of(name, value, static_cast<py::ssize_t>(self.joints.size()));
+      self.inside().** forces = force_gains_of(name, value, static_cast<py::ssize_t>(self.joints().size()));
       return;
     }
     const auto given = value.cast<std::vector<double>>();
@@ -92,11 +92,11 @@ void assign(NamedJoints& self, const std::string& name, const py::object& value)
   }
 }
 
-void set(NamedJoints& self, const std::string& name, const py::object& value) {
+void set(armtune::Gains& self, const std::string& name, const py::object& value) {
   try {
     assign(self, name, value);
   } catch (const py::cast_error&) {
-    const GainField& field = field_of(self.gains, name);
+    const GainField& field = field_of(self.inside(), name);
     const char* kind = field.is_number()                                     ? "numbers"
                        : std::holds_alternative<bool Gains::*>(field.member) ? "True or False"
                                                                              : "a word";
@@ -104,49 +104,63 @@ void set(NamedJoints& self, const std::string& name, const py::object& value) {
   }
 }
 
-NamedJoints load(const std::filesystem::path& name, const Scenario& scenario) {
-  NamedJoints loaded{{}, joint_names(*scenario.robot)};
-  loaded.gains = load_gains(name.string(), loaded.joints);
-  return loaded;
-}
-
-std::string text(const NamedJoints& self, const std::string& format) {
-  validate(self.gains, self.joints, "gains");
-  GainsFile file;
-  file.gains = self.gains;
-  file.joints = self.joints;
-  return gains_text(file, gains_format_from_name(format));
+armtune::GainsFormat format_of(const std::string& name) {
+  switch (internal::gains_format_from_name(name)) {
+    case internal::GainsFormat::kYaml:
+      return armtune::GainsFormat::kYaml;
+    case internal::GainsFormat::kRos1:
+      return armtune::GainsFormat::kRos1;
+    case internal::GainsFormat::kRos2:
+      break;
+  }
+  return armtune::GainsFormat::kRos2;
 }
 
 }  // namespace
 
 void bind_gains(py::module_& module) {
-  py::class_<NamedJoints>(module, "Gains", made_by_armtune(),
-                          "A controller's gains for one arm, by the names of its gains file.")
-      .def_readonly("joints", &NamedJoints::joints,
-                    "Names of the arm's joints, in the order of joint vectors.")
-      .def_property_readonly("controller", [](const NamedJoints& self) { return self.gains.controller; })
+  py::class_<armtune::Gains>(module, "Gains", made_by_armtune(),
+                             "A controller's gains for one arm, by the names of its gains file.")
+      .def_property_readonly("joints", &armtune::Gains::joints,
+                             "Names of the arm's joints, in the order of joint vectors.")
+      .def_property_readonly("controller",
+                             [](const armtune::Gains& self) { return self.inside().controller; })
       .def("keys", &names, "Names of the gains.")
       .def("__getitem__", &get, py::arg("name"),
            "Numbers: a NumPy array onto them, without a copy, so that writing into it changes the gains. "
            "force_control_gains is n x n where each force point has a gain for every joint.")
       .def("__setitem__", &set, py::arg("name"), py::arg("value"))
-      .def("__iter__", [](const NamedJoints& self) { return py::iter(py::cast(names(self))); })
+      .def("__iter__", [](const armtune::Gains& self) { return py::iter(py::cast(names(self))); })
       .def("__contains__",
-           [](const NamedJoints& self, const std::string& name) {
+           [](const armtune::Gains& self, const std::string& name) {
              const auto all = names(self);
              return std::find(all.begin(), all.end(), name) != all.end();
            })
-      .def("__len__", [](const NamedJoints& self) { return names(self).size(); })
-      .def("copy", [](const NamedJoints& self) { return NamedJoints(self); })
-      .def("__copy__", [](const NamedJoints& self) { return NamedJoints(self); })
-      .def("__deepcopy__", [](const NamedJoints& self, const py::dict&) { return NamedJoints(self); })
-      .def("text", &text, py::arg("format") = "yaml", "The gains as a file: yaml, ros1 or ros2.")
-      .def("__repr__", [](const NamedJoints& self) {
-        return fmt::format("<armtune.Gains of {} for {} joints>", self.gains.controller, self.joints.size());
+      .def("__len__", [](const armtune::Gains& self) { return names(self).size(); })
+      .def("copy", [](const armtune::Gains& self) { return armtune::Gains(self); })
+      .def("__copy__", [](const armtune::Gains& self) { return armtune::Gains(self); })
+      .def("__deepcopy__", [](const armtune::Gains& self, const py::dict&) { return armtune::Gains(self); })
+      .def(
+          "text",
+          [](const armtune::Gains& self, const std::string& format) { return self.text(format_of(format)); },
+          py::arg("format") = "yaml", "The gains as a file: yaml, ros1 or ros2.")
+      .def(
+          "save",
+          [](const armtune::Gains& self, const std::filesystem::path& path, const std::string& format) {
+            self.save(path.string(), format_of(format));
+          },
+          py::arg("path"), py::arg("format") = "yaml", "Writes that, whole or not at all.")
+      .def("__repr__", [](const armtune::Gains& self) {
+        return fmt::format("<armtune.Gains of {} for {} joints>", self.inside().controller,
+                           self.joints().size());
       });
-  module.def("load_gains", &load, py::arg("name"), py::arg("scenario"),
-             "Bundled gains by name, or a gains file by path, for a scenario's arm.");
+  module.def(
+      "load_gains",
+      [](const std::filesystem::path& name, const armtune::Scenario& scenario) {
+        return armtune::Gains::load(name.string(), scenario.robot());
+      },
+      py::arg("name"), py::arg("scenario"),
+      "Bundled gains by name, or a gains file by path, for a scenario's arm.");
 }
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python

@@ -13,7 +13,7 @@
 
 #include "python/work.hpp"
 
-namespace armtune::python {
+namespace armtune::internal::python {
 
 /// A Python function that C++ calls from any thread. What it raises ends the work, and is raised again by
 /// `interruptible`.
@@ -87,4 +87,4 @@ auto interruptible(Work& work, Callback& callback, Task task) {
   return interruptible(work, callback, std::move(task), [](const auto&) {});
 }
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python

@@ -5,17 +5,15 @@
 #include <exception>
 #include <stdexcept>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "python/bindings.hpp"
-#include "python/work.hpp"
-#include "sim/scenario/data_files.hpp"
+#include "python/watched.hpp"
 #include "tuner/run/arithmetic.hpp"
-#include "tuner/run/run_folder.hpp"
 
 namespace py = pybind11;
 
-namespace armtune::python {
+namespace armtune::internal::python {
 namespace {
 
 PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
@@ -24,44 +22,60 @@ PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
   return nullptr;
 }
 
-/// Messages of the library may quote names of files that are not UTF-8, of which Python can make no text.
-void translate(std::exception_ptr raised) {
-  try {
-    if (raised) std::rethrow_exception(raised);
-  } catch (const py::builtin_exception&) {
-    throw;
-  } catch (const InputError&) {
-    throw;  // is UTF-8, and has a type of its own
-  } catch (const std::runtime_error& error) {
-    PyErr_SetString(PyExc_RuntimeError, one_line(error.what()).c_str());
+}  // namespace
+
+void raise_interrupted(py::object result) {
+  const py::object type = py::module_::import("armtune").attr("Interrupted");
+  const py::object error = type("interrupted; .result has what was found");
+  error.attr("result") = std::move(result);
+  PyErr_SetObject(type.ptr(), error.ptr());
+  throw py::error_already_set();
+}
+
+void issue_warnings(const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences) {
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
   }
 }
 
-}  // namespace
+void bind_progress(py::module_& module) {
+  py::class_<Progress>(module, "Progress", made_by_armtune(), "How far a part of the work is.")
+      .def_readonly("work", &Progress::work, "What is done.")
+      .def_readonly("done", &Progress::done)
+      .def_readonly("all", &Progress::all, "Units of done; 0: not known.")
+      .def_readonly("seconds_left", &Progress::seconds_left, "About; nan: not known.")
+      .def_readonly("detail", &Progress::detail, "The best so far, or where the work stands.");
+}
 
 py::custom_type_setup made_by_armtune() {
   return py::custom_type_setup([](PyHeapTypeObject* type) { type->ht_type.tp_new = refuse_new; });
 }
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python
 
 PYBIND11_MODULE(_armtune, module) {
-  using namespace armtune;
+  using namespace armtune::internal;
   module.doc() = "Offline trajectory and gain tuning for robot arms.";
-  py::register_exception_translator(&python::translate);
-  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  const auto error = py::register_exception<armtune::Error>(module, "Error", PyExc_RuntimeError);
+  py::register_exception<armtune::FailedError>(module, "FailedError", error);
+  // A ValueError too, as Python has it for what cannot be used as it is.
+  const py::tuple bases = py::make_tuple(error, py::handle(PyExc_ValueError));
+  py::register_exception<armtune::InputError>(module, "InputError", bases);
+  python::bind_progress(module);
   python::bind_gains(module);
   python::bind_rollouts(module);
-  python::bind_tuning(module);
+  python::bind_searches(module);
+  python::bind_robustness(module);
+  python::bind_models(module);
+  python::bind_controllers(module);
   // Objects of one class must not become those of another: "rollout.__class__ = Scenario".
-  for (const char* name : {"Gains", "Scenario", "Rollout", "Study", "Tuned"}) {
-    reinterpret_cast<PyTypeObject*>(module.attr(name).ptr())->tp_flags |= Py_TPFLAGS_IMMUTABLETYPE;
+  for (const py::handle item : module.attr("__dict__").attr("values")()) {
+    if (py::isinstance<py::type>(item) &&
+        !PyType_IsSubtype(reinterpret_cast<PyTypeObject*>(item.ptr()),
+                          reinterpret_cast<PyTypeObject*>(PyExc_BaseException)))
+      reinterpret_cast<PyTypeObject*>(item.ptr())->tp_flags |= Py_TPFLAGS_IMMUTABLETYPE;
   }
   py::module_::import("atexit").attr("register")(py::cpp_function(&python::end_all_work));
-  module.def(
-      "versions", [] { return versions(); }, "(name, version) of armtune and every library in use.");
-  module.def("bundled", &bundled_names, py::arg("folder"),
-             "Names of what is bundled: robots, scenarios, gains, studies, tasks, theta.");
   module.def(
       "arithmetic", [] { return std::pair(arithmetic().level, arithmetic().fingerprint); },
       "Which variants of sin, exp ... this process computes with: level and fingerprint.");

@@ -5,162 +5,161 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 
-#include "core/common/error.hpp"
-#include "core/common/message_text.hpp"
+#include "armtune/rollout.hpp"
 #include "core/common/utf8.hpp"
-#include "core/control/gain_fields.hpp"
-#include "core/control/laws/valid_gains.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
-#include "python/interruptible.hpp"
+#include "python/watched.hpp"
 #include "sim/csv/text_file.hpp"
-#include "sim/scenario/scenario.hpp"
-#include "tuner/rollouts/simulate.hpp"
 
 namespace py = pybind11;
 
-namespace armtune::python {
+namespace armtune::internal::python {
 namespace {
 
-struct Rolled {
-  ScenarioResult result;
-  std::vector<std::string> names;  ///< of the columns
-  std::vector<double> values;      ///< row by row
-
-  std::size_t rows() const { return names.empty() ? 0 : values.size() / names.size(); }
-};
+using armtune::Gains;
+using armtune::Scenario;
 
 py::object column(const py::object& self, const std::string& name) {
-  const auto& rolled = self.cast<const Rolled&>();
-  const auto found = std::find(rolled.names.begin(), rolled.names.end(), name);
-  if (found == rolled.names.end())
+  const auto& rollout = self.cast<const Rollout&>();
+  const std::vector<std::string>& names = rollout.columns();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
     throw py::key_error(fmt::format("{}: no such column; rollout.keys() names them", name));
-  const auto place = static_cast<std::size_t>(found - rolled.names.begin());
-  return view(rolled.values.data() + place, rolled.rows(), rolled.names.size(), self, false);
+  const auto place = static_cast<std::size_t>(found - names.begin());
+  return view(rollout.values().data() + place, rollout.rows(), names.size(), self, false);
 }
 
-py::dict metrics(const Rolled& self) {
+py::dict columns(const py::object& self) {
   py::dict all;
-  for (const Metric metric : all_metrics()) all[name(metric)] = self.result.result.metrics[metric];
+  for (const std::string& name : self.cast<const Rollout&>().columns())
+    all[py::str(name)] = column(self, name);
   return all;
 }
 
-std::vector<Rolled> simulate_all(const std::vector<Scenario>& scenarios, const NamedJoints& gains,
-                                 int workers, int record_every, const std::string& stepper,
-                                 py::object progress) {
-  Work work;
-  check_workers(workers);
-  if (record_every < 1)
-    throw py::value_error(fmt::format("record_every: {}, must be 1 or more", record_every));
-  validate(gains.gains, gains.joints, "gains");
-  for (const Scenario& scenario : scenarios) {
-    if (joint_names(*scenario.robot) != gains.joints)
-      throw py::value_error(
-          one_line(fmt::format("{}: the gains are for an arm of other joints", scenario.name)));
-  }
-  Callback callback(std::move(progress));
+std::string repr_of(const Rollout& rollout) {
+  std::string text = fmt::format("<armtune.Rollout of {}: {}", rollout.scenario(), rollout.status());
+  if (!rollout.reason().empty()) text += ", " + rollout.reason();
+  text += fmt::format("; error/position/max {:.4g} m, joint_velocity/max_ratio {:.4g}",
+                      rollout.metric("error/position/max"), rollout.metric("joint_velocity/max_ratio"));
+  return text + fmt::format("; {} rows of {} columns>", rollout.rows(), rollout.columns().size());
+}
+
+SimulateOptions options_of(const std::string& engine, const std::string& stepper, int workers,
+                           int record_every) {
   SimulateOptions options;
+  options.engine = engine_of(engine);
+  options.stepper = stepper;
   options.workers = workers;
-  options.record_stride = record_every;
-  options.stepper = stepper_from_name(stepper);
-  options.progress = [&](std::size_t done) { callback(done, scenarios.size()); };
-  std::vector<Rolled> rolled(scenarios.size());
-  options.recorded = [&](std::size_t i, Recorder recorder, bool completed) {
-    for (const Column& c : recorder.columns()) rolled[i].names.push_back(c.name);
-    rolled[i].values = std::move(recorder).rows(completed);
-  };
-  Gains given = gains.gains;  // the caller's may change meanwhile
-  auto results = interruptible(work, callback, [&](const std::atomic<bool>& stop) {
-    return simulate(
-        scenarios, [&](const Scenario&) { return given; }, options, stop);
-  });
-  for (std::size_t i = 0; i < rolled.size(); ++i) rolled[i].result = std::move(results[i]);
-  return rolled;
+  options.record_every = record_every;
+  return options;
 }
 
-/// What a scenario's file may say too.
-void set_duration(Scenario& self, double duration) {
-  constexpr double kMostPeriods = 1e8;  // as in a file
-  const double period = self.control_period;
-  if (!(duration >= period && duration <= kMostPeriods * period)) {
-    throw InputError(fmt::format("duration: {} s; it must lie between one and {:.0e} control periods of {} s",
-                                 duration, kMostPeriods, period));
+py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object& gains,
+                        const std::string& engine, int workers, int record_every, const std::string& stepper,
+                        py::object progress) {
+  SimulateOptions options = options_of(engine, stepper, workers, record_every);
+  if (py::isinstance<Gains>(gains)) {
+    const auto set = gains.cast<Gains>();  // a copy: the caller's may change meanwhile
+    return py::cast(watched(std::move(progress), [&](const Watch& watch) {
+      options.watch = watch;
+      return armtune::simulate(scenarios, set, options);
+    }));
   }
-  self.duration = duration;
+  const auto sets = gains.cast<std::vector<Gains>>();
+  return py::cast(watched(std::move(progress), [&](const Watch& watch) {
+    options.watch = watch;
+    return simulate_sets(scenarios, sets, options);
+  }));
 }
 
-/// It stands in CSV files and in names of files.
-void set_name(Scenario& self, const std::string& name) {
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
-  });
-  if (name.empty() || !plain || is_formula(name) || name[0] == '.')
-    throw InputError(fmt::format("name: {}; give one of letters, digits, '_', '-' and '.'", shown(name)));
-  self.name = name;
-}
-
-std::string errors_text(const std::vector<const Rolled*>& rollouts) {
-  std::vector<ScenarioResult> results;
-  for (const Rolled* rolled : rollouts) {
-    if (rolled == nullptr) throw py::type_error("rollouts: None is no Rollout");
-    results.push_back(rolled->result);
+std::string errors_text(const std::vector<const Rollout*>& rollouts) {
+  std::vector<Rollout> all;
+  for (const Rollout* rollout : rollouts) {
+    if (rollout == nullptr) throw py::type_error("rollouts: None is no Rollout");
+    all.push_back(*rollout);
   }
-  return errors_csv(results);
+  return armtune::errors_csv(all);
+}
+
+void bind_scenario(py::module_& module) {
+  py::class_<Robot>(module, "Robot", made_by_armtune(), "An arm: joints and limits.")
+      .def_property_readonly("name", [](const Robot& self) { return as_utf8(self.name()); })
+      .def_property_readonly("joints", &Robot::joints,
+                             "Names, from the base to the tool: the order of joint vectors.")
+      .def_property_readonly("velocity_limits", &Robot::velocity_limits, "[rad/s, m/s]")
+      .def_property_readonly("effort_limits", &Robot::effort_limits, "[N m, N]")
+      .def_property_readonly("lower_position_limits", &Robot::lower_position_limits, "[rad, m]")
+      .def_property_readonly("upper_position_limits", &Robot::upper_position_limits, "[rad, m]");
+  module.def(
+      "load_robot", [](const std::filesystem::path& name) { return Robot::load(name.string()); },
+      py::arg("name"), "A bundled robot by name, or a robot file or URDF by path.");
+
+  py::class_<Scenario>(module, "Scenario", made_by_armtune(),
+                       "A task for an arm: path, targets, obstacles, and what is not ideal.")
+      .def_property(
+          "name", [](const Scenario& self) { return as_utf8(self.name()); }, &Scenario::set_name,
+          "What its results are called by: of two variants that are simulated together one needs another.")
+      .def_property("duration", &Scenario::duration, &Scenario::set_duration, "Simulated time [s].")
+      .def_property_readonly("control_period", &Scenario::control_period, "[s]")
+      .def_property_readonly("robot", &Scenario::robot)
+      .def_property_readonly("joints", [](const Scenario& self) { return self.robot().joints(); });
+  module.def(
+      "load_scenario", [](const std::filesystem::path& name) { return Scenario::load(name.string()); },
+      py::arg("name"), "A bundled scenario by name, or a file by path.");
 }
 
 }  // namespace
 
-void bind_rollouts(py::module_& module) {
-  py::class_<Scenario>(module, "Scenario", made_by_armtune(),
-                       "A task for an arm: path, targets, obstacles, and what is not ideal.")
-      .def_property(
-          "name", [](const Scenario& self) { return as_utf8(self.name); }, &set_name,
-          "What its results are called by: of two variants that are simulated together one needs another.")
-      .def_property(
-          "duration", [](const Scenario& self) { return self.duration; }, &set_duration,
-          "Simulated time [s].")
-      .def_readonly("control_period", &Scenario::control_period, "[s]")
-      .def_property_readonly("joints", [](const Scenario& self) { return joint_names(*self.robot); });
-  module.def(
-      "load_scenario", [](const std::filesystem::path& name) { return load_scenario(name.string()); },
-      py::arg("name"), "A bundled scenario by name, or a file by path.");
+armtune::Engine engine_of(const std::string& name) {
+  if (name == "simbody") return armtune::Engine::kSimbody;
+  if (name == "native") return armtune::Engine::kNative;
+  throw py::value_error(fmt::format("engine: {}, must be simbody or native", name));
+}
 
-  py::class_<Rolled>(module, "Rollout", made_by_armtune(),
-                     "A simulated scenario: its outcome, metrics and time series.")
-      .def_property_readonly("scenario", [](const Rolled& self) { return as_utf8(self.result.scenario); })
+void bind_rollouts(py::module_& module) {
+  bind_scenario(module);
+  py::class_<Rollout>(module, "Rollout", made_by_armtune(),
+                      "A simulated scenario: its outcome, metrics and time series.")
+      .def_property_readonly("scenario", [](const Rollout& self) { return as_utf8(self.scenario()); })
+      .def_property_readonly("status", &Rollout::status, "'completed', or what became of it.")
+      .def_property_readonly("completed", &Rollout::completed)
       .def_property_readonly(
-          "status", [](const Rolled& self) { return name(self.result.result.status); },
-          "'completed', or what became of it.")
-      .def_property_readonly(
-          "reason", [](const Rolled& self) { return as_utf8(self.result.result.reason); },
+          "reason", [](const Rollout& self) { return as_utf8(self.reason()); },
           "When, where and why it ended; empty if completed.")
-      .def_property_readonly("metrics", &metrics,
+      .def_property_readonly("metrics", &Rollout::metrics,
                              "Every metric by name, SI units; nan where there is no value.")
-      .def(
-          "keys", [](const Rolled& self) { return self.names; }, "Names of the columns.")
+      .def_property_readonly("broken_limits", &Rollout::broken_limits,
+                             "The arm's own limits that were passed, the earliest first, in words.")
+      .def_property_readonly(
+          "columns", &columns,
+          "All columns by name, as read-only NumPy arrays without a copy: pandas.DataFrame(rollout.columns).")
+      .def("keys", &Rollout::columns, "Names of the columns.")
       .def("__getitem__", &column, py::arg("name"),
            "A column as a read-only NumPy array onto the rollout's own numbers, without a copy.")
       .def("__contains__",
-           [](const Rolled& self, const std::string& name) {
-             return std::find(self.names.begin(), self.names.end(), name) != self.names.end();
+           [](const Rollout& self, const std::string& name) {
+             return std::find(self.columns().begin(), self.columns().end(), name) != self.columns().end();
            })
-      .def("__len__", &Rolled::rows, "Rows: recorded moments.");
-  module.def("simulate", &simulate_all, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
-             py::arg("workers") = 1, py::arg("record_every") = 5, py::arg("stepper") = "midpoint",
-             py::arg("progress") = py::none(),
-             "Scenarios under gains, in parallel. progress(done, all) is called after each. Ctrl-C ends it.");
+      .def("__len__", &Rollout::rows, "Rows: recorded moments.")
+      .def("__repr__", [](const Rollout& self) { return as_utf8(repr_of(self)); });
   module.def(
-      "errors_csv", [](const std::vector<const Rolled*>& rollouts) { return as_utf8(errors_text(rollouts)); },
+      "simulate", &simulate_any, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
+      py::arg("engine") = "simbody", py::arg("workers") = 1, py::arg("record_every") = 5,
+      py::arg("stepper") = "midpoint", py::arg("progress") = py::none(),
+      "Scenarios under gains, in parallel: a list of rollouts. With a list of gains a list of such lists, without "
+      "recordings; in the native engine several of them share a processor's vector registers.");
+  module.def(
+      "errors_csv",
+      [](const std::vector<const Rollout*>& rollouts) { return as_utf8(errors_text(rollouts)); },
       py::arg("rollouts"), "The text of errors.csv: one row per rollout, every metric.");
   module.def(
       "write_errors",
-      [](const std::vector<const Rolled*>& rollouts, const std::filesystem::path& path) {
+      [](const std::vector<const Rollout*>& rollouts, const std::filesystem::path& path) {
         write_text_file(path.string(), errors_text(rollouts));
       },
       py::arg("rollouts"), py::arg("path"), "Writes errors.csv, whole or not at all.");
 }
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python

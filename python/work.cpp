@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace armtune::python {
+namespace armtune::internal::python {
 namespace {
 
 /// Work of this process. Those of one that was forked from are no more than copies.
@@ -78,4 +78,4 @@ void end_all_work() {
   }
 }
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python

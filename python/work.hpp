@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-namespace armtune::python {
+namespace armtune::internal::python {
 
 /// One call of a function that works for long. Made and destroyed with Python's lock.
 class Work {
@@ -35,4 +35,4 @@ class Work {
 /// user's may hang. Called with Python's lock when the interpreter is about to end.
 void end_all_work();
 
-}  // namespace armtune::python
+}  // namespace armtune::internal::python

@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace armtune;
+using namespace armtune::internal;
 
 struct Arm {
   RobotModel model;

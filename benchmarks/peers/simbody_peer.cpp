@@ -15,17 +15,17 @@ using SimTK::Stage;
 
 constexpr int kN = peers::kJoints;
 
-SimTK::Vec3 to_simbody(const armtune::Vec3& v) {
+SimTK::Vec3 to_simbody(const armtune::internal::Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-SimTK::Rotation to_simbody(const armtune::Mat3& R) {
+SimTK::Rotation to_simbody(const armtune::internal::Mat3& R) {
   return SimTK::Rotation(
       SimTK::Mat33(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)), true);
 }
 
 struct Arm {
-  armtune::RobotModel model;
+  armtune::internal::RobotModel model;
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
@@ -40,16 +40,16 @@ struct Arm {
   SimTK::Transform tool;
 
   explicit Arm(const std::string& urdf)
-      : model(armtune::read_urdf(urdf)),
+      : model(armtune::internal::read_urdf(urdf)),
         gravity(forces, matter, to_simbody(model.chain.gravity)),
         torque(forces, matter),
         X_BT(to_simbody(model.chain.R_BT), to_simbody(model.chain.p_BT)) {
     last = matter.Ground();
     for (std::size_t k = 0; k < kN; ++k) {
-      const armtune::LinkInertia& link = model.chain.link[k];
-      const armtune::Mat3& I = link.inertia;
+      const armtune::internal::LinkInertia& link = model.chain.link[k];
+      const armtune::internal::Mat3& I = link.inertia;
       const SimTK::Body::Rigid body(
-          SimTK::MassProperties(link.mass, to_simbody(armtune::Vec3(link.first_moment / link.mass)),
+          SimTK::MassProperties(link.mass, to_simbody(armtune::internal::Vec3(link.first_moment / link.mass)),
                                 SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
       const SimTK::Transform X_PB0(to_simbody(model.chain.R_PB0[k]), to_simbody(model.chain.p_PB0[k]));
       last = SimTK::MobilizedBody::Pin(last, X_PB0, body, SimTK::Transform());

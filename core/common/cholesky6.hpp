@@ -7,7 +7,7 @@
 #include "core/common/select.hpp"
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 class Cholesky6T {
@@ -59,4 +59,4 @@ class Cholesky6T {
   T product_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 
 template <int N>
 struct Dual {
@@ -53,13 +53,13 @@ struct Dual {
   }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal
 
 template <int N>
-struct Eigen::NumTraits<armtune::Dual<N>> : Eigen::NumTraits<double> {
-  using Real = armtune::Dual<N>;
-  using NonInteger = armtune::Dual<N>;
-  using Nested = armtune::Dual<N>;
+struct Eigen::NumTraits<armtune::internal::Dual<N>> : Eigen::NumTraits<double> {
+  using Real = armtune::internal::Dual<N>;
+  using NonInteger = armtune::internal::Dual<N>;
+  using Nested = armtune::internal::Dual<N>;
   enum {
     IsComplex = 0,
     IsInteger = 0,

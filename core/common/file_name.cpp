@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/common/utf8.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 void check_file_name(const std::string& name, const std::string& path, std::size_t longest) {
   if (name.size() > longest) {
@@ -32,4 +33,4 @@ void check_result_name(const std::string& name, const std::string& path, std::si
   check_file_name(name, path, longest);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

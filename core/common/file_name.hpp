@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Longest name [byte]. A file system takes 255 for a file, and the longest that is put around a name is
 /// "rollout_", ".csv" and ".partial", or a date.
@@ -19,4 +19,4 @@ void check_file_name(const std::string& name, const std::string& path, std::size
 /// spreadsheet's formula does.
 void check_result_name(const std::string& name, const std::string& path, std::size_t longest = kLongestName);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 namespace fs = std::filesystem;
 
@@ -38,4 +38,4 @@ std::string absolute_path(const std::string& path) {
   return without_dots(absolute.string());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The path without "." and, where that names the same file, without "..": behind a symbolic link ".." is the
 /// folder above what the link names, not the one that the link is in. "." for an empty path.
@@ -13,4 +13,4 @@ std::string without_dots(const std::string& path);
 /// begin, was deleted or may not be looked at.
 std::string absolute_path(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,11 +11,11 @@
 #include <mutex>
 #include <system_error>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/utf8.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Bytes = std::shared_ptr<const std::string>;
@@ -102,4 +102,4 @@ void forget_input(const std::string& path) {
   if (record) record->erase(absolute_path(path));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

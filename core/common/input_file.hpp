@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The whole file; pipes and devices are read like files. Throws InputError with the path for one that is
 /// missing, a directory, cannot be opened or read, or holds more than `max_bytes`: that much is read and no
@@ -33,4 +33,4 @@ std::shared_ptr<const std::string> recorded_input(const std::string& path);
 /// Lets the next read_input_file read the file again: the program itself writes it.
 void forget_input(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

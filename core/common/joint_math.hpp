@@ -6,7 +6,7 @@
 #include "core/common/types.hpp"
 #include "core/common/vector_math.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// sin and cos of every entry of x (n), one by one.
 template <typename T>
@@ -59,4 +59,4 @@ inline void sine_and_cosine(double x, double& sine, double& cosine) {
   cosine = c[0];
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/common/select.hpp"
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 class Lu6T {
@@ -70,4 +70,4 @@ class Lu6T {
   std::array<MaskT<T>, 15> swapped_;  ///< rows k and r > k, in the order of the factorisation
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

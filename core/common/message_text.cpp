@@ -6,7 +6,7 @@
 
 #include "core/common/utf8.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kLongestValue = 60;
@@ -74,4 +74,4 @@ std::string shown(std::string_view text) {
                                       : fmt::format("'{}...'", beginning(text, kLongestValue));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// One line that a terminal can show, in UTF-8: line breaks, other control characters and bytes that are not
 /// UTF-8 are escaped, and words longer than any path or key path (a name of a megabyte) are cut.
@@ -20,4 +20,4 @@ bool is_utf8(std::string_view text);
 /// Whether a spreadsheet would take a cell with this text for a formula.
 bool is_formula(std::string_view text);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 // Not std::tolower: that one depends on the locale.
@@ -62,4 +62,4 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
   return found.empty() ? std::string() : "; did you mean '" + found + "'?";
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

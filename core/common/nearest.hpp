@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The candidate with the smallest edit distance to `word`: insertions, deletions, substitutions and swaps of
 /// neighbours (Damerau-Levenshtein in its restricted form, optimal string alignment), ASCII case ignored; the
@@ -16,4 +16,4 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
 /// "; did you mean 'x'?" with the nearest candidate, ready to end a message; empty when nothing is close.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "core/common/joint_math.hpp"
 #include "core/common/select.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <int W>
 struct PackRegister;
@@ -111,15 +111,15 @@ Pack<W> exp(const Pack<W>& x) {
   return Pack<W>(vector_math::exponential(x.values()));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal
 
 namespace Eigen {
 
 template <int W>
-struct NumTraits<armtune::Pack<W>> : GenericNumTraits<double> {
-  using Real = armtune::Pack<W>;
-  using NonInteger = armtune::Pack<W>;
-  using Nested = armtune::Pack<W>;
+struct NumTraits<armtune::internal::Pack<W>> : GenericNumTraits<double> {
+  using Real = armtune::internal::Pack<W>;
+  using NonInteger = armtune::internal::Pack<W>;
+  using Nested = armtune::internal::Pack<W>;
   using Literal = double;
   enum {
     IsComplex = 0,
@@ -136,7 +136,7 @@ namespace internal {
 /// Arrays of packs are aligned as a pack is: the 16 bytes that Eigen asks for without AVX are less, which
 /// Clang refuses.
 template <int W, int Size>
-struct compute_default_alignment<armtune::Pack<W>, Size> {
+struct compute_default_alignment<armtune::internal::Pack<W>, Size> {
   enum { value = 0 };
 };
 }  // namespace internal

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,4 +43,4 @@ bool is_missing_or_empty(const std::string& folder) {
   return first == fs::directory_iterator();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Returns true if a file, folder or anything else is there; symbolic links are followed. Throws InputError
 /// with path and reason where that cannot be told: a folder on the way may not be searched, links form a
@@ -19,4 +19,4 @@ void refuse_existing(const std::string& path);
 /// cannot be told: it may not be read, too many files are open, or it is no folder.
 bool is_missing_or_empty(const std::string& folder);
 
-}  // namespace armtune
+}  // namespace armtune::internal

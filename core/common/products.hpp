@@ -6,7 +6,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// R v.
 template <typename T>
@@ -62,4 +62,4 @@ T norm(const JointVectorT<T>& x) {
   return sqrt(sum);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where the condition holds a, elsewhere b.
 template <typename T>
@@ -35,4 +35,4 @@ bool all(const Mask& where) {
 template <typename T>
 using MaskT = decltype(T(0) < T(0));
 
-}  // namespace armtune
+}  // namespace armtune::internal

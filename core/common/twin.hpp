@@ -3,7 +3,7 @@
 // x86-64 processor has. What one rotation turns comes in such twins: linear and angular velocity, force and
 // moment, mass and inertia.
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 class Twin {
@@ -56,4 +56,4 @@ class Twin<double> {
   Register v_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

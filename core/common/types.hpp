@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Most joints a serial arm may have. Memory of every workspace is laid out for it.
 inline constexpr int kMaxJoints = 12;
@@ -47,4 +47,4 @@ using Jacobian = JacobianT<double>;
 using ParameterVector = ParameterVectorT<double>;
 using Regressor = RegressorT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "core/common/utf8.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Utf8Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
@@ -55,4 +55,4 @@ std::string as_utf8(std::string_view text) {
   return out;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Utf8Character {
   std::size_t bytes = 1;         ///< how many it has
@@ -28,4 +28,4 @@ bool is_printable(std::string_view text);
 /// character becomes the Latin-1 character of its number, which is what it most often was.
 std::string as_utf8(std::string_view text);
 
-}  // namespace armtune
+}  // namespace armtune::internal

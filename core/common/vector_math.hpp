@@ -7,7 +7,7 @@
 // ln 2 in parts of 33 bits so that their multiples are exact; then polynomials that interpolate the function
 // at Chebyshev nodes, which is within a few per cent of the least largest error.
 
-namespace armtune::vector_math {
+namespace armtune::internal::vector_math {
 
 /// Two doubles, in one register of any x86-64 processor.
 using Double2 = double __attribute__((vector_size(16)));
@@ -77,4 +77,4 @@ V exponential(const V& x) {
   return e * reinterpret_cast<V>((reinterpret_cast<Bits<V>>(shifted) + 1023) << 52);
 }
 
-}  // namespace armtune::vector_math
+}  // namespace armtune::internal::vector_math

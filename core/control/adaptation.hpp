@@ -18,7 +18,7 @@
 #include "core/robot/slotine_li.hpp"
 #include "core/robot/theta.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 class AdaptationT {
@@ -69,4 +69,4 @@ class AdaptationT {
 };
 using Adaptation = AdaptationT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

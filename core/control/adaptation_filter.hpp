@@ -9,7 +9,7 @@
 
 #include "core/robot/slotine_li.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Returns the share of the difference that the filter takes in each period. corner [Hz]; period [s].
 inline double filter_share(double corner, double period) {
@@ -51,4 +51,4 @@ class AdaptationFilterT {
 };
 using AdaptationFilter = AdaptationFilterT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

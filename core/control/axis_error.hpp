@@ -5,7 +5,7 @@
 
 #include "core/trajectory/gaze.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// -(the shortest turn of the tool's z axis onto that of the desired orientation): rotation vector [rad, base
 /// frame], perpendicular to both.
@@ -19,4 +19,4 @@ inline Vec3 axis_rate(const Mat3& R_0T, const Vec3& w) {
   return w - z.dot(w) * z;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Six-vectors (linear, angular) in the base frame.
 struct CartesianErrors {
@@ -36,4 +36,4 @@ inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskR
   reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/control/velocity_barrier.hpp"
 #include "core/control/velocity_governor.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The wrist: a slerp lowers Kd of the last three joints.
@@ -205,7 +205,7 @@ void ControlLogic::follow_task(const JointState& measured, const ArmView& arm, c
     Kp.tail<3>() *= gains_.interpolation_gain_scale;
     Kd_.tail(std::min<Eigen::Index>(kWristJoints, Kd_.size())) *= gains_.interpolation_gain_scale;
   }
-  task_reference_ = armtune::task_reference(x, Kp, gains_.task_space_gains_i);
+  task_reference_ = armtune::internal::task_reference(x, Kp, gains_.task_space_gains_i);
   if (rolls && !gaze.slerping) without_roll_feedback(x, arm.R_0T.col(2), task_reference_);
 }
 
@@ -258,4 +258,4 @@ bool ControlLogic::conclude() {
   return out_.state != ControlState::kAvoidObstacles || gains_.adapt_while_avoiding;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

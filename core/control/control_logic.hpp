@@ -14,7 +14,7 @@
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/return_trajectory.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The measured arm as every period looks at it.
 struct ArmView {
@@ -101,4 +101,4 @@ class ControlLogic {
   ControlOutput out_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

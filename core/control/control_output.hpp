@@ -11,7 +11,7 @@
 #include "core/trajectory/path.hpp"
 #include "core/trajectory/slerp.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What the controller measures: n joint positions [rad, m] and velocities.
 struct JointState {
@@ -53,4 +53,4 @@ struct ControlOutput {
   double pace = 1.0;               ///< sigma of the velocity governor: rate at which interpolations go on
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// n numbers, one per force point; or n x n, row by row: those of force point i begin at i n.
 using ForceGains = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxJoints * kMaxJoints, 1>;
@@ -20,4 +20,4 @@ inline double force_gain(const ForceGains& gains, int n, int point, int joint) {
   return gains[is_per_joint(gains, n) ? point * n + joint : point];
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A number in 0 .. 1, 1 excluded, that a gains file may leave out.
@@ -190,4 +190,4 @@ std::vector<std::string> component_names(const Gains& gains, const GainField& fi
   return names;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

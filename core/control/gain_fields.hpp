@@ -10,7 +10,7 @@
 
 #include "core/control/gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The range a gain is searched in when a study names none.
 enum class SearchRange {
@@ -72,4 +72,4 @@ std::vector<std::string> component_names(const GainField& field, const std::vect
 std::vector<std::string> component_names(const Gains& gains, const GainField& field,
                                          const std::vector<std::string>& joints);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/control/force_gains.hpp"
 #include "core/control/inverse_damping.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where a slerp runs from: the orientation frozen at its start, or (the released code) the current one.
 enum class SlerpReference { kStart, kCurrent };
@@ -58,4 +58,4 @@ inline InverseDamping inverse_damping(const Gains& gains) {
   return {gains.manipulability_threshold, gains.manipulability_damping, gains.variable_damping ? 1.0 : 0.0};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include "core/control/velocity_governor.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 GazeControl::Output GazeControl::update(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
                                         const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
@@ -66,4 +66,4 @@ OrientationPoint GazeControl::interpolated(const Gains& gains, const Mat3& R_fro
   return slerp(Q_from, turn_, s);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

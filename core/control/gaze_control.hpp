@@ -18,7 +18,7 @@
 #include "core/trajectory/quintic.hpp"
 #include "core/trajectory/slerp.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class GazeControl {
  public:
@@ -61,4 +61,4 @@ class GazeControl {
   std::optional<Quintic<Vec3>> onward_;  ///< the rotation vector by which a slerp goes on as it began
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

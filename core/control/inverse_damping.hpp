@@ -5,7 +5,7 @@
 // Variable, it grows from zero there, psi (1 - m/threshold)^2 (Nakamura, Hanafusa, Inverse kinematic
 // solutions with singularity robustness for robot manipulator control, 1986).
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 struct InverseDampingT {
@@ -21,4 +21,4 @@ struct InverseDampingT {
 };
 using InverseDamping = InverseDampingT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

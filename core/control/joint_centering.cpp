@@ -1,6 +1,6 @@
 #include "core/control/joint_centering.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 JointCentering joint_centering(const RobotModel& model, double rate) {
   JointCentering centering{JointVector::Zero(model.n()), JointVector::Zero(model.n())};
@@ -13,4 +13,4 @@ JointCentering joint_centering(const RobotModel& model, double rate) {
   return centering;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// z of every joint: zero for those without position limits.
 template <typename T>
@@ -27,4 +27,4 @@ using JointCentering = JointCenteringT<double>;
 /// rate: k [1/s] of joints with position limits.
 JointCentering joint_centering(const RobotModel& model, double rate);
 
-}  // namespace armtune
+}  // namespace armtune::internal

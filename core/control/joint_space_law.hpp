@@ -6,7 +6,7 @@
 #include "core/common/types.hpp"
 #include "core/trajectory/quintic.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 struct JointReferenceT {
@@ -28,4 +28,4 @@ inline void joint_space_references(const MotionPoint<JointVector>& desired, cons
   reference.acceleration = desired.acceleration - Kp.cwiseProduct(qd - desired.velocity);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

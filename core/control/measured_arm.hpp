@@ -4,7 +4,7 @@
 #include "core/control/task_inverse.hpp"
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 struct MeasuredArmT {
@@ -32,4 +32,4 @@ struct MeasuredArmT {
 };
 using MeasuredArm = MeasuredArmT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

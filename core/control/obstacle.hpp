@@ -5,7 +5,7 @@
 
 #include "core/trajectory/path.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Four numbers, center first (sim/lanes counts on it).
 template <typename T>
@@ -25,4 +25,4 @@ struct MovingObstacle {
   Obstacle at(double t) const { return {path.at(t).position, radius}; }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

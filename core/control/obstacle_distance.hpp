@@ -14,7 +14,7 @@
 #include "core/control/obstacle.hpp"
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The point nearest to p on link i: the straight line from its joint's origin to the next one's, of the last
 /// to the tool's.
@@ -84,4 +84,4 @@ inline double clearance(const Chain& chain, const Poses& poses, std::span<const 
   return clearance<double>(chain, poses, obstacles, obstacle_distance<double>(chain, poses, obstacles));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "core/control/obstacle_distance.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr int kAvoidingJoints = 3;
@@ -78,4 +78,4 @@ void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Obs
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

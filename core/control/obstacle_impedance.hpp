@@ -11,7 +11,7 @@
 #include "core/control/obstacle.hpp"
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Repulsion by a surface `inside` [m] short of d, at most 1 long; zero from r_o on before the surface.
 Vec3 repulsion(const Vec3& d, double influence_radius, double inside = 0.0);
@@ -21,4 +21,4 @@ Vec3 repulsion(const Vec3& d, double influence_radius, double inside = 0.0);
 void obstacle_torque(const Chain& chain, const Poses& poses, std::span<const Obstacle> obstacles,
                      double influence_radius, const ForceGains& force_gains, JointVector& tau);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "core/robot/kinematics.hpp"
 #include "core/trajectory/gaze.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr unsigned kStarts = 30;
@@ -101,4 +101,4 @@ TightestJoint tightest_joint(const RobotModel& robot, const JointVector& q) {
   return tightest;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where the tool is wanted, base frame [m].
 struct ToolGoal {
@@ -38,4 +38,4 @@ struct TightestJoint {
 };
 TightestJoint tightest_joint(const RobotModel& robot, const JointVector& q);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Share of the last joint's velocity limit that the roll may take.
@@ -44,4 +44,4 @@ void RollCentering::add_to(OrientationPoint& desired) const {
   desired.angular_velocity += rate_ * z;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/slerp.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class RollCentering {
  public:
@@ -45,4 +45,4 @@ class RollCentering {
   double since_start_ = 0.0;   ///< roll since a slerp began [rad]
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

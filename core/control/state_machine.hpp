@@ -1,7 +1,7 @@
 #pragma once
 // The controller's states and the pure functions that move between them.
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class ControlState {
   kLeaveSingularity,
@@ -64,4 +64,4 @@ constexpr ControlState next_state(ControlState state, const TransitionInput& in)
   return state;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

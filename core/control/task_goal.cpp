@@ -1,6 +1,6 @@
 #include "core/control/task_goal.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// K [1/s]: an error at the start is 2e-8 of itself after the 6 s of leaveSingularity.
@@ -49,4 +49,4 @@ MotionPoint<JointVector> towards(const JointVector& start, const MotionPoint<Joi
           s.acceleration * way + 2.0 * s.velocity * goal.velocity + s.position * goal.acceleration};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

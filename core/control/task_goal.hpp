@@ -11,7 +11,7 @@
 #include "core/control/task_resolution.hpp"
 #include "core/control/tool_aim.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class TaskGoal {
  public:
@@ -42,4 +42,4 @@ class TaskGoal {
 MotionPoint<JointVector> towards(const JointVector& start, const MotionPoint<JointVector>& goal,
                                  const MotionPoint<double>& s);
 
-}  // namespace armtune
+}  // namespace armtune::internal

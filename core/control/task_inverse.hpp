@@ -11,7 +11,7 @@
 #include "core/control/inverse_damping.hpp"
 #include "core/control/task_mask.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 class TaskInverseT {
@@ -148,4 +148,4 @@ class TaskInverseT {
 };
 using TaskInverse = TaskInverseT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

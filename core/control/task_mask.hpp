@@ -2,7 +2,7 @@
 // Which components of the tool's motion are the task. An arm of n joints can hold at most n of them; joints
 // beyond them are redundant.
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class TaskMask {
   kPose,             ///< position and orientation
@@ -45,4 +45,4 @@ constexpr bool tracks_orientation(TaskMask mask) {
   return mask != TaskMask::kPosition;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

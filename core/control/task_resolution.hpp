@@ -15,7 +15,7 @@
 #include "core/control/joint_space_law.hpp"
 #include "core/control/measured_arm.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// (0, w x L_angular): E'^T of multipliers, and -E' of motions, for a task whose components turn with the
 /// tool.
@@ -74,4 +74,4 @@ void resolve(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm, const Joint
   resolve_acceleration(x, arm, centering, qd, L, reference);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "core/trajectory/gaze_motion.hpp"
 #include "core/trajectory/slerp.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ToolAim {
   MotionPoint<Vec3> target{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of the gaze, base frame [m]
@@ -58,4 +58,4 @@ struct ToolAim {
   }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// h in [0, 1] at a joint velocity; `start`: share of the limit where it begins, in [0, 1).
 inline double velocity_barrier(double qd, double limit, double start) {
@@ -32,4 +32,4 @@ inline void add_behind_barrier(const JointVector& qd, const JointVector& limits,
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

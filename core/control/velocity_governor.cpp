@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// p of the norm: the smallest power of two that takes joints of equal share for at most 1.17 of one (12
@@ -56,4 +56,4 @@ double shortest_duration(const TaskInverse& inverse, const Vec6& displacement, c
   return std::max(15.0 / 8.0 * share, std::sqrt(10.0 / std::sqrt(3.0) * share * kRampTime));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

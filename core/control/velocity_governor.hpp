@@ -9,7 +9,7 @@
 #include "core/control/joint_space_law.hpp"
 #include "core/control/task_inverse.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Share of the bound up to which the reference is left exactly as it is.
 inline constexpr double kGovernorKnee = 0.8;
@@ -27,4 +27,4 @@ inline constexpr double kRampTime = 0.1;
 /// now. The peaks of a quintic over the way w in the time T are 15/8 w/T and 10/sqrt(3) w/T^2.
 double shortest_duration(const TaskInverse& inverse, const Vec6& displacement, const JointVector& bound);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class JointMotion { kRevolute, kPrismatic };
 
@@ -40,4 +40,4 @@ struct ChainT {
 };
 using Chain = ChainT<double>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "core/robot/chain.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 ChainT<T> chain_cast(const Chain& chain) {
@@ -27,4 +27,4 @@ ChainT<T> chain_cast(const Chain& chain) {
   return to;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

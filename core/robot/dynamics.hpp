@@ -6,7 +6,7 @@
 #include "core/robot/friction.hpp"
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// tau = (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05)  [N m, N].
 /// q' and q'' (n) in rad/s, rad/s^2 (m for prismatic joints); poses from `forward_kinematics` at q.
@@ -105,4 +105,4 @@ void mass_matrix(const ChainT<T>& chain, const PosesT<T>& poses, JointMatrixT<T>
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "core/robot/turned_link.hpp"
 #include "core/robot/twin_vectors.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Work space of `forward_dynamics`: what its passes leave for the next one. Base axes. Twins: linear and
 /// angular motion of the body's origin; force and moment about that origin.
@@ -197,4 +197,4 @@ void forward_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const Join
   forward_dynamics(chain, poses, qd, torque, InstantFriction{}, s, qdd);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

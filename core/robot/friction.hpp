@@ -7,7 +7,7 @@
 #include "core/common/types.hpp"
 #include "core/common/vector_math.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Velocity at which tanh takes over from sign [rad/s, m/s].
 inline constexpr double kCoulombVelocity = 0.05;
@@ -60,4 +60,4 @@ void coulomb_directions(const JointVectorT<T>& qd, const JointVectorT<T>& coeffi
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -27,7 +27,7 @@
 #include "core/robot/chain.hpp"
 #include "core/robot/friction.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Holds what a joint's friction adds to the left side (inertia) and the right side (force) of its equation
 /// of motion.
@@ -94,4 +94,4 @@ class FrictionStep {
   const JointVectorT<T>& start_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/robot/friction.hpp"
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// tau of `inverse_dynamics` (n) and what it changes by along q, q', q'' (n x n each).
 template <typename T>
@@ -154,4 +154,4 @@ void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/robot/chain.hpp"
 #include "core/robot/twin_vectors.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Poses at one configuration. Filled by `forward_kinematics`; read by everything that needs a pose, so that
 /// no pose is computed twice in a control period.
@@ -132,4 +132,4 @@ void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, co
   tool_jacobian_derivative(chain, poses, times(J, qd), qd, J_dot);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 double radius_of(const Shape& shape) {
@@ -54,4 +54,4 @@ RobotModel with_link_surfaces(const RobotModel& model) {
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

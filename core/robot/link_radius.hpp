@@ -3,7 +3,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Radius [m] of each link (n) out of its simple shapes, those that it collides with where it has any: the
 /// largest of its cylinders, capsules and spheres, of a box the half diagonal across its longest edge. NaN
@@ -16,4 +16,4 @@ JointVector shape_radii(const RobotModel& model);
 /// InputError naming the links whose radius is not known.
 RobotModel with_link_surfaces(const RobotModel& model);
 
-}  // namespace armtune
+}  // namespace armtune::internal

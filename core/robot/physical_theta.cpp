@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-namespace armtune {
+namespace armtune::internal {
 
 PseudoInertia pseudo_inertia(const Eigen::Matrix<double, kLinkParameters, 1>& link) {
   const double Ixx = link[4];
@@ -42,4 +42,4 @@ void project_to_physical(ParameterVector& theta) {
   joints = joints.cwiseMax(0.0).eval();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "core/robot/theta.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 using PseudoInertia = Eigen::Matrix4d;
 
@@ -20,4 +20,4 @@ Eigen::Matrix<double, kLinkParameters, 1> link_parameters(const PseudoInertia& P
 /// within rounding. Allocates nothing.
 void project_to_physical(ParameterVector& theta);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,9 +9,10 @@
 #include <limits>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Inertia of a unit point mass at p about the origin: |p|^2 1 - p p^T (Steiner's theorem for mass 1).
@@ -310,4 +311,4 @@ void validate(const RobotModel& model) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/robot/chain.hpp"
 #include "core/robot/shape.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct JointLimits {
   bool has_position = false;  ///< false for continuous joints
@@ -78,4 +78,4 @@ RobotModel with_payload(const RobotModel& model, const Payload& payload);
 /// mass may miss physical validity by 1e-4 of its largest principal moment: vendors round to five digits.
 void validate(const RobotModel& model);
 
-}  // namespace armtune
+}  // namespace armtune::internal

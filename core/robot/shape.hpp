@@ -6,7 +6,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class ShapeKind { kBox, kCylinder, kSphere, kCapsule, kMesh };
 
@@ -40,4 +40,4 @@ struct Shape {
   std::string file;  ///< of a mesh, as the URDF names it
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

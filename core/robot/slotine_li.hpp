@@ -15,7 +15,7 @@
 #include "core/robot/theta.hpp"
 #include "core/robot/twin_vectors.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Motion of every body for one (q, q', qr', qr''); from it come Y theta, Y^T S and Y itself. Twins: linear
 /// and angular half, of the body's origin and in its frame.
@@ -182,4 +182,4 @@ void slotine_li_regressor(const ChainT<T>& chain, const PosesT<T>& poses, const 
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

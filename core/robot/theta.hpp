@@ -7,7 +7,7 @@
 
 #include "core/robot/chain.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where the inertia begins in a link's ten parameters.
 inline constexpr int kFirstInertia = 4;
@@ -37,4 +37,4 @@ ParameterVectorT<T> theta_of(const ChainT<T>& chain) {
   return theta;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

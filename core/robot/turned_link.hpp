@@ -4,7 +4,7 @@
 #include "core/robot/chain.hpp"
 #include "core/robot/twin_vectors.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename T>
 struct TurnedLinkT {
@@ -40,4 +40,4 @@ template <typename T>
           right.second(),   dot3(lower, I_lower)};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "core/common/twin.hpp"
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Two 3-vectors.
 template <typename T>
@@ -132,4 +132,4 @@ struct SplitMat3T {
   Vec3T<T> column(int j) const { return {top[j].first(), top[j].second(), bottom[j]}; }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/urdf_selection.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Of the largest moment of inertia, about the link's origin too: what a rod's smallest one can be off when
@@ -338,4 +338,4 @@ RobotModel build_arm(const UrdfTree& tree, const UrdfOptions& options, const std
   return ArmBuilder(source, options, missing).build(tree);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// In place of what the file says of a joint, or where it says nothing. [rad, m, rad/s, m/s, N m, N]
 struct GivenLimits {
@@ -49,4 +49,4 @@ struct MissingData {
   bool empty() const { return position.empty() && velocity.empty() && effort.empty() && inertia.empty(); }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,12 +9,12 @@
 #include <memory>
 #include <mutex>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/urdf_arm.hpp"
 #include "core/robot/urdf_shapes.hpp"
 #include "core/robot/xml_guard.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Collects what urdfdom logs as errors while it lives: urdfdom returns a model with zeros for many of them.
@@ -155,4 +155,4 @@ MissingData missing_data(const std::string& path, const UrdfOptions& options) {
   return missing;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "core/robot/robot_model.hpp"
 #include "core/robot/urdf_options.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads an expanded URDF: a serial arm of revolute, continuous and prismatic joints, alone or out of a
 /// larger tree; fixed links, and those behind held joints, are merged into the moving link that carries them;
@@ -19,4 +19,4 @@ RobotModel read_urdf(const std::string& path, const UrdfOptions& options = {});
 /// everything else.
 MissingData missing_data(const std::string& path, const UrdfOptions& options = {});
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 template <typename Map>
@@ -127,4 +127,4 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   return selection;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

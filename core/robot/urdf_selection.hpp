@@ -10,7 +10,7 @@
 #include "core/robot/urdf_options.hpp"
 #include "core/robot/urdf_tree.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct UrdfSelection {
   std::string base;  ///< link
@@ -27,4 +27,4 @@ std::optional<std::pair<double, double>> position_range(const UrdfJoint& joint, 
 /// `source`, for a link, joint or value that the tree does not have; with the nearest name it has.
 UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 bool drawable(double length) {
@@ -76,4 +76,4 @@ std::vector<Shape> shapes_of(const urdf::Link& link) {
   return shapes;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 void require_tree(const UrdfTree& tree, const std::string& source) {
   std::set<std::string> reached{tree.root};
@@ -32,4 +32,4 @@ void require_tree(const UrdfTree& tree, const std::string& source) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "core/robot/shape.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class UrdfMotion { kFixed, kRevolute, kContinuous, kPrismatic, kOther };
 
@@ -57,4 +57,4 @@ struct UrdfTree {
 /// Throws InputError, beginning with `source`, unless every link is reached from the root by one way.
 void require_tree(const UrdfTree& tree, const std::string& source);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::string escaped(const std::string& text) {
@@ -118,4 +118,4 @@ std::string urdf_text(const RobotModel& model) {
          "</robot>\n";
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

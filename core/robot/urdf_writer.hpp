@@ -6,7 +6,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Name of the URDF's last link: `tool`, with underscores after it where the arm has a link of that name.
 std::string urdf_tool_link(const RobotModel& model);
@@ -16,4 +16,4 @@ std::string urdf_tool_link(const RobotModel& model);
 /// rotor inertia and friction, which a URDF has no or no exact place for.
 std::string urdf_text(const RobotModel& model);
 
-}  // namespace armtune
+}  // namespace armtune::internal

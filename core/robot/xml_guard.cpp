@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMaxBytes = 32u << 20;
@@ -199,4 +199,4 @@ std::string read_guarded_urdf(const std::string& path) {
   return scanner.completed();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

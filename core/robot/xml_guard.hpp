@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The text of an expanded URDF, safe to hand to urdfdom; velocity and effort limits that a moving joint does
 /// not give stand in it as 0. Throws InputError naming file and line for: a file that cannot be read, is a
@@ -14,4 +14,4 @@ namespace armtune {
 /// reference in any attribute but `filename`. All other errors are left to urdfdom.
 std::string read_guarded_urdf(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

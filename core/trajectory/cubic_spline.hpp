@@ -8,7 +8,7 @@
 
 #include "core/trajectory/motion_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// V: an Eigen vector of any size. time [s] rising, as many as positions, at least two.
 template <typename V>
@@ -40,4 +40,4 @@ std::vector<MotionPoint<V>> cubic_spline(const std::vector<double>& time, const 
   return knots;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

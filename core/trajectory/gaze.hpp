@@ -4,7 +4,7 @@
 
 #include "core/trajectory/rotation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Rotation vector [rad, base frame] of the shortest turn of tool z onto the line tool to target. If the
 /// target lies straight behind, the turn is about the tool's x axis; if it lies in the tool, there is none.
@@ -34,4 +34,4 @@ inline Vec3 gaze_line_rate(const Vec3& p_0T, const Vec3& v_0T, const Vec3& p_0G,
   return line.cross(v_0G - v_0T) / squared;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/rotation_rate.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Direction u of the line tool to target, with u' and u''. r u' = l' - r' u and r u'' = l'' - r'' u - 2 r'
 /// u' for the line l = r u. A target in the tool has no direction: u = 0.
@@ -70,4 +70,4 @@ inline MotionPoint<Vec3> gaze_turn_motion(const Mat3& R_0F, const MotionPoint<Ve
   return phi;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/trajectory/linear_acceleration.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots)
     : time_(std::move(time)), knots_(std::move(knots)) {
@@ -40,4 +40,4 @@ JointVector JointSpline::mean_acceleration(double t, double dt) const {
   return (at(to).velocity - at(from).velocity) / (to - from);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/common/types.hpp"
 #include "core/trajectory/motion_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class JointSpline {
  public:
@@ -33,4 +33,4 @@ class JointSpline {
   std::vector<MotionPoint<JointVector>> knots_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

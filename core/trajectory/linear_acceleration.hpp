@@ -3,7 +3,7 @@
 
 #include "core/trajectory/motion_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Motion s [s] after `start`, when the acceleration is `end_acceleration` h > 0 [s] after it. V: double or
 /// an Eigen vector.
@@ -15,4 +15,4 @@ MotionPoint<V> linear_acceleration(const MotionPoint<V>& start, const V& end_acc
           start.velocity + s * (start.acceleration + s / 2.0 * jerk), start.acceleration + s * jerk};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "core/common/types.hpp"
 #include "core/trajectory/motion_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class MotionFilter {
  public:
@@ -50,4 +50,4 @@ class MotionFilter {
   MotionPoint<Vec3> motion_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,7 +1,7 @@
 #pragma once
 // Position, velocity and acceleration at one instant, for scalars and Cartesian points alike.
 
-namespace armtune {
+namespace armtune::internal {
 
 template <typename V>
 struct MotionPoint {
@@ -10,4 +10,4 @@ struct MotionPoint {
   V acceleration{};
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

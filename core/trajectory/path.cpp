@@ -4,7 +4,7 @@
 
 #include "core/common/joint_math.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 double spline_time(const Path& path, double t) {
@@ -57,4 +57,4 @@ double Path::period() const {
   return rests() ? 0.0 : 2.0 * M_PI / std::abs(frequency);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

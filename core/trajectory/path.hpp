@@ -11,7 +11,7 @@
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/position_spline.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct HarmonicTerm {
   int order = 1;               ///< k >= 0; an order may stand more than once
@@ -40,4 +40,4 @@ struct Path {
   double period() const;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

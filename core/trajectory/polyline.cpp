@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Straight pieces between blends shorter than this share of a blend are none: the next blend begins where
@@ -77,4 +77,4 @@ PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double b
   return builder.spline(closed);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "core/trajectory/position_spline.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// corners [m], no two the same in a row; speed [m/s] and blend [m], both above zero. closed: from the last
 /// corner back to the first, for ever; otherwise it starts and ends at rest at the outer corners, where it
@@ -16,4 +16,4 @@ namespace armtune {
 /// blends at its ends, or what else is wrong.
 PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double blend, bool closed);
 
-}  // namespace armtune
+}  // namespace armtune::internal

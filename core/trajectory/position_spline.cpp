@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -74,4 +74,4 @@ Vec3 PositionSpline::jerk(double t) const {
   return pieces_[k].jerk(since);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/quintic.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class PositionSpline {
  public:
@@ -43,4 +43,4 @@ class PositionSpline {
   bool loops_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

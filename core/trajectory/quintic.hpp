@@ -6,7 +6,7 @@
 
 #include "core/trajectory/motion_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// V: double or a fixed-size Eigen vector. Times in seconds from the polynomial's own start.
 template <typename V>
@@ -55,4 +55,4 @@ inline Quintic<double> rest_to_rest(double from, double to, double duration) {
 /// No interpolation is made shorter than this [s]: a distance of zero would ask for no time at all.
 inline constexpr double kShortestInterpolation = 0.05;
 
-}  // namespace armtune
+}  // namespace armtune::internal

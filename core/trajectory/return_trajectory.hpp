@@ -5,7 +5,7 @@
 #include "core/trajectory/path.hpp"
 #include "core/trajectory/quintic.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// dt = k_t |p - pc(t0)|, then dt* = k_t |p - pc(t0 + dt)|; never shorter than kShortestInterpolation.
 /// k_t: trajectoryDurationErrorGain [s/m].
@@ -21,4 +21,4 @@ inline Quintic<Vec3> return_trajectory(const MotionPoint<Vec3>& start, const Pat
   return {start, path.at(t0 + duration), duration};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Rotation by |phi| [rad] about phi.
 inline Eigen::Quaterniond rotation_exp(const Vec3& phi) {
@@ -38,4 +38,4 @@ inline Vec3 nearest_rotation_vector(const Vec3& phi, const Vec3& near) {
   return phi + 2.0 * M_PI * std::round((near.dot(axis) - angle) / (2.0 * M_PI)) * axis;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

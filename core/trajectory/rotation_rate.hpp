@@ -6,7 +6,7 @@
 #include "core/trajectory/motion_point.hpp"
 #include "core/trajectory/rotation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Base frame: w [rad/s] and w' [rad/s^2].
 struct TurnRate {
@@ -68,4 +68,4 @@ inline MotionPoint<Vec3> rotation_vector_motion(const Vec3& psi, const TurnRate&
   return motion;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

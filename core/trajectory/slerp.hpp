@@ -3,7 +3,7 @@
 
 #include "core/trajectory/rotation_rate.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct OrientationPoint {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
@@ -35,4 +35,4 @@ inline OrientationPoint composed(const OrientationPoint& outer, const Orientatio
               outer.angular_velocity.cross(carried)};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "core/trajectory/cubic_spline.hpp"
 #include "core/trajectory/gaze_motion.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Of the first and the last piece: so far from either end, where it rests, a path has a direction to tell.
@@ -84,4 +84,4 @@ ToolOrientation turning_through(const std::vector<double>& time,
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/trajectory/path.hpp"
 #include "core/trajectory/slerp.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ToolOrientation {
   /// Tool in the base frame; of a turn its beginning. Counts where there is no `approach`.
@@ -39,4 +39,4 @@ inline constexpr double kMostTurn = 1.5 * M_PI;
 ToolOrientation turning_through(const std::vector<double>& time,
                                 const std::vector<Eigen::Quaterniond>& orientations);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,46 +3,56 @@
 //   tau = Y theta - rho tanh(S / phi),
 // that holds S at zero against whatever the model does not know, up to rho.
 
-#include "core/control/laws/controller_kind.hpp"
-#include "core/control/laws/first_gains.hpp"
-#include "tuner/cli/program.hpp"
+#include <armtune/controller.hpp>
+#include <armtune/program.hpp>
 
 namespace {
 
-using namespace armtune;
+Eigen::VectorXd numbers(const armtune::LawSetup& setup, const char* gain) {
+  const auto values = setup.gains.numbers(gain);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 
-class SlidingMode final : public TorqueLaw {
+class SlidingMode final : public armtune::Law {
  public:
-  explicit SlidingMode(const LawSetup& setup)
-      : TorqueLaw(setup), rho_(own(setup.gains, "rho")), phi_(own(setup.gains, "phi")) {}
+  explicit SlidingMode(const armtune::LawSetup& setup)
+      : rho_(numbers(setup, "rho")), phi_(numbers(setup, "phi")) {}
 
   // Once per control period; nothing here may allocate.
-  void torque(const LawInput& in, JointVector& tau) override {
-    const JointReference& reference = in.control.reference;
-    model_torque(in.arm, in.measured.qd, reference.velocity, reference.acceleration, tau);
-    tau.array() -= rho_.array() * (in.control.S.array() / phi_.array()).tanh();
+  void torque(const armtune::LawState& state, Eigen::Ref<Eigen::VectorXd> tau) override {
+    state.model_torque(state.reference_velocity(), state.reference_acceleration(), tau);
+    tau.array() -= rho_.array() * (state.sliding().array() / phi_.array()).tanh();
   }
 
  private:
-  JointVector rho_, phi_;
+  Eigen::VectorXd rho_, phi_;
 };
 
-ControllerKind sliding_mode() {
-  ControllerKind kind;
+armtune::ControllerKind sliding_mode() {
+  armtune::ControllerKind kind;
   kind.name = "sliding_mode";
   kind.meaning = "sliding mode with a boundary layer: Y theta - rho tanh(S / phi)";
   // Of armtune's own gains, those of the Cartesian references qr' and qr''.
   kind.uses = {"task_space_gains_p", "task_space_gains_i"};
-  // One line each: files, --help, search space, journal and report know it from here.
-  constexpr auto kJoints = GainShape::kJoints;
-  kind.own = {
-      own_gain(kJoints, "rho", "N m", "most torque against what the model does not know", 30.0),
-      not_in_loop(positive(own_gain(kJoints, "phi", "rad/s", "S at which tanh has most of it", 0.3)))};
-  kind.make = [](const LawSetup& setup) { return std::make_unique<SlidingMode>(setup); };
+  // Files, --help, search space, journal and report know them from here.
+  constexpr auto kJoints = armtune::GainShape::kJoints;
+  kind.own = {{kJoints, "rho", "N m", "most torque against what the model does not know", 30.0},
+              {.shape = kJoints,
+               .name = "phi",
+               .unit = "rad/s",
+               .meaning = "S at which tanh has most of it",
+               .otherwise = 0.3,
+               .positive = true,
+               .in_loop = false}};
+  kind.make = [](const armtune::LawSetup& setup) { return std::make_unique<SlidingMode>(setup); };
   // Where a search begins: a share of what the motors can do, with a slope that every joint's inertia stands.
-  kind.start = [](const RobotModel& robot, const JointVector& q, Gains& gains) {
-    own(gains, "rho") = 0.2 * robot.effort_limits();
-    own(gains, "phi") = own(gains, "rho").cwiseQuotient(kFirstRate * joint_inertia(robot, q));
+  kind.start = [](const armtune::Robot& robot, std::span<const double> q, armtune::Gains& gains) {
+    const std::vector<double> inertia = armtune::joint_inertia(robot, q);
+    const std::vector<double> effort = robot.effort_limits();
+    for (std::size_t i = 0; i < effort.size(); ++i) {
+      gains.numbers("rho")[i] = 0.2 * effort[i];
+      gains.numbers("phi")[i] = 0.2 * effort[i] / (armtune::first_rate() * inertia[i]);
+    }
   };
   return kind;
 }
@@ -51,5 +61,5 @@ ControllerKind sliding_mode() {
 
 int main(int argc, char** argv) {
   armtune::register_controller(sliding_mode());
-  return armtune::cli::run(argc, argv);
+  return armtune::run_program(argc, argv);
 }

@@ -4,7 +4,6 @@ import sys
 
 import armtune
 
-armtune.compute_as_the_program()
 scenario = armtune.load_scenario("moving_target")
 gains = armtune.load_gains("published", scenario)
 rollouts = armtune.simulate([scenario], gains)

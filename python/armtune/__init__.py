@@ -10,60 +10,22 @@
 
 import os as _os
 import pathlib as _pathlib
-import sys as _sys
 
 # The bundled data of a build folder (python/armtune/ in it) or of a prefix (lib/python3/dist-packages/armtune/).
 for _above in _pathlib.Path(__file__).absolute().parents[2:5:2]:
     if (_above / "share" / "armtune").is_dir():
         _os.environ.setdefault("ARMTUNE_DATA", str(_above / "share" / "armtune"))
 
-from ._armtune import (  # noqa: E402
-    Gains,
-    InputError,
-    Rollout,
-    Scenario,
-    Study,
-    Tuned,
-    arithmetic,
-    baseline_tunables,
-    bundled,
-    errors_csv,
-    load_gains,
-    load_scenario,
-    load_study,
-    simulate,
-    tune,
-    versions,
-    write_errors,
-)
+from ._armtune import *  # noqa: E402, F403
+from ._armtune import versions  # noqa: E402
 
 __version__ = dict(versions())["armtune"]
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in tune(): `tuned` has the best gains and the evaluations so far."""
+    """Ctrl-C in a function that works for long: `result` has what it had found."""
 
-    tuned: Tuned
-
-
-__all__ = [name for name in dir() if not name.startswith("_")] + ["compute_as_the_program"]
+    result: object
 
 
-def compute_as_the_program() -> None:
-    """Begins the running script anew, where its figures would differ from the program's in the last bit.
-
-    The C library takes other variants of sin, exp ... on processors that have FMA. The program `armtune` asks for those that
-    every processor has, before it starts; a script does so by calling this first. Where that is not possible it goes on as
-    it is, and arithmetic() says so.
-    """
-    tried = "ARMTUNE_ARITHMETIC_TRIED"
-    if arithmetic()[0].startswith("baseline") or _os.environ.get(tried) == str(_os.getpid()):
-        return
-    script = getattr(_sys.modules["__main__"], "__file__", None)
-    if script is None or not _os.path.isfile(script):
-        return  # typed, piped or in a notebook: it cannot begin again
-    _os.environ[tried] = str(_os.getpid())
-    _os.environ["GLIBC_TUNABLES"] = baseline_tunables(_os.environ.get("GLIBC_TUNABLES", ""))
-    _sys.stdout.flush()
-    _sys.stderr.flush()
-    _os.execv(_sys.executable, _sys.orig_argv)
+__all__ = [name for name in dir() if not name.startswith("_")]

@@ -6,7 +6,7 @@
 
 #include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string cell(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string();
@@ -23,4 +23,4 @@ std::string cell(const std::string& text) {
   return quoted + "\"";
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads back to the same bits; empty for NaN and infinity, which stand for a value that there is not.
 std::string cell(double value);
@@ -12,4 +12,4 @@ std::string cell(double value);
 /// apostrophe where a spreadsheet would else take it for a formula.
 std::string cell(const std::string& text);
 
-}  // namespace armtune
+}  // namespace armtune::internal

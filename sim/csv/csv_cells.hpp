@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct CsvCell {
   std::size_t begin = 0;
@@ -68,4 +68,4 @@ class CsvCells {
   bool row_is_open_ = false;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,10 +7,11 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMaxColumns = 10'000;
@@ -80,4 +81,4 @@ void refuse_open_quote(const CsvCells& cells, const std::string& file) {
       file, cells.open_quote_line()));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

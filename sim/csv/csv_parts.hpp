@@ -9,7 +9,7 @@
 
 #include "sim/csv/csv_cells.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads the first row of `text`, whose cells are `cells`. Throws InputError naming `file` where there is
 /// none with a line end, for over 10,000 columns, for two of one name and for a quote that is never closed.
@@ -37,4 +37,4 @@ double csv_number(std::string_view cell, const std::string& file, std::size_t li
 /// Throws InputError naming the line of the quote that the text ends within.
 [[noreturn]] void refuse_open_quote(const CsvCells& cells, const std::string& file);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "sim/csv/csv_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Two places of four bytes each: with the largest of files they stay below 500 MB. A user's file has no more
@@ -94,4 +94,4 @@ std::vector<double> CsvTable::numbers(std::size_t column) const {
   return values;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 class CsvCells;
 
@@ -52,4 +52,4 @@ class CsvTable {
   std::size_t rows_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

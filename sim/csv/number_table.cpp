@@ -7,10 +7,10 @@
 #include <fstream>
 #include <system_error>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/csv/csv_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kFirstBlock = std::size_t{1} << 16;
@@ -99,4 +99,4 @@ std::size_t NumberTable::column(std::string_view name) const {
   return csv_column(header_, name_, name);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

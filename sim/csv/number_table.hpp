@@ -10,7 +10,7 @@
 
 #include "sim/csv/csv_table.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class NumberTable {
  public:
@@ -47,4 +47,4 @@ class NumberTable {
   std::size_t rows_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,11 +9,11 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/path_state.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
@@ -109,4 +109,4 @@ void make_folder(const std::string& path) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

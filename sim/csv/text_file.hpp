@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Writes beside the path and renames. Throws InputError with path and reason.
 void write_text_file(const std::string& path, std::string_view text);
@@ -28,4 +28,4 @@ void make_folder(const std::string& path);
 /// Where the file system cannot do that, nothing happens.
 void sync_folder_of(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

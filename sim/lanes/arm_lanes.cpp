@@ -2,7 +2,7 @@
 
 #include "sim/lanes/kinds.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Processor best_processor() {
 #if defined(ARMTUNE_LANES_X86)
@@ -34,4 +34,4 @@ std::unique_ptr<ArmLanes> make_arm_lanes(const LaneKind& kind, int lanes, Proces
   return make_any_lanes(kind);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "sim/lanes/lane_kind.hpp"
 #include "sim/lanes/processor.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What a lane's controller wants to be put in once.
 struct LaneControl {
@@ -90,4 +90,4 @@ std::unique_ptr<ArmLanes> make_arm_lanes(const LaneKind& kind, int lanes, Proces
 /// Most lanes that are worth it on a processor.
 int most_lanes(Processor processor);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,10 +1,10 @@
 #include "sim/lanes/kinds.hpp"
 #include "sim/lanes/packed_arm.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::unique_ptr<ArmLanes> make_avx2_lanes(const LaneKind& kind) {
   return std::make_unique<PackedArm<4>>(kind);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

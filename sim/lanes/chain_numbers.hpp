@@ -3,7 +3,7 @@
 
 #include "core/robot/chain.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Of n joints at most: per joint 9 + 3 of its place, 1 + 3 + 9 of its link, 3 of the joint and a radius;
 /// then 9 + 3 of the tool and 3 of gravity.
@@ -34,4 +34,4 @@ void for_each_number(AnyChain& chain, F f) {
   each(chain.gravity);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/robot/chain.hpp"
 #include "sim/plant/stepper.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct LaneKind {
   int n = 0;                                     ///< joints
@@ -22,4 +22,4 @@ struct LaneKind {
   bool operator==(const LaneKind&) const = default;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "sim/lanes/arm_lanes.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 template <int W>
 class PackedArm final : public ArmLanes {
@@ -104,7 +104,7 @@ class PackedArm final : public ArmLanes {
   void resolve() override {
     if (!any(tasks_)) return;
     arm_.differentiate(chain_, measured_qd_);
-    armtune::resolve(task_, arm_, centering_, measured_q_, measured_qd_, resolved_);
+    armtune::internal::resolve(task_, arm_, centering_, measured_q_, measured_qd_, resolved_);
     for (Eigen::Index i = 0; i < chain_.n; ++i) {
       reference_.velocity[i] = select(tasks_, resolved_.velocity[i], reference_.velocity[i]);
       reference_.acceleration[i] = select(tasks_, resolved_.acceleration[i], reference_.acceleration[i]);
@@ -245,4 +245,4 @@ class PackedArm final : public ArmLanes {
   StepWorkspaceT<T> work_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

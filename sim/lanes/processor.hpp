@@ -1,7 +1,7 @@
 #pragma once
 // What kinds of processors there are kernels for.
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class Processor {
   kAny,    ///< any x86-64, or whatever else the compiler knows
@@ -19,4 +19,4 @@ Processor best_processor();
 /// Whether this machine can run the kernels of that kind, as they are compiled in this program.
 bool runs_here(Processor processor);
 
-}  // namespace armtune
+}  // namespace armtune::internal

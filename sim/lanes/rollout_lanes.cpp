@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "armtune/error.hpp"
 #include "core/control/adaptation_filter.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
@@ -10,7 +11,7 @@
 #include "sim/rollout/running_rollout.hpp"
 #include "sim/rollout/true_state.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr int kMostLanes = 8;
@@ -35,7 +36,7 @@ bool has_lanes(const Gains& gains) {
 
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles) {
   if (stepper == Stepper::kReference) {
-    throw std::invalid_argument("the stepper 'reference' is Simbody's own");
+    throw InputError("the stepper 'reference' is Simbody's own");
   }
   const Chain& chain = scenario.robot->chain;
   return {chain.n,
@@ -98,11 +99,11 @@ void RolloutLanes::start(int lane, LaneJob job) {
   const Scenario& own = job.scenario->scenario;
   if (own.obstacles.size() > kind_.most_obstacles ||
       lane_kind(own, kind_.stepper, kind_.most_obstacles) != kind_) {
-    throw std::invalid_argument(own.name + " is not of the kind of these lanes");
+    throw InputError(own.name + " is not of the kind of these lanes");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
-  if (place) throw std::invalid_argument("the lane for " + own.name + " is busy");
-  if (!has_lanes(job.gains)) throw std::invalid_argument(job.gains.controller + " has no lanes");
+  if (place) throw InputError("the lane for " + own.name + " is busy");
+  if (!has_lanes(job.gains)) throw InputError(job.gains.controller + " has no lanes");
   const FlushDenormals flush;  // as the rollout alone is begun
   const bool first = busy_ == 0;
   place = std::make_unique<Lane>(std::move(job));
@@ -270,4 +271,4 @@ void RolloutLanes::step(const Finished& finished) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,9 +13,9 @@
 #include "sim/rollout/rollout_result.hpp"
 #include "sim/rollout/world.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
-/// What may share lanes with a scenario. most_obstacles: at least its own. Throws std::invalid_argument for
+/// What may share lanes with a scenario. most_obstacles: at least its own. Throws InputError for
 /// the stepper kReference.
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles);
 
@@ -46,7 +46,7 @@ class RolloutLanes {
   /// A lane that is not busy; -1: none.
   int free_lane() const;
 
-  /// In a lane that is not busy. Throws std::invalid_argument if it is, if the job's scenario is not of
+  /// In a lane that is not busy. Throws InputError if it is, if the job's scenario is not of
   /// this kind, or if its controller has no lanes.
   void start(int lane, LaneJob job);
   /// One control period of every lane that is busy. `finished` gets what ends with it; it may start another
@@ -69,4 +69,4 @@ class RolloutLanes {
   bool exact_ = true;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

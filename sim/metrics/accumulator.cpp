@@ -5,7 +5,7 @@
 #include "core/control/axis_error.hpp"
 #include "core/trajectory/gaze.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -194,4 +194,4 @@ Metrics MetricAccumulator::result(double end) {
   return m;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/metrics/metric.hpp"
 #include "sim/metrics/observation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// RMS and largest value of a series; both NaN while it is empty.
 class Spread {
@@ -97,4 +97,4 @@ class MetricAccumulator {
   JointVector last_torque_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 
 FrequencyResponse::FrequencyResponse(const std::vector<int>& orders, double base_period)
     : base_period_(base_period) {
@@ -35,4 +35,4 @@ double FrequencyResponse::bandwidth() const {
   return bins_.empty() ? NAN : frequency(bins_.size() - 1);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

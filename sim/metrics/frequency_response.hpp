@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 class FrequencyResponse {
  public:
@@ -35,4 +35,4 @@ class FrequencyResponse {
   std::vector<Bin> bins_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

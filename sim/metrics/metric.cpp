@@ -1,6 +1,6 @@
 #include "sim/metrics/metric.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 // Tracking errors count in followTrajectory from 1 s after it was entered, outside a slerp; joint errors in
 // followPlan; gaze and compensation count always after leaveSingularity, followPlan included; limits count
@@ -103,4 +103,4 @@ std::optional<Metric> metric_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

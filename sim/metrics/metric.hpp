@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class Metric : std::size_t {
   kPositionXMax,
@@ -111,4 +111,4 @@ struct Metrics {
   }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "core/control/laws/controller.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Observation {
   double time = 0.0;                ///< [s]
@@ -32,4 +32,4 @@ struct Observation {
   ToolAim aim() const { return {target_motion, orientation, mask == TaskMask::kPositionAndAxis}; }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kRiseFrom = 0.1;
@@ -51,4 +51,4 @@ double StepResponse::steady_state_error() const {
   return tail_count_ == 0 ? NAN : std::abs(tail_ / static_cast<double>(tail_count_));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

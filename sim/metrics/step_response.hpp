@@ -2,7 +2,7 @@
 // Rise time, overshoot, settling time and steady-state error of a step response (Ogata, Modern Control
 // Engineering, 5.3), taken sample by sample.
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Of a signal that is to go from 0 to 1. Times are between samples where the straight line crosses.
 class StepResponse {
@@ -36,4 +36,4 @@ class StepResponse {
   long tail_count_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

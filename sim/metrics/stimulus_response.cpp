@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 
 StimulusSignals path_signals(const Stimulus& stimulus, double t, const Vec3& path, const Poses& poses) {
   return {stimulus.value(t), stimulus.direction.dot(poses.p_0T - path)};
@@ -75,4 +75,4 @@ void StimulusResponse::write(Metrics& m) const {
   if (window_periods_ == whole) m[Metric::kResponseBandwidth] = sines_->bandwidth();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "sim/metrics/step_response.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The stimulus as it is asked for, and how far the arm has gone: both zero where the arm does what it would
 /// do without [m, rad].
@@ -51,4 +51,4 @@ class StimulusResponse {
   long window_periods_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

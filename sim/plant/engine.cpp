@@ -1,8 +1,8 @@
 #include "sim/plant/engine.hpp"
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Engine engine_from_name(const std::string& text) {
   for (const Engine engine : kEngines) {
@@ -11,4 +11,4 @@ Engine engine_from_name(const std::string& text) {
   throw InputError("engine '" + text + "' is not known; use simbody or native");
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

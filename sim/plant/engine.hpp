@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class Engine {
   kSimbody,  ///< the judge: every figure that is reported comes from it
@@ -20,4 +20,4 @@ constexpr const char* name(Engine engine) {
 /// Throws InputError that lists the names there are.
 Engine engine_from_name(const std::string& text);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <immintrin.h>
 #endif
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Flushes denormals to zero on this thread while it lives, so that a rollout gives the same bits on every
 /// thread.
@@ -28,4 +28,4 @@ class FlushDenormals {
 #endif
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,10 +1,10 @@
 // The arm in core's own dynamics. What a Simbody plant of the same model and stepper does, to rounding.
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "sim/plant/stepped_plant.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 class NativePlant final : public SteppedPlant {
@@ -45,4 +45,4 @@ std::unique_ptr<Plant> make_plant(const RobotModel& model, Stepper stepper, Engi
   return engine == Engine::kNative ? make_native_plant(model, stepper) : make_simbody_plant(model, stepper);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class Plant {
  public:
@@ -46,4 +46,4 @@ std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper steppe
 /// Either of the two.
 std::unique_ptr<Plant> make_plant(const RobotModel& model, Stepper stepper, Engine engine);
 
-}  // namespace armtune
+}  // namespace armtune::internal

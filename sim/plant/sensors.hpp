@@ -6,7 +6,7 @@
 
 #include "core/control/laws/controller.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class Sensors {
  public:
@@ -36,4 +36,4 @@ class Sensors {
   std::normal_distribution<double> normal_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,11 +9,11 @@
 
 #include <stdexcept>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "sim/plant/stepped_plant.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 SimTK::Vec3 to_simbody(const Vec3& v) {
@@ -257,7 +257,7 @@ class SimbodyReferencePlant final : public Plant {
     integrator_.initialize(state_);
     // The first stepTo after initialize() returns without having moved.
     for (int steps = 0; integrator_.getTime() < dt; ++steps) {
-      if (steps > kMostReferenceSteps) throw std::runtime_error("the reference integrator makes no headway");
+      if (steps > kMostReferenceSteps) throw FailedError("the reference integrator makes no headway");
       integrator_.stepTo(dt);
     }
     const SimTK::State& end = integrator_.getState();
@@ -287,4 +287,4 @@ std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepp
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include "core/robot/friction_step.hpp"
 #include "sim/plant/plant.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class SteppedPlant : public Plant {
  public:
@@ -43,4 +43,4 @@ class SteppedPlant : public Plant {
   StepWorkspace work_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,8 +1,8 @@
 #include "sim/plant/stepper.hpp"
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Stepper stepper_from_name(const std::string& text) {
   for (const Stepper stepper : kSteppers) {
@@ -12,4 +12,4 @@ Stepper stepper_from_name(const std::string& text) {
                    "' is not known; use midpoint, semi_implicit_euler, rk4 or reference");
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class Stepper {
   kMidpoint,           ///< explicit midpoint, two accelerations: the default
@@ -82,4 +82,4 @@ void integrate(Stepper stepper, const T& h, Accelerations&& f, JointVectorT<T>& 
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/trajectory/motion_filter.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class TargetCamera {
  public:
@@ -43,4 +43,4 @@ class TargetCamera {
   std::vector<MotionFilter> filters_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

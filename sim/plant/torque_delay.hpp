@@ -5,7 +5,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class TorqueDelay {
  public:
@@ -24,4 +24,4 @@ class TorqueDelay {
   std::size_t next_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 bool has_position_limits(const RobotModel& robot) {
@@ -52,4 +52,4 @@ bool applies(Metric metric, const Scenario& scenario) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
@@ -129,4 +129,4 @@ std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios) {
   return all;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/metrics/observation.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What a row says of the periods since the row before: a limit must not be broken unseen between two rows.
 enum class Over { kThisPeriod, kLargest, kSmallest };
@@ -27,4 +27,4 @@ std::vector<Column> rollout_columns(const Scenario& scenario);
 /// Columns of any of the scenarios, each name once.
 std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "core/control/laws/first_gains.hpp"
 #include "core/robot/friction.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string diverged_joint(const RobotModel& model, const JointVector& q, const JointVector& qd) {
   for (int i = 0; i < model.n(); ++i) {
@@ -54,4 +54,4 @@ std::string unstable_damping(const PreparedScenario& prepared, const JointState&
       inertia[worst], prepared.scenario.plant.torque_delay_periods > 0 ? " and late" : "", limit);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/control/control_output.hpp"
 #include "sim/rollout/prepared_scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A joint this many times faster than its limit will not recover.
 inline constexpr double kDivergedRatio = 20.0;
@@ -28,4 +28,4 @@ double damping_limit(int delay_periods);
 std::string unstable_damping(const PreparedScenario& prepared, const JointState& measured,
                              const JointVector& Kd);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "sim/metrics/metric.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A rollout ends in the first period in which the metric, one that only worsens, is at `value` or worse.
 struct EndLimit {
@@ -17,4 +17,4 @@ struct EndLimit {
 };
 using EndLimits = std::vector<EndLimit>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

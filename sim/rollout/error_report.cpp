@@ -4,7 +4,7 @@
 
 #include "sim/csv/cell.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr const char* kJointColumn = "joint_velocity/max_ratio_joint";
@@ -63,4 +63,4 @@ std::string columns_csv(const std::vector<FileColumns>& files) {
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/rollout/limit_watch.hpp"
 #include "sim/rollout/rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ScenarioResult {
   std::string scenario;
@@ -39,4 +39,4 @@ struct FileColumns {
 /// Text of columns.csv: file,name,unit,meaning.
 std::string columns_csv(const std::vector<FileColumns>& files);
 
-}  // namespace armtune
+}  // namespace armtune::internal

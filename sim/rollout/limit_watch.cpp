@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The unit of a joint's limit.
@@ -77,4 +77,4 @@ std::string to_string(const BrokenLimit& broken) {
                      broken.value, broken.unit, name(broken.limit), broken.bound, broken.time);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "sim/metrics/observation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The limits that a URDF gives a joint.
 enum class JointLimit : std::size_t { kVelocity, kPosition, kEffort };
@@ -68,4 +68,4 @@ class LimitWatch {
 /// Returns, for example, "wrist_1_joint is commanded 94.1 N m, beyond its effort limit of 56, at 527.300 s".
 std::string to_string(const BrokenLimit& broken);
 
-}  // namespace armtune
+}  // namespace armtune::internal

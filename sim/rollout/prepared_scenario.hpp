@@ -4,7 +4,7 @@
 #include "core/robot/theta.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct PreparedScenario {
   explicit PreparedScenario(const Scenario& s)
@@ -16,4 +16,4 @@ struct PreparedScenario {
   ParameterVector theta_true;   ///< of the plant
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

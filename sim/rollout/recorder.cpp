@@ -8,7 +8,7 @@
 #include "sim/csv/cell.hpp"
 #include "sim/csv/text_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Of two periods of a row, the earlier one first. What is no number stays: it is the worst there is.
@@ -65,4 +65,4 @@ void Recorder::write_csv(const std::string& path, bool completed) const {
   write_text_file(path, {text.data(), text.size()});
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "sim/rollout/columns.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class Recorder {
  public:
@@ -35,4 +35,4 @@ class Recorder {
   std::vector<double> values_;  ///< row by row
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include "sim/rollout/running_rollout.hpp"
 #include "sim/rollout/true_state.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Rollout::Rollout(const Scenario& scenario, Stepper stepper, Engine engine)
     : Rollout(std::make_shared<const PreparedScenario>(scenario), stepper, engine) {}
@@ -39,4 +39,4 @@ RolloutResult Rollout::run(const Gains& gains, const Observer& observer, const E
   return running.result();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/rollout/prepared_scenario.hpp"
 #include "sim/rollout/rollout_result.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A scenario made ready to be run many times: model, plant, theta. One per thread.
 class Rollout {
@@ -30,4 +30,4 @@ class Rollout {
   std::unique_ptr<Plant> plant_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/metrics/metric.hpp"
 #include "sim/metrics/observation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class RolloutStatus {
   kCompleted,
@@ -43,4 +43,4 @@ struct RolloutResult {
 /// Called once per control period, after the controller and before the plant moves. Return false to stop.
 using Observer = std::function<bool(const Observation&)>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

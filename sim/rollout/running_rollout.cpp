@@ -8,7 +8,7 @@
 #include "core/common/message_text.hpp"
 #include "sim/rollout/divergence.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The first limit that is reached, or null.
@@ -121,4 +121,4 @@ RolloutResult RunningRollout::result() {
   return std::move(result_);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "sim/rollout/rollout_result.hpp"
 #include "sim/rollout/world.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class RunningRollout {
  public:
@@ -77,4 +77,4 @@ class RunningRollout {
   bool ended_ = false;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

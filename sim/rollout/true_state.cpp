@@ -3,7 +3,7 @@
 #include "core/control/axis_error.hpp"
 #include "core/control/obstacle_distance.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 void TrueState::observe(const RunningRollout& running, const Controller& controller, Observation& o) {
   const bool exact = running.measures_exactly();
@@ -58,4 +58,4 @@ void see_errors(bool exact, Observation& o) {
   o.error_rate.tail<3>() = turns_freely ? axis_rate(poses.R_0T, rate) : rate;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "sim/rollout/running_rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Errors and gaze of `o`, whose poses (of the tool), twist, control and target_motion are set. exact: the
 /// controller has looked from this pose at this target.
@@ -30,4 +30,4 @@ class TrueState {
   JointVector torque_error_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

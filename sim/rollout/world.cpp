@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace armtune {
+namespace armtune::internal {
 
 void world_at(const Scenario& scenario, int k, World& world) {
   world.time = scenario.start_time + k * scenario.control_period;
@@ -27,4 +27,4 @@ void world_at(const Scenario& scenario, int k, World& world) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

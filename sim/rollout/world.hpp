@@ -6,7 +6,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct World {
   double time = 0.0;                ///< [s]
@@ -21,4 +21,4 @@ struct World {
 /// In the scenario's k-th period. Allocates nothing from the second call on.
 void world_at(const Scenario& scenario, int k, World& world);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,13 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 #include "core/common/path_state.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ std::string find_data_file(const std::string& folder, const std::string& name_or
                   name_or_path, folder, suggestion(name_or_path, names), fmt::join(names, " "), kExtension));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Path of `name_or_path`: a path if it holds a '/' or the extension, else the bundled file of that name in
 /// `folder` ("robots", "scenarios", "gains", "studies"). `relative_to`: folder that relative paths are also
@@ -34,4 +34,4 @@ std::string stem(const std::string& path);
 /// Folder part of a path, "." if it has none.
 std::string folder_of(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <vector>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/measured_arm.hpp"
 #include "core/control/pose_search.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr unsigned kSamples = 2000;
@@ -169,4 +169,4 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

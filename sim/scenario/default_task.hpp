@@ -7,7 +7,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct DefaultTask {
   Scenario scenario;
@@ -25,4 +25,4 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot);
 /// It as a scenario file. robot: what the file names it by.
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot);
 
-}  // namespace armtune
+}  // namespace armtune::internal

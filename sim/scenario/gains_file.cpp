@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -16,7 +16,7 @@
 #include "sim/yaml/map_reader.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr const char* kController = "controller";
@@ -179,4 +179,4 @@ std::string gains_yaml(const Gains& gains, const std::vector<std::string>& heade
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "core/control/gain_fields.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads bundled gains by name, or a file by path. `controller: NAME` says whose they are; without it they
 /// are the adaptive one's. The fields stand at the top or under one key of any name (the published
@@ -37,4 +37,4 @@ std::string gains_yaml(const Gains& gains, const std::vector<std::string>& heade
                        const GainsKeys& keys = kPublishedKeys,
                        const std::vector<std::pair<std::string, std::string>>& others = {});
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::size_t line_of(std::size_t row) {
   return row + 2;
@@ -43,4 +43,4 @@ std::vector<double> rising_times(const CsvTable& table, const std::string& path)
   return time;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

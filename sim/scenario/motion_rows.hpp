@@ -6,7 +6,7 @@
 
 #include "sim/csv/csv_table.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Line of the file that a row of the table stands in.
 std::size_t line_of(std::size_t row);
@@ -17,4 +17,4 @@ double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, c
 /// Column `time` [s], from zero or later on, at least two. Throws InputError naming file and line.
 std::vector<double> rising_times(const CsvTable& table, const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

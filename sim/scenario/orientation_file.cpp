@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/waypoints_file.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kUnit = 1e-3;  // by which a quaternion's length may miss 1
@@ -112,4 +112,4 @@ ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::
   return orientation;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

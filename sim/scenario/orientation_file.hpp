@@ -7,7 +7,7 @@
 #include "core/trajectory/tool_orientation.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 // clang-format off
 /// One of these, in the base frame:
@@ -23,4 +23,4 @@ namespace armtune {
 // clang-format on
 ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::vector<std::string>& inputs);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 #include "core/trajectory/polyline.hpp"
@@ -18,7 +18,7 @@
 #include "sim/scenario/random_targets.hpp"
 #include "sim/scenario/waypoints_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -331,4 +331,4 @@ std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<
   return schedule;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 // clang-format off
 /// One of these, in the base frame:
@@ -37,4 +37,4 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
 /// another target's; [] over a base's is none.
 std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<NamedPath>& targets);
 
-}  // namespace armtune
+}  // namespace armtune::internal

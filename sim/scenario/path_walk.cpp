@@ -7,14 +7,14 @@
 #include <limits>
 #include <optional>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/starting_gains.hpp"
 #include "core/control/pose_search.hpp"
 #include "core/control/task_goal.hpp"
 #include "core/robot/kinematics.hpp"
 #include "sim/scenario/data_files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kStep = 0.02;         // s
@@ -292,4 +292,4 @@ JointVector off_goal(const RobotModel& robot, const JointVector& goal) {
   return start;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

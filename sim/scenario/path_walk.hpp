@@ -7,7 +7,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A moment of a walk.
 struct WalkPlace {
@@ -67,4 +67,4 @@ inline std::string task_trouble(const Scenario& scenario, const Gains& gains) {
 /// of the joint's range at most, towards the middle of each joint's limits.
 JointVector off_goal(const RobotModel& robot, const JointVector& goal);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/uniform.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kMostDelay = 1000.0;
@@ -144,4 +144,4 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Widths of uniform distributions about the scenario's own values. perturbation_fields() says what each one
 /// means.
@@ -55,4 +55,4 @@ void validate(const Perturbation& perturbation, const std::string& where = "pert
 Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, std::uint64_t seed,
                    std::uint64_t sample);
 
-}  // namespace armtune
+}  // namespace armtune::internal

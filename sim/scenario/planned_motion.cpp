@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/trajectory/cubic_spline.hpp"
 #include "core/trajectory/linear_acceleration.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/motion_rows.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// How far a row may lie beside the motion of the rows before it, in position [rad, m] and velocity [rad/s,
@@ -126,4 +126,4 @@ JointSpline load_planned_motion(const std::string& path, const RobotModel& robot
   return {std::move(time), std::move(knots)};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/joint_spline.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads `time` [s] and, for each joint of the robot, `joint/NAME/position`, `/velocity` and `/acceleration`
 /// (rad or m); other columns do not count. Between rows the acceleration is linear; of waypoints, a file with
@@ -15,4 +15,4 @@ namespace armtune {
 /// position is outside the joint's limits, or a row is not where the acceleration takes the row before it.
 JointSpline load_planned_motion(const std::string& path, const RobotModel& robot);
 
-}  // namespace armtune
+}  // namespace armtune::internal

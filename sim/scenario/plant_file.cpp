@@ -8,7 +8,7 @@
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -66,4 +66,4 @@ Camera read_camera(const yaml::Node& node) {
   return camera;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

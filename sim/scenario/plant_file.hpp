@@ -7,10 +7,10 @@
 #include "sim/scenario/scenario.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Both throw InputError with file and line.
 PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string>& joints);
 Camera read_camera(const yaml::Node& node);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "sim/scenario/uniform.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<NamedPath> random_targets(int count, const Vec3& low, const Vec3& high, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
@@ -17,4 +17,4 @@ std::vector<NamedPath> random_targets(int count, const Vec3& low, const Vec3& hi
   return targets;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

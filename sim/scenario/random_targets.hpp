@@ -6,10 +6,10 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// `count` points between low and high [m], named random_1, random_2 .., drawn by mt19937_64: the same for a
 /// seed everywhere, and the first ones the same whatever the count.
 std::vector<NamedPath> random_targets(int count, const Vec3& low, const Vec3& high, std::uint64_t seed);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// One number per joint of the arm: read once the arm is known.
@@ -72,4 +72,4 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
   return model;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

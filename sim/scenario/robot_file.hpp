@@ -10,7 +10,7 @@
 #include "core/robot/urdf_options.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What is read of it before the URDF is.
 struct RobotFile {
@@ -33,4 +33,4 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
 /// Whether a robot is given as a URDF itself (by its ending) rather than as a robot YAML or a bundled name.
 bool is_urdf(const std::string& name_or_path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/robot/theta.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Denser by `mass_factor`, then spread wider about its centre of mass by `inertia_factor`: a body whose
@@ -140,4 +140,4 @@ void start_theta_from(const std::string& file, Scenario& scenario) {
   scenario.inputs.push_back(file);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

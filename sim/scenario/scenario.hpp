@@ -17,7 +17,7 @@
 #include "core/trajectory/tool_orientation.hpp"
 #include "sim/scenario/stimulus.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct NamedPath {
   std::string name;
@@ -115,4 +115,4 @@ ParameterVector start_theta(const Scenario& scenario);
 /// robot.
 void start_theta_from(const std::string& file, Scenario& scenario);
 
-}  // namespace armtune
+}  // namespace armtune::internal

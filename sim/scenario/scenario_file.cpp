@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/robot/link_radius.hpp"
@@ -22,7 +22,7 @@
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -250,4 +250,4 @@ Scenario load_scenario(const std::string& name_or_path) {
   return scenario;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

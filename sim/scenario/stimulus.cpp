@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 double value_at(const Step& step, double t) {
@@ -41,4 +41,4 @@ std::vector<double> schroeder_phases(const std::vector<int>& orders) {
   return phases;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Step {
   double size = 0.0;  ///< [m]
@@ -57,4 +57,4 @@ inline bool reached(double t, double event) {
 /// random phases.
 std::vector<double> schroeder_phases(const std::vector<int>& orders);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -119,4 +119,4 @@ Stimulus read_stimulus(const yaml::Node& node, double duration, double control_p
   return stimulus;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

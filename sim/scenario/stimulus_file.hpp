@@ -4,11 +4,11 @@
 #include "sim/scenario/stimulus.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads {on: path or target, step: {offset, at}} or {on, sines: {direction, amplitude, base_period, orders,
 /// from, periods}}. duration, control_period: of the scenario [s], into which the stimulus has to fit. Throws
 /// InputError.
 Stimulus read_stimulus(const yaml::Node& node, double duration, double control_period);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// In [lower, upper): 53 random bits.
 inline double uniform(std::mt19937_64& generator, double lower, double upper) {
@@ -12,4 +12,4 @@ inline double uniform(std::mt19937_64& generator, double lower, double upper) {
   return lower + (upper - lower) * kStep * static_cast<double>(generator() >> 11U);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

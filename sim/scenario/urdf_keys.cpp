@@ -7,7 +7,7 @@
 
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 void read_tool(const yaml::Node& node, UrdfOptions& options) {
@@ -90,4 +90,4 @@ std::string missing_yaml(const std::string& urdf, const MissingData& missing) {
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "core/robot/urdf_options.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Throws InputError with file and line. Whether the names are the URDF's is for its reader.
 UrdfOptions read_urdf_options(yaml::MapReader& map);
@@ -20,4 +20,4 @@ UrdfOptions read_urdf_options(yaml::MapReader& map);
 /// asks for by its line. urdf: named at the top if it is not empty.
 std::string missing_yaml(const std::string& urdf, const MissingData& missing);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/trajectory/cubic_spline.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/motion_rows.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostWaypoints = 20000;
@@ -113,4 +113,4 @@ ToolOrientation load_orientations(const std::string& path) {
   return turning;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/trajectory/position_spline.hpp"
 #include "core/trajectory/tool_orientation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The cubic spline through x, y, z, at rest before its beginning and after its end, where its acceleration
 /// jumps. of_poses: qw, qx, qy, qz may stand beside them. Throws InputError naming file, line and column.
@@ -17,4 +17,4 @@ PositionSpline load_waypoints(const std::string& path, bool of_poses);
 /// file, line and column.
 ToolOrientation load_orientations(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

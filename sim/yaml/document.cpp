@@ -11,12 +11,12 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/yaml/source_text.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 constexpr std::string_view kCoreTags = "tag:yaml.org,2002:";
@@ -303,4 +303,4 @@ Node parse_file(const std::string& path, std::size_t max_bytes) {
   return parse_text(read_file(path, max_bytes, "a YAML file"), path, max_bytes);
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

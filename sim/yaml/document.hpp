@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
 inline constexpr std::size_t kMaxItems =
@@ -102,4 +102,4 @@ Node parse_text(const std::string& text, const std::string& file_name, std::size
 /// is not a map.
 Node overlay(const std::vector<Node>& layers);
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

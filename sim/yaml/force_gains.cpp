@@ -7,7 +7,7 @@
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 bool is_number(const Node* node) {
@@ -57,4 +57,4 @@ ForceGains force_gains(const Node& node, const std::vector<std::string>& joints)
   return gains;
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

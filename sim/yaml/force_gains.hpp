@@ -4,7 +4,7 @@
 #include "core/control/force_gains.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 /// n numbers, or n x n row by row [N]. Force points stand in joint order or under their joints' names; so do
 /// the numbers of each. A list of n x n plain numbers is the second form written out, as ROS 2 has no lists
@@ -12,4 +12,4 @@ namespace armtune::yaml {
 /// numbers and lists are mixed.
 ForceGains force_gains(const Node& node, const std::vector<std::string>& joints);
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

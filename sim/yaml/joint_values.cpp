@@ -4,7 +4,7 @@
 
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 namespace {
 
@@ -42,4 +42,4 @@ JointVector joint_values(const Node& node, const std::vector<std::string>& joint
   }
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -1,11 +1,11 @@
 #pragma once
 // One number per joint, as a list in joint order or as a map by joint name.
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/types.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 /// Thrown for values of other joints than those asked for: the file may be of another arm.
 class OtherJoints : public InputError {
@@ -17,4 +17,4 @@ class OtherJoints : public InputError {
 /// InputError for a value that is not a number.
 JointVector joint_values(const Node& node, const std::vector<std::string>& joints);
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

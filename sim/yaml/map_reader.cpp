@@ -8,7 +8,7 @@
 
 #include "core/common/nearest.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 std::string limits(double lower, double upper) {
@@ -96,4 +96,4 @@ void MapReader::finish() const {
   }
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -7,7 +7,7 @@
 
 #include "sim/yaml/document.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 /// Known keys are all keys ever asked for, by any member. Ask for every key, then call finish().
 ///
@@ -47,4 +47,4 @@ class MapReader {
   std::vector<std::string> known_;  // in the order asked for
 };
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -11,7 +11,7 @@
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/source_text.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 /// std::from_chars over all of `text`, with the '+' that it does not know: no locale, no octal, no spaces.
@@ -162,4 +162,4 @@ const Node* Node::find(std::string_view key) const {
   return entry == all.end() ? nullptr : &entry->second;
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -3,7 +3,7 @@
 
 #include "sim/yaml/document.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 Node overlay(const std::vector<Node>& layers) {
   Node merged = layers.back();
@@ -22,4 +22,4 @@ Node overlay(const std::vector<Node>& layers) {
   return merged;
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -9,7 +9,7 @@
 #include "core/common/message_text.hpp"
 #include "core/common/utf8.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 constexpr std::size_t kLongestKeyInLine = 1000;  // readers look 1024 characters ahead for the colon
@@ -71,4 +71,4 @@ std::string comment(std::string_view text) {
   return fmt::format("# {}\n", one_line(text));
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 /// The text in double quotes, escaped where it holds quotes, backslashes, or characters that are not
 /// printable (see is_printable): some of them end a line for some readers. A byte that is not UTF-8, for
@@ -23,4 +23,4 @@ std::string entry(std::string_view indent, const std::string& key, std::string_v
 /// A line "# TEXT" that no reader takes to end earlier: what is not printable is escaped.
 std::string comment(std::string_view text);
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

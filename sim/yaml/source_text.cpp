@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 bool is_control(char c) {
@@ -57,4 +57,4 @@ bool closes_quote(std::string_view text) {
   return false;
 }
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 
 /// Throws InputError "FILE:LINE: key 'a/b': what", on one line; without the key where the path is empty.
 [[noreturn]] void fail_at(const std::string& file, int line, std::string_view key_path,
@@ -17,4 +17,4 @@ void check_characters(std::string_view text, const std::string& file);
 /// Whether the quote that `text` begins with is closed in it. True for a text that begins with none.
 bool closes_quote(std::string_view text);
 
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -9,7 +9,7 @@
 #include "tests/core/support/urdf_text.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -217,4 +217,4 @@ TEST_F(BadInput, TwoScenariosOfOneNameAreRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

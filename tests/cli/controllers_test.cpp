@@ -15,7 +15,7 @@
 #include "tuner/report/sections.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -179,4 +179,4 @@ TEST(Controllers, AreSearchedInTheNativeEngineByAnyNumberOfWorkers) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -134,4 +134,4 @@ TEST(Detached, ATerminalThatClosesInterruptsARunAndNohupDoesNot) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

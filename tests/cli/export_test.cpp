@@ -10,7 +10,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -133,4 +133,4 @@ TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

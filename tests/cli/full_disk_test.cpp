@@ -9,7 +9,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST(FullDisk, ARunWhoseJournalCannotBeBegunLeavesNoFolder) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

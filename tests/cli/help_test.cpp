@@ -11,7 +11,7 @@
 #include "tuner/cli/declared/short_help.hpp"
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -186,4 +186,4 @@ TEST(Help, IsWhatTheBareProgramShows) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

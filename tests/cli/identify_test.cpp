@@ -7,7 +7,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -97,4 +97,4 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

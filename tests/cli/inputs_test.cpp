@@ -13,7 +13,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -96,4 +96,4 @@ TEST(Inputs, FromAPipeAreReadOnceAndHashed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

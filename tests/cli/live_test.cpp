@@ -12,7 +12,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Program;
@@ -69,4 +69,4 @@ TEST(LiveReport, ChangesNothingInTheResult) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

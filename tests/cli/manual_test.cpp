@@ -13,7 +13,7 @@
 #include "tuner/cli/declared/completion.hpp"
 #include "tuner/cli/declared/man_page.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::run_program;
@@ -138,4 +138,4 @@ TEST(Completion, OfEveryShellNamesCommandsAndOptions) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -87,4 +87,4 @@ TEST_F(MarginsProgram, AnInterruptKeepsWhatIsFinished) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

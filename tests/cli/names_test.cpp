@@ -14,7 +14,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/cli/set_labels.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ TEST(Names, InAHostileRunYamlStayInTheCommentsOfWhatIsExported) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -90,4 +90,4 @@ TEST(NewUser, ATuningWhoseStartFailsNamesThePathThatNoGainsCanFollow) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -90,4 +90,4 @@ TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/tuner/report/support/decode.hpp"
 #include "tuner/report/report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -193,4 +193,4 @@ TEST(Plan, BadInputEndsWithTwo) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

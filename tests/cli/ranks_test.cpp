@@ -15,7 +15,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -392,4 +392,4 @@ TEST_F(Ranks, OtherCommandsDoNotUseThem) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,4 +188,4 @@ TEST(ReportPage, WhereItIsNotBuiltInSaysHowToGetIt) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

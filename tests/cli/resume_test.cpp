@@ -13,7 +13,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -378,4 +378,4 @@ TEST(Resume, AnInterruptedRunSaysHowToGoOn) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Finished;
@@ -111,4 +111,4 @@ TEST(Robustness, BadInputEndsWithTwo) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/report/report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(RunFiles, ThePageOfARunIsReplacedAndAUsersOwnFileIsNot) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tuner/report/report.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -269,4 +269,4 @@ TEST(Simulate, APathThatWindsAJointUpIsRefusedByTheJointsName) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -277,4 +277,4 @@ TEST(TuneCommand, ASearchThatFindsNothingBetterKeepsTheStartGains) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/cli/support/program.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST(WrongCause, ARecordingThatDoesNotFitIsRefusedBeforeTheFolderIsMade) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #include "tuner/report/report.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST_F(YardstickProgram, OfATunedRunIsOfBothGainSets) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

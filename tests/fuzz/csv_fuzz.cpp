@@ -5,7 +5,7 @@
 #include "tests/fuzz/support/input.hpp"
 #include "tuner/identification/log_file.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 namespace {
 
 void check_table(std::string_view bytes, CsvOrigin origin) {
@@ -36,12 +36,12 @@ void check_log(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view bytes = armtune::fuzz::text(data, size);
-  armtune::fuzz::check_table(bytes, armtune::CsvOrigin::kUser);
-  armtune::fuzz::check_table(bytes, armtune::CsvOrigin::kArmtune);
-  armtune::fuzz::check_log(bytes);
+  const std::string_view bytes = armtune::internal::fuzz::text(data, size);
+  armtune::internal::fuzz::check_table(bytes, armtune::internal::CsvOrigin::kUser);
+  armtune::internal::fuzz::check_table(bytes, armtune::internal::CsvOrigin::kArmtune);
+  armtune::internal::fuzz::check_log(bytes);
   return 0;
 }

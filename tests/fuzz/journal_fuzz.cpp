@@ -12,7 +12,7 @@
 #include "tuner/journal/journal.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 namespace {
 
 /// A file of this process alone, which a journal can lock and cut; removed at the end.
@@ -64,11 +64,11 @@ void check(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view bytes = armtune::fuzz::text(data, size);
-  armtune::fuzz::check(bytes);
-  armtune::fuzz::check(armtune::fuzz::with_checksums(bytes));
+  const std::string_view bytes = armtune::internal::fuzz::text(data, size);
+  armtune::internal::fuzz::check(bytes);
+  armtune::internal::fuzz::check(armtune::internal::fuzz::with_checksums(bytes));
   return 0;
 }

@@ -3,8 +3,8 @@
 #include "tests/fuzz/support/run_folder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const armtune::fuzz::RunFolder folder;
-  folder.write("scene.json", armtune::fuzz::text(data, size));
-  armtune::fuzz::check_report(folder);
+  static const armtune::internal::fuzz::RunFolder folder;
+  folder.write("scene.json", armtune::internal::fuzz::text(data, size));
+  armtune::internal::fuzz::check_report(folder);
   return 0;
 }

@@ -6,7 +6,7 @@
 #include "tuner/report/scene.hpp"
 #include "tuner/report/stl_file.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 namespace {
 
 void check(std::string_view bytes) {
@@ -30,9 +30,9 @@ void check(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  armtune::fuzz::check(armtune::fuzz::text(data, size));
+  armtune::internal::fuzz::check(armtune::internal::fuzz::text(data, size));
   return 0;
 }

@@ -5,7 +5,7 @@
 
 #include "tests/fuzz/support/run_folder.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 namespace {
 
 /// A file, and those in whose place it stands in another kind of run.
@@ -56,9 +56,9 @@ void check(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  armtune::fuzz::check(armtune::fuzz::text(data, size));
+  armtune::internal::fuzz::check(armtune::internal::fuzz::text(data, size));
   return 0;
 }

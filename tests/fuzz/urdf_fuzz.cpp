@@ -8,7 +8,7 @@
 #include "core/robot/urdf_writer.hpp"
 #include "tests/fuzz/support/input.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 namespace {
 
 class Counter : public console_bridge::OutputHandler {
@@ -41,9 +41,9 @@ void check(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  armtune::fuzz::check(armtune::fuzz::text(data, size));
+  armtune::internal::fuzz::check(armtune::internal::fuzz::text(data, size));
   return 0;
 }

@@ -4,7 +4,7 @@
 #include "sim/yaml/document.hpp"
 #include "tests/fuzz/support/input.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 namespace {
 
 void walk(const yaml::Node& node, std::size_t depth) {
@@ -29,9 +29,9 @@ void check(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  armtune::fuzz::check(armtune::fuzz::text(data, size));
+  armtune::internal::fuzz::check(armtune::internal::fuzz::text(data, size));
   return 0;
 }

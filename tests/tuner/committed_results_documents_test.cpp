@@ -11,7 +11,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/sim/support/csv.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::string kRoot = ARMTUNE_SOURCE_DIR;
@@ -189,4 +189,4 @@ TEST(Notation, HasARowForEachOfTheReportsTenEquations) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tuner/study/corner.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::string kRun = ARMTUNE_SOURCE_DIR "/results/ur10_gaze";
@@ -292,4 +292,4 @@ TEST(CommittedUr5e, FollowsWithAThirdLessErrorThanItsStartAndHoldsEveryMargin) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@ namespace CLI {
 class App;
 }
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Exit codes of the program.
 inline constexpr int kDone = 0;
@@ -35,4 +35,4 @@ void add_identify_command(CLI::App& app, int& exit_code);
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_yardstick_command(CLI::App& app, int& exit_code);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -18,7 +18,7 @@
 #include "tuner/cli/set_labels.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "tuner/cli/gain_set.hpp"
@@ -10,7 +10,7 @@
 #include "tuner/cli/set_labels.hpp"
 #include "tuner/gains/gains_difference.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void say_gains_difference(const std::vector<std::string>& sets, const RobotModel& robot, bool guessed) {
   if (sets.size() < 2) throw InputError("--gains: shows what differs between sets; name two or more");
@@ -29,4 +29,4 @@ void say_gains_difference(const std::vector<std::string>& sets, const RobotModel
   say(gains_difference(named, joints));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

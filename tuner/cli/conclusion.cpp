@@ -5,11 +5,11 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/say.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 int conclude(const SimulationVerdict& verdict) {
   say(fmt::format("\n{}", to_text(verdict)));
   return verdict.passed() ? kDone : kChecksFailed;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

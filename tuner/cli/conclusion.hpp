@@ -3,9 +3,9 @@
 
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Prints the verdict as the last thing on the screen. Returns kDone if it passed, else kChecksFailed.
 int conclude(const SimulationVerdict& verdict);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

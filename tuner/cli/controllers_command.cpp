@@ -8,7 +8,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/tune_help.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 void add_list_command(CLI::App& app, const char* name, const char* meaning, std::string (*text)()) {
@@ -30,4 +30,4 @@ void add_algorithms_command(CLI::App& app, int&) {
   add_list_command(app, "algorithms", "List the search algorithms and when to use each", algorithms_text);
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

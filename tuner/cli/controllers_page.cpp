@@ -4,7 +4,7 @@
 
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// One that only some controllers have.
@@ -50,4 +50,4 @@ std::string controllers_text() {
          "To tune one: armtune tune STUDY --controller NAME\n";
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

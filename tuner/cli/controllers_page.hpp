@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Every gain with its shape, default search range, meaning and unit: first those that every controller has,
 /// then each controller's.
 std::string controllers_text();
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -7,7 +7,7 @@
 
 #include "tuner/cli/say.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 CLI::Option* add_endurance_option(CLI::App& command, double& minutes) {
   return command
@@ -48,4 +48,4 @@ std::string endurance_table(const std::vector<EnduranceResult>& results) {
   return text;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -11,7 +11,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Declares the option and returns it. minutes: 0 unless it is given, 30 without a value.
 CLI::Option* add_endurance_option(CLI::App& command, double& minutes);
@@ -22,4 +22,4 @@ void say_how_extended(const std::vector<Scenario>& scenarios);
 /// One line per scenario: how long it held, or what broke first.
 std::string endurance_table(const std::vector<EnduranceResult>& results);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -8,7 +8,7 @@
 #include "tuner/session/study_files.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void FrontPrinter::began(const Study& study, const ParetoOptions& options, std::size_t recalled) {
   say(fmt::format("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
@@ -42,4 +42,4 @@ void print_front(const FrontOutcome& outcome, const Study& study, const std::str
   if (!outcome.verified) say(fmt::format("to go on: {} pareto --resume {}\n", program_name(), folder));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

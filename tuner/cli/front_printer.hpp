@@ -4,7 +4,7 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/front_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 class FrontPrinter : public SessionPrinter<FrontObserver> {
  public:
@@ -20,4 +20,4 @@ class FrontPrinter : public SessionPrinter<FrontObserver> {
 /// Prints how it all ended.
 void print_front(const FrontOutcome& outcome, const Study& study, const std::string& folder);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,14 +4,14 @@
 
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/run/run_file.hpp"
 #include "tuner/session/task_notes.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ GainsToSimulate gains_to_simulate(const std::string& name, const std::string& fi
   return {name, path, [path](const Scenario& s) { return load_gains(path, joint_names(*s.robot)); }};
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

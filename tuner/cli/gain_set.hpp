@@ -6,7 +6,7 @@
 
 #include "tuner/session/simulate_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// The gains file of a run folder; any other name as it is.
 std::string gains_name(const std::string& set);
@@ -29,4 +29,4 @@ GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scena
 /// if there is no such file.
 GainsToSimulate gains_to_simulate(const std::string& name, const std::string& file);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

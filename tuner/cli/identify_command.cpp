@@ -10,7 +10,7 @@
 #include "tuner/cli/resume.hpp"
 #include "tuner/cli/session_printer.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -84,4 +84,4 @@ void add_identify_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

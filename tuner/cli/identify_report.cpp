@@ -8,7 +8,7 @@
 
 #include "tuner/cli/say.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 constexpr double kUncertain = 0.3;  ///< relative standard deviation from which a group is called uncertain
@@ -101,4 +101,4 @@ void print_identification(const IdentifySettings& settings, const IdentifyOutcom
   if (outcome.files.empty()) say("Nothing was written. If the logs are right all the same, add --accept.\n");
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,8 +4,8 @@
 
 #include "tuner/identification/session/identify_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void print_identification(const IdentifySettings& settings, const IdentifyOutcome& outcome);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -8,7 +8,7 @@
 
 #include "tuner/ranks/transport.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 // A signal handler reaches nothing but globals.
@@ -74,4 +74,4 @@ int default_workers() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

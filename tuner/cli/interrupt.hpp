@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// True once the user asked to stop. The first signal is polite; another, half a second later
 /// or more, ends the program at once.
@@ -25,4 +25,4 @@ std::string& program_name();
 /// Threads to use when the user says nothing: one per processor; one among ranks.
 int default_workers();
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

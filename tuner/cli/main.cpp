@@ -1,5 +1,5 @@
-#include "tuner/cli/program.hpp"
+#include "armtune/program.hpp"
 
 int main(int argc, char** argv) {
-  return armtune::cli::run(argc, argv);
+  return armtune::run_program(argc, argv);
 }

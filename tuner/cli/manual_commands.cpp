@@ -13,7 +13,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 constexpr const char* kProgram = "armtune";
@@ -47,4 +47,4 @@ void add_completion_command(CLI::App& app, int&) {
   command->callback([&app, shell, file] { put(completion(declared(app, kProgram), *shell), *file); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -18,7 +18,7 @@
 #include "tuner/run/run_folder.hpp"
 #include "tuner/session/session_context.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -117,4 +117,4 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

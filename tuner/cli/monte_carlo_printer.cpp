@@ -13,7 +13,7 @@
 #include "tuner/rollouts/comparison.hpp"
 #include "tuner/samples/statistics.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 void print_yield(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
@@ -83,4 +83,4 @@ int MonteCarloPrinter::ended(const MonteCarloOutcome& outcome) const {
   return kInterrupted;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,7 +4,7 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/monte_carlo_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 class MonteCarloPrinter : public SessionPrinter<MonteCarloObserver> {
  public:
@@ -19,4 +19,4 @@ class MonteCarloPrinter : public SessionPrinter<MonteCarloObserver> {
   const MonteCarloSettings& settings_;
 };
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

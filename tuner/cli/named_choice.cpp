@@ -11,7 +11,7 @@
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// Shows the names in --help, the manual page and shell completion. What is none of them is refused by the
@@ -45,4 +45,4 @@ CLI::Option* add_controller_option(CLI::App& command, std::string& controller) {
       ->check(names_shown(controller_kinds(), [](const ControllerKind* kind) { return kind->name; }));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

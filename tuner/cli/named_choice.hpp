@@ -8,7 +8,7 @@ class App;
 class Option;
 }  // namespace CLI
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// "--stepper": how a period is stepped.
 CLI::Option* add_stepper_option(CLI::App& command, std::string& stepper);
@@ -19,4 +19,4 @@ CLI::Option* add_engine_option(CLI::App& command, std::string& engine);
 /// "--controller": another controller than the study's gains are for.
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

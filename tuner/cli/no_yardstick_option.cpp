@@ -2,7 +2,7 @@
 
 #include "tuner/cli/yardstick_option.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void add_yardstick_option(CLI::App& /*command*/, bool& wanted) {
   wanted = false;
@@ -12,4 +12,4 @@ Yardstick yardstick_if(bool /*wanted*/) {
   return {};
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

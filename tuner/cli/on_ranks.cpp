@@ -9,11 +9,11 @@
 #include <new>
 #include <string_view>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/interrupt.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 constexpr std::array<std::string_view, 4> kUsers = {"tune", "pareto", "robustness", "sensitivity"};
@@ -113,4 +113,4 @@ void refuse_ranks(const std::string& command) {
                   rank_place().size, fmt::join(kUsers, ", ")));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -7,7 +7,7 @@
 
 #include "tuner/workers/rank_group.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Runs the program in this process alone, or among the ranks that mpirun or srun started, and gives its exit
 /// code, the same in every rank. Ranks that were started with different command lines end before they call
@@ -40,4 +40,4 @@ inline constexpr const char* kScenarioDeadlineHelp =
     "simulated "
     "second)";
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

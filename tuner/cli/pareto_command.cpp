@@ -10,7 +10,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -71,4 +71,4 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -12,7 +12,7 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -75,4 +75,4 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

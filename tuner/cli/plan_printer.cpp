@@ -12,7 +12,7 @@
 #include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/report/plan_recording.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 constexpr std::size_t kShownLimits = 4;
@@ -102,4 +102,4 @@ int print_plan(const PlanOutcome& outcome, const PlanSettings& settings) {
   return kDone;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -3,9 +3,9 @@
 
 #include "tuner/planning/session/plan_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Prints the plan, or why there is none. Returns the exit code.
 int print_plan(const PlanOutcome& outcome, const PlanSettings& settings);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -1,4 +1,4 @@
-#include "tuner/cli/program.hpp"
+#include "armtune/program.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "tuner/cli/commands.hpp"
@@ -20,7 +20,7 @@
 #include "tuner/run/arithmetic.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 std::string version_text() {
@@ -109,8 +109,7 @@ int parse_and_run(int argc, char** argv) {
   return exit_code;
 }
 
-}  // namespace
-
+/// Throws nothing.
 int run(int argc, char** argv) {
   open_standard_streams();
   int exit_code = kDone;
@@ -132,4 +131,13 @@ int run(int argc, char** argv) {
   return exit_code == kDone ? kFailed : exit_code;
 }
 
-}  // namespace armtune::cli
+}  // namespace
+}  // namespace armtune::internal::cli
+
+namespace armtune {
+
+int run_program(int argc, char** argv) {
+  return internal::cli::run(argc, argv);
+}
+
+}  // namespace armtune

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
@@ -26,4 +26,4 @@ void ProgressLine::clear() {
   shown_ = false;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

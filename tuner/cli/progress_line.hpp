@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 class ProgressLine {
  public:
@@ -21,4 +21,4 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 CLI::Validator readable_file() {
   const auto trouble = [](std::string& path) -> std::string {
@@ -21,4 +21,4 @@ CLI::Validator readable_file() {
   return CLI::Validator(trouble, "FILE");
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -12,7 +12,7 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/report_files.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -54,4 +54,4 @@ void add_report_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/ranks/transport.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ SessionContext session_context() {
   return {stop_requested(), std::move(invocation)};
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

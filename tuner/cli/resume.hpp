@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/run/input_copies.hpp"
 #include "tuner/session/journalled_run.hpp"
 
@@ -12,7 +12,7 @@ namespace CLI {
 class App;
 }
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Adds --out, --resume, --workers and --rollout-deadline, of a run that can be resumed. out_help: what
 /// --help says of --out.
@@ -47,4 +47,4 @@ auto load_inputs(const RunPlace& place, const Load& load) {
   }
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/path_state.hpp"
 #include "core/robot/urdf_reader.hpp"
@@ -17,7 +17,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/task_files.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 void show(const RobotModel& model) {
@@ -112,4 +112,4 @@ void add_robot_command(CLI::App& app, int&) {
   command->callback([file, sidecar, task] { look_at(*file, *sidecar, *task); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -14,7 +14,7 @@
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -106,4 +106,4 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/report/provenance.hpp"
@@ -14,7 +14,7 @@
 #include "tuner/run/run_file.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::ve
   return scenarios;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

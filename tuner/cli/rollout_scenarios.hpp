@@ -6,7 +6,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// The folder of the run that a folder with rollouts belongs to: itself, or the one above where a run keeps
 /// one of its gain sets in it.
@@ -17,4 +17,4 @@ std::string run_of(const std::string& folder);
 /// rollout, where a scenario is not found, and where a file is no longer what it was when the run was made.
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

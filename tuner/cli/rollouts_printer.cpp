@@ -7,7 +7,7 @@
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/say.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void print_simulated(const SimulateOutcome& outcome, const RolloutSettings& settings,
                      const std::string& gains) {
@@ -50,4 +50,4 @@ void print_compared(const CompareOutcome& outcome, const RolloutSettings& settin
   say("interrupted: the comparison is whole, but not every scenario was extended, so there is no verdict\n");
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

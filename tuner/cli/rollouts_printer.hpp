@@ -6,7 +6,7 @@
 
 #include "tuner/session/compare_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// gains: as the command line names them.
 void print_simulated(const SimulateOutcome& outcome, const RolloutSettings& settings,
@@ -15,4 +15,4 @@ void print_simulated(const SimulateOutcome& outcome, const RolloutSettings& sett
 void print_compared(const CompareOutcome& outcome, const RolloutSettings& settings,
                     const std::vector<Metric>& metrics);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -6,7 +6,7 @@
 #include "core/common/message_text.hpp"
 #include "core/common/utf8.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void say(std::string_view text) {
   std::string shown;
@@ -22,4 +22,4 @@ void say(std::string_view text) {
   std::fwrite(shown.data(), 1, shown.size(), stdout);
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -21,7 +21,7 @@
 #include "tuner/run/run_folder.hpp"
 #include "tuner/session/study_files.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -115,4 +115,4 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

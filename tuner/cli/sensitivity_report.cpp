@@ -7,7 +7,7 @@
 
 #include "tuner/cli/say.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most) {
   const auto number = [](double v) { return std::isnan(v) ? std::string("-") : fmt::format("{:.3f}", v); };
@@ -33,4 +33,4 @@ void print_advice(const Study& study, const Sensitivity& sensitivity) {
   for (const std::string& line : advice(study, sensitivity)) say(fmt::format("note: {}\n", line));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -3,7 +3,7 @@
 
 #include "tuner/sensitivity/sensitivity.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// The gains from the most to the least important, `most` of them, with what each does.
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most);
@@ -11,4 +11,4 @@ void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::
 /// Bounds that were hit and gains without effect, in plain words.
 void print_advice(const Study& study, const Sensitivity& sensitivity);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,7 +4,7 @@
 
 #include "tuner/cli/interrupt.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 std::string to_text(const Progress& progress) {
   std::string text = progress.work;
@@ -23,4 +23,4 @@ void print_can_resume(const std::string& folder) {
              program_name(), command_words()[1], folder);
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

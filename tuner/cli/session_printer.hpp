@@ -6,7 +6,7 @@
 #include "tuner/cli/progress_line.hpp"
 #include "tuner/session/observer.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// "margins of the start gains: 3 of 8, 12 s left"
 std::string to_text(const Progress& progress);
@@ -30,4 +30,4 @@ class SessionPrinter : public Observer {
   ProgressLine line_;
 };
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

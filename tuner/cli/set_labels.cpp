@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
 #include "sim/scenario/data_files.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// The columns of comparison.csv that stand beside those of the sets.
@@ -54,4 +54,4 @@ void check_labels(const std::vector<std::string>& labels, const std::vector<std:
   }
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// One label for each set, all different: the folder's or the file's name, and "_2", "_3", ... behind it
 /// where one before has it already.
@@ -13,4 +13,4 @@ std::vector<std::string> set_labels(const std::vector<std::string>& sets);
 /// Throws InputError, naming the set, for a label that files and columns of results cannot be called after.
 void check_labels(const std::vector<std::string>& labels, const std::vector<std::string>& sets);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

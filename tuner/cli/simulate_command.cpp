@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/endurance_option.hpp"
@@ -19,7 +19,7 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/cli/yardstick_option.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -86,4 +86,4 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

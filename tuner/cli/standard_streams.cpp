@@ -9,7 +9,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// A descriptor, and why the first text was lost that it did not take.
@@ -77,4 +77,4 @@ int flush_standard_output() {
   return output.reason == EPIPE ? 0 : output.reason.load();
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -2,7 +2,7 @@
 // Standard output and standard error of the program. Writing to them never throws and never ends the program:
 // a disk behind them may be full, and a reader such as `head` may have seen enough.
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Makes the three standard streams safe to use. To be called first in main.
 /// - Streams that are closed, as those of detached programs may be, become /dev/null. Otherwise the next file
@@ -15,4 +15,4 @@ void open_standard_streams();
 /// A pipe whose reader has closed it is no error: that reader has what it wanted.
 int flush_standard_output();
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

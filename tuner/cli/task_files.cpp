@@ -11,7 +11,7 @@
 #include "tuner/cli/say.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 constexpr const char* kStudy = R"(gains: gains.yaml     # the start; it scores 1
@@ -70,4 +70,4 @@ void write_task_files(const std::shared_ptr<const RobotModel>& robot, const std:
                   folder, task.scenario.path.terms[0].cosine.norm()));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -6,7 +6,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Writes task.yaml, gains.yaml and study.yaml into a new folder. robot_file: where the robot is read from,
 /// path or bundled name. Throws InputError if the folder holds something already, or the arm has no room for
@@ -14,4 +14,4 @@ namespace armtune::cli {
 void write_task_files(const std::shared_ptr<const RobotModel>& robot, const std::string& robot_file,
                       const std::string& folder);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -14,7 +14,7 @@
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/session/study_files.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
@@ -86,4 +86,4 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -9,7 +9,7 @@
 #include "tuner/study/hopeless.hpp"
 #include "tuner/study/search_keys.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 namespace {
 
@@ -94,4 +94,4 @@ beyond that of joint_position/min_margin, never for others; a value can be given
   return text + "\n";
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

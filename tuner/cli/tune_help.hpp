@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Bundled studies, where the lists are, and an example.
 std::string tune_help();
@@ -15,4 +15,4 @@ std::string algorithms_text();
 /// Every metric with its unit and direction, and those that can end a rollout early.
 std::string metrics_text();
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

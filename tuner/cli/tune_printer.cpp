@@ -16,7 +16,7 @@
 #include "tuner/session/study_files.hpp"
 #include "tuner/verdict/search_checks.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 void print_gains(const Study& study, const TuneResult& result) {
@@ -166,4 +166,4 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
   conclude(outcome.verdict);
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,7 +4,7 @@
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/tune_session.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 class TunePrinter : public SessionPrinter<TuneObserver> {
  public:
@@ -27,4 +27,4 @@ class TunePrinter : public SessionPrinter<TuneObserver> {
   std::string study_name_;
 };
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 void add_warm_options(CLI::App& command, WarmArguments& args) {
   command.add_option("--warm-start", args.from,
@@ -48,4 +48,4 @@ void apply(const WarmArguments& args, Study& study) {
   study.warm = std::move(warm);
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

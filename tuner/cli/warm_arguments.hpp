@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// As given; zero or empty: the study's own.
 struct WarmArguments {
@@ -25,4 +25,4 @@ void add_warm_options(CLI::App& command, WarmArguments& args);
 /// Lets the options stand over the study's warm_start. Throws InputError if there is none to refine.
 void apply(const WarmArguments& args, Study& study);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

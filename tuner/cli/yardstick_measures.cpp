@@ -12,7 +12,7 @@
 #include "tuner/run/hashed_table.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 struct Pending {
@@ -99,4 +99,4 @@ RolloutMeasures measure_rollouts(const std::string& folder, const std::vector<Sc
   return result;
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

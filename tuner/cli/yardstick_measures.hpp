@@ -9,7 +9,7 @@
 #include "core/control/gains.hpp"
 #include "tuner/planning/yardstick/yardstick.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Gains that a scenario was simulated with.
 using GainsOf = std::function<Gains(const Scenario&)>;
@@ -27,4 +27,4 @@ struct RolloutMeasures {
 RolloutMeasures measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
                                  const GainsOf& gains, YardstickOptions options);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

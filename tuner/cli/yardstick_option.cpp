@@ -11,7 +11,7 @@
 #include "tuner/cli/yardstick_measures.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
@@ -57,4 +57,4 @@ Yardstick yardstick_if(bool wanted) {
   return wanted ? Yardstick(write_yardstick) : Yardstick();
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

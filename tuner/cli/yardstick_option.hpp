@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// Adds --yardstick where armtune was built with the planner; elsewhere nothing, and `wanted` stays false.
 void add_yardstick_option(CLI::App& command, bool& wanted);
@@ -17,4 +17,4 @@ void add_yardstick_option(CLI::App& command, bool& wanted);
 /// finished.
 Yardstick yardstick_if(bool wanted);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -9,7 +9,7 @@
 #include "tuner/endurance/error_windows.hpp"
 #include "tuner/workers/parallel.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Shorter runs are not asked whether their errors grow: their windows hold too few laps to be alike [s].
@@ -98,4 +98,4 @@ std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
   return results;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

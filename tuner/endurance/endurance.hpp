@@ -15,7 +15,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "tuner/study/thresholds.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct EnduranceOptions {
   double minutes = VerdictThresholds().minutes;  ///< of simulated time, of every scenario
@@ -52,4 +52,4 @@ std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
                                     const std::function<Gains(const Scenario&)>& gains_of,
                                     const EnduranceOptions& options, const std::atomic<bool>& stop);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kFirstMinute = 60.0;     // s: adaptation from a wrong start settles in it
@@ -54,4 +54,4 @@ double ErrorWindows::peak_growth() const {
                    growth(errors_[1].orientation.max(), errors_[0].orientation.max()));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

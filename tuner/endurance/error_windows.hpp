@@ -5,7 +5,7 @@
 
 #include "sim/metrics/accumulator.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A part of a rollout [s].
 struct TimeWindow {
@@ -49,4 +49,4 @@ class ErrorWindows {
   double entered_ = 0.0;  ///< when state or target changed last [s]
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "sim/csv/cell.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// What a scenario's metric is written for, once even where several terms have it.
@@ -98,4 +98,4 @@ void EvaluationsFile::append(const std::string& phase, const Evaluation& e) {
   if (!e.recalled) file_.publish();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tuner/run/append_file.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A value beside the study's own.
 struct ExtraColumn {
@@ -30,7 +30,7 @@ class EvaluationsFile {
   /// Appends one row and hands it to the system. Numbers read back to the same bits, but the wall time in
   /// milliseconds; what there is not is an empty cell. The wall time stands in the last column, the only one
   /// that differs between two runs of one study. A file that replaces an older one does so with the first row
-  /// that is not recalled. Throws std::runtime_error if the disk refuses it.
+  /// that is not recalled. Throws FailedError if the disk refuses it.
   void append(const std::string& phase, const Evaluation& e);
   /// At the end: the file is in its place, also if every row was recalled, and outlives a power cut.
   void finish() {
@@ -45,4 +45,4 @@ class EvaluationsFile {
   long count_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

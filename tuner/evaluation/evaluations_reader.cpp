@@ -4,9 +4,10 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::size_t column(const CsvTable& table, const std::string& name, const Study& study) {
@@ -45,4 +46,4 @@ std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& 
   return rows;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct EvaluationRow {
   std::vector<double> x;  ///< search coordinates
@@ -20,4 +20,4 @@ struct EvaluationRow {
 /// none of this study's or a number cannot be read.
 std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& study);
 
-}  // namespace armtune
+}  // namespace armtune::internal

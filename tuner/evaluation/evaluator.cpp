@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/evaluation/simulate_points.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Evaluator::Evaluator(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                      Journal* journal)
@@ -122,4 +122,4 @@ bool Evaluator::is_time_up() {
   return true;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A point to simulate, and what for.
 struct Candidate {
@@ -69,4 +69,4 @@ class Evaluator {
   std::chrono::steady_clock::time_point began_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,12 +2,13 @@
 
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 RolloutPlan plan_of(const Study& study, double deadline) {
   RolloutPlan plan = plan_of(simulated_scenarios(study), study.stepper, study.robust);
   plan.deadline = deadline;
-  plan.facts = {{"study", hash_of_input(study.source)}, {"start gains", hash_of_input(study.gains)}};
+  if (!study.source.empty()) plan.facts.emplace_back("study", hash_of_input(study.source));
+  if (!study.gains.empty()) plan.facts.emplace_back("start gains", hash_of_input(study.gains));
   return plan;
 }
 
@@ -37,4 +38,4 @@ std::optional<std::vector<Evaluation>> simulate_points(
   return evaluations;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

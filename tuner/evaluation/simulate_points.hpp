@@ -9,7 +9,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What workers of a study have to know. deadline: of one rollout [s], 0 for the default.
 RolloutPlan plan_of(const Study& study, double deadline);
@@ -23,4 +23,4 @@ std::optional<std::vector<Evaluation>> simulate_points(
     const std::atomic<bool>& stop, const Conditions& conditions = {},
     const std::function<void(std::size_t, const Evaluation&)>& finished = {});
 
-}  // namespace armtune
+}  // namespace armtune::internal

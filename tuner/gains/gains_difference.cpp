@@ -8,7 +8,7 @@
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/gains_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// One number or switch of every set.
@@ -138,4 +138,4 @@ std::string gains_difference(const std::vector<NamedGains>& sets, const std::vec
   return text + fmt::format("\n{} of {} are the same\n", all - rows.size(), all);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "core/control/gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct NamedGains {
   std::string name;
@@ -19,4 +19,4 @@ struct NamedGains {
 /// set. `joints`: the names of the arm's, which all sets are for.
 std::string gains_difference(const std::vector<NamedGains>& sets, const std::vector<std::string>& joints);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/gains_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Names of ROS: letters, digits, _ and, between the parts of a name space, /.
@@ -59,4 +59,4 @@ std::string gains_text(const GainsFile& file, GainsFormat format) {
   return gains_yaml(file.gains, header_of(file), keys_of(file, format), file.others);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "core/control/gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class GainsFormat {
   kYaml,  ///< armtune's own, which is the published form
@@ -36,4 +36,4 @@ struct GainsFile {
 /// ROS takes.
 std::string gains_text(const GainsFile& file, GainsFormat format);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/run/run_file.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ Rows origin_of_files(const std::vector<std::string>& files) {
   return rows;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Rows (what, words). Of a run folder: armtune's version, the command, study, seed, date, what the search
 /// found, from errors.csv the largest use of velocity and torque limits and the least way to a position
@@ -22,4 +22,4 @@ std::string run_above(const std::string& path);
 /// Of a gains file: armtune's version, and the files with their hashes.
 std::vector<std::pair<std::string, std::string>> origin_of_files(const std::vector<std::string>& files);
 
-}  // namespace armtune
+}  // namespace armtune::internal

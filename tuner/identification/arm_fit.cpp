@@ -6,7 +6,7 @@
 
 #include "core/robot/slotine_li.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A joint that leaves everything unexplained weighs as much as this many links that are not the robot file's
@@ -119,4 +119,4 @@ ArmFit ArmFitter::fit(const ArmMoments& moments, const TorqueReading& reading, d
   return fit;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tuner/identification/log_instants.hpp"
 #include "tuner/identification/physical_cone.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Second moments of the regressor's rows and of all logged torques, of one reading of the motion.
 struct ArmMoments {
@@ -59,4 +59,4 @@ class ArmFitter {
   Eigen::MatrixXd joint_metric_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/robot/slotine_li.hpp"
 #include "tuner/identification/sparse_qr.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A column of unit length counts as dependent when less than this is left of it. Rounding leaves 1e-14; the
@@ -125,4 +125,4 @@ BaseParameters base_parameters(const RobotModel& model) {
   return base;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

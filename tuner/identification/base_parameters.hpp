@@ -9,7 +9,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct BaseParameters {
   std::vector<int> independent;  ///< entries of theta that lead a group; their columns of Y are independent
@@ -33,4 +33,4 @@ BaseParameters base_parameters(const RobotModel& model);
 /// The regressor's rows at `states` random states (n rows each), by which the groups are found.
 Eigen::MatrixXd random_regressor(const RobotModel& model, int states, unsigned seed);
 
-}  // namespace armtune
+}  // namespace armtune::internal

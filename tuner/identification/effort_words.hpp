@@ -7,7 +7,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct EffortWords {
   const char* name = "torque";
@@ -34,4 +34,4 @@ inline std::string effort_word_of_all(const RobotModel& model, const char* Effor
   return std::string(EffortWords().*word) + " or " + kForceWords.*word;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

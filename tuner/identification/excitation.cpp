@@ -13,7 +13,7 @@
 #include "sim/yaml/map_reader.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 MotionPoint<JointVector> series(const Excitation& e, double t) {
@@ -119,4 +119,4 @@ std::string excitation_csv(const Excitation& e, const std::vector<std::string>& 
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/common/types.hpp"
 #include "core/trajectory/motion_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Excitation {
   double frequency = 0.1;  ///< base frequency [Hz]
@@ -35,4 +35,4 @@ Excitation load_excitation(const std::string& path, const std::vector<std::strin
 std::string excitation_csv(const Excitation& excitation, const std::vector<std::string>& joints,
                            double period);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,12 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -284,4 +284,4 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   return design;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

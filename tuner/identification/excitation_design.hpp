@@ -8,7 +8,7 @@
 #include "tuner/identification/base_parameters.hpp"
 #include "tuner/identification/excitation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ExcitationOptions {
   double frequency = 0.1;  ///< base frequency [Hz]
@@ -48,4 +48,4 @@ struct ExcitationDesign {
 ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOptions& options,
                                    const std::atomic<bool>& stop);
 
-}  // namespace armtune
+}  // namespace armtune::internal

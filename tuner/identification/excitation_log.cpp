@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/joint_space_law.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/robot/slotine_li.hpp"
@@ -15,7 +15,7 @@
 #include "sim/plant/sensors.hpp"
 #include "sim/plant/torque_delay.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kWayToCenter = 3.0;  ///< [s]
@@ -140,4 +140,4 @@ std::string log_csv(const RobotModel& model, const ExcitationLog& log) {
   return fmt::to_string(text);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tuner/identification/excitation.hpp"
 #include "tuner/identification/log_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ExcitationLogOptions {
   double torque_noise = 0.0;  ///< standard deviation, white, per sample [N m, N]
@@ -36,4 +36,4 @@ ExcitationLog simulate_excitation(const Scenario& scenario, const Excitation& ex
 /// Text of the log as CSV, with the columns of `default_log_columns`. Numbers read back to the same bits.
 std::string log_csv(const RobotModel& model, const ExcitationLog& log);
 
-}  // namespace armtune
+}  // namespace armtune::internal

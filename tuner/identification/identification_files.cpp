@@ -11,7 +11,7 @@
 #include "sim/csv/cell.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
                        const std::vector<std::string>& header) {
@@ -68,4 +68,4 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf) {
       list(model.chain.coulomb_friction));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

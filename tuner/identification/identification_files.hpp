@@ -6,7 +6,7 @@
 
 #include "tuner/identification/identify.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Text of theta.yaml: every entry of theta by name, as a scenario's `theta_start: {file: ...}` reads it.
 std::string theta_yaml(const RobotModel& model, const ParameterVector& theta,
@@ -24,4 +24,4 @@ RobotModel with_theta(const RobotModel& model, const ParameterVector& theta);
 /// for.
 std::string robot_yaml(const RobotModel& model, const std::string& urdf);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/identification/log_extremes.hpp"
 #include "tuner/identification/torque_moments.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Huber's constant: 95 % of the efficiency of least squares on normal errors. Huber, Robust Statistics,
@@ -204,4 +204,4 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
   return found;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/identification/physical_fit.hpp"
 #include "tuner/identification/row_stream.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct IdentifyOptions {
   RowOptions rows;
@@ -48,4 +48,4 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
                         const LogColumns& columns, const IdentifyOptions& options,
                         const std::atomic<bool>& stop);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A value for each joint, from a list in joint order or a map by joint name.
@@ -81,4 +81,4 @@ LogColumns load_log_columns(const std::string& path, const RobotModel& model) {
   return columns;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

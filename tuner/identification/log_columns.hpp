@@ -6,7 +6,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A column's name, and the factor that makes its numbers SI.
 struct LogColumn {
@@ -32,4 +32,4 @@ LogColumns default_log_columns(const RobotModel& model);
 /// `scale`: one number, a list of n numbers or a map from joint names to numbers. Throws InputError.
 LogColumns load_log_columns(const std::string& path, const RobotModel& model);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/identification/effort_words.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kShare = 0.05;      ///< of the instants may lie outside: someone pushed the arm, a spike
@@ -140,4 +140,4 @@ void check_positions(const RobotModel& model, const std::vector<LogInstant>& ins
   for (int j = 0; j < model.n(); ++j) LimitCheck(model, instants, logs, j).position();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

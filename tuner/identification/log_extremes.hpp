@@ -5,7 +5,7 @@
 #include "core/robot/robot_model.hpp"
 #include "tuner/identification/log_instants.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Throws InputError that names the logs, the joint, the value, the limit and the likely unit where over 5 %
 /// of the instants have a position of more than three times the largest limit, or a velocity or torque of
@@ -17,4 +17,4 @@ void check_units(const RobotModel& model, const std::vector<LogInstant>& instant
 void check_positions(const RobotModel& model, const std::vector<LogInstant>& instants,
                      const std::string& logs);
 
-}  // namespace armtune
+}  // namespace armtune::internal

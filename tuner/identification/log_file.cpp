@@ -7,10 +7,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Steps that the period is the mean of. Every further such stretch must have it, both halves of the first
@@ -232,4 +233,4 @@ std::optional<LogSample> LogFile::next() {
   return sample;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/identification/log_columns.hpp"
 #include "tuner/identification/log_lines.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct LogSample {
   double time = 0.0;  ///< since the log's first sample [s]
@@ -71,4 +71,4 @@ class LogFile {
   std::deque<LogSample> ahead_;  ///< read ahead for the period
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

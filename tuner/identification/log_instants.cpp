@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Median of |z| of a normal z.
@@ -35,4 +35,4 @@ JointVector LogInstants::logged_torque_noise() const {
   return noise;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

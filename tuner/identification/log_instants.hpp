@@ -6,7 +6,7 @@
 
 #include "core/common/types.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct LogInstant {
   JointVector q;    ///< [rad, m]
@@ -67,4 +67,4 @@ class LogInstants {
   double row_filter_norm_ = 1.0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMaxLineBytes = 1U << 20;
@@ -138,4 +138,4 @@ void split_cells(std::string_view line, char separator, std::vector<std::string_
   cells.push_back(trimmed(line.substr(begin)));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Reads a file line by line. Throws InputError with file and line for a file that cannot be opened or read,
 /// for one that is not a regular file, and for a line of more than 1 MB.
@@ -53,4 +53,4 @@ std::string_view separator_name(char separator);
 /// double quotes belongs to its cell.
 void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
-}  // namespace armtune
+}  // namespace armtune::internal

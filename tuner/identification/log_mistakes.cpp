@@ -8,7 +8,7 @@
 
 #include "tuner/identification/effort_words.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
@@ -249,4 +249,4 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
          "sign, column, zero position or mounting explains it";
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

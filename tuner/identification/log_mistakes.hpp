@@ -10,7 +10,7 @@
 #include "core/robot/robot_model.hpp"
 #include "tuner/identification/arm_fit.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class MistakeKind {
   kTorqueScale,       ///< torques have to be multiplied by `value`
@@ -54,4 +54,4 @@ LogComparison compare_with_robot_file(const RobotModel& model, const std::vector
 /// One sentence that names the mistake, its joints and what to do.
 std::string to_text(const LogMistake& mistake, const RobotModel& model);
 
-}  // namespace armtune
+}  // namespace armtune::internal

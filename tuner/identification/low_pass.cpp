@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Half length of the window in units of 1 / cutoff: its main lobe then ends half a cutoff away.
@@ -69,4 +69,4 @@ LowPass low_pass(double cutoff, double period, double delay) {
   return filter;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

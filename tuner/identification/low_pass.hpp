@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Weights of the samples -half .. half around an instant.
 struct LowPass {
@@ -26,4 +26,4 @@ LowPass low_pass(double cutoff, double period, double delay = 0.0);
 /// Half length of the kernel [s].
 double low_pass_half_length(double cutoff);
 
-}  // namespace armtune
+}  // namespace armtune::internal

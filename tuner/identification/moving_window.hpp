@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace armtune {
+namespace armtune::internal {
 
 class MovingWindow {
  public:
@@ -35,4 +35,4 @@ class MovingWindow {
   long seen_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "core/robot/physical_theta.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// In the pseudo-inertia lengths count in this unit [m], so that a link's mass, first moment and inertia are
@@ -125,4 +125,4 @@ PhysicalMinimum PhysicalCone::minimum(const Eigen::MatrixXd& Q, const Eigen::Vec
   return found;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "core/robot/theta.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct PhysicalMinimum {
   ParameterVector theta;  ///< 13 n, physically valid
@@ -43,4 +43,4 @@ class PhysicalCone {
   Eigen::MatrixXd metric_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,10 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/identification/physical_cone.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// An estimate is not believed beyond this share of a group's size: noise-free logs would ask for 1e12.
@@ -46,4 +46,4 @@ PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimat
   return cone.minimum(Q, c, {});
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

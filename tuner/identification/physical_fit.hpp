@@ -8,10 +8,10 @@
 #include "tuner/identification/physical_cone.hpp"
 #include "tuner/identification/regression.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// prior (13 n), valid: the robot file's theta. Its weight is that of knowing each link within 100 %.
 PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimate,
                              const ParameterVector& prior);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/identification/sparse_qr.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Rows that wait for the next factorisation.
@@ -196,4 +196,4 @@ Estimate Regression::solve(const WeakPrior& prior) {
   return out;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

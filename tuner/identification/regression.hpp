@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Estimate {
   Eigen::VectorXd theta;            ///< theta_base (rank)
@@ -61,4 +61,4 @@ class Regression {
   std::vector<Eigen::MatrixXd> last_;                  ///< the last instants, newest first
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

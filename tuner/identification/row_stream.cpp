@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The first stage lets this many times the cutoff through,
@@ -155,4 +155,4 @@ bool RowStream::next(Eigen::MatrixXd& rows) {
   return false;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

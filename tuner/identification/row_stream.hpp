@@ -15,7 +15,7 @@
 #include "tuner/identification/low_pass.hpp"
 #include "tuner/identification/moving_window.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct RowOptions {
   double cutoff = 5.0;  ///< [Hz] of the second stage: above what the trajectory excites, below the noise
@@ -67,4 +67,4 @@ class RowStream {
   long samples_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

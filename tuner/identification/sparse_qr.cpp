@@ -3,7 +3,9 @@
 #include <SuiteSparseQR.hpp>
 #include <stdexcept>
 
-namespace armtune {
+#include "armtune/error.hpp"
+
+namespace armtune::internal {
 namespace {
 
 /// SPQR's work space, and everything it hands out, until the end of a factorisation.
@@ -35,8 +37,7 @@ class Spqr {
     view.packed = 1;
     const long rank =
         SuiteSparseQR<double>(SPQR_ORDERING_FIXED, tolerance, A.cols(), &view, &R_, nullptr, &common_);
-    if (rank < 0 || R_ == nullptr)
-      throw std::runtime_error("SuiteSparseQR failed, perhaps for want of memory");
+    if (rank < 0 || R_ == nullptr) throw FailedError("SuiteSparseQR failed, perhaps for want of memory");
     return rank;
   }
 
@@ -90,4 +91,4 @@ RankRevealed rank_revealing_factor(const SparseMatrix& A, double tolerance) {
   return revealed;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, long>;
 
@@ -24,4 +24,4 @@ struct RankRevealed {
 /// it is left beside the live ones before it (Heath's rule).
 RankRevealed rank_revealing_factor(const SparseMatrix& A, double tolerance);
 
-}  // namespace armtune
+}  // namespace armtune::internal

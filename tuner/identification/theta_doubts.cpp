@@ -7,7 +7,7 @@
 
 #include "tuner/identification/effort_words.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kLeastTorque = 0.005;  ///< share of the effort limit
@@ -70,4 +70,4 @@ std::vector<std::string> theta_doubts(const RobotModel& model, const Identificat
   return doubts;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/identification/identify.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Returns one sentence, with joint or link and values, for each of these:
 ///   - a joint of whose torque over half is unexplained, on the rows fitted to or on those held out;
@@ -16,4 +16,4 @@ namespace armtune {
 /// The noise of the torque sensors does not count, nor do torques below half a percent of the effort limit.
 std::vector<std::string> theta_doubts(const RobotModel& model, const Identification& found);
 
-}  // namespace armtune
+}  // namespace armtune::internal

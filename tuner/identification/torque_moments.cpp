@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 
 void TorqueMoments::add(const Eigen::MatrixXd& rows) {
   ++count_;
@@ -32,4 +32,4 @@ Eigen::VectorXd TorqueMoments::residual_rms(const Eigen::VectorXd& theta_base) c
   return rms(combination);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 class TorqueMoments {
  public:
@@ -28,4 +28,4 @@ class TorqueMoments {
   long count_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

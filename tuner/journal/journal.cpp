@@ -12,13 +12,13 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/path_state.hpp"
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/input_copies.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kDigits = 16;
@@ -324,4 +324,4 @@ void Journal::complete(int exit_code) {
   exit_code_ = exit_code;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/journal/run_header.hpp"
 #include "tuner/run/append_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Whose minutes: those of the whole run, what a search may use of them that leaves some for its last steps,
 /// or what a global search may use that leaves some for the local one.
@@ -33,7 +33,7 @@ class Journal {
   /// The record of this number, if it is finished. Throws InputError if the file was changed meanwhile.
   std::optional<JournalRecord> find(std::uint64_t number) const;
   std::size_t records() const { return places_.size(); }
-  /// Appends a record and hands it to the disk. Throws std::runtime_error if the disk refuses it.
+  /// Appends a record and hands it to the disk. Throws FailedError if the disk refuses it.
   void append(const JournalRecord& record);
 
   /// The number of the evaluation before which those minutes were over, if that happened.
@@ -66,4 +66,4 @@ class Journal {
 /// The header of a journal. Throws InputError if it is none or its header is damaged.
 RunHeader read_run_header(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

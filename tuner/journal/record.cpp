@@ -7,7 +7,7 @@
 
 #include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::string joined(const double* begin, const double* end) {
@@ -148,4 +148,4 @@ JournalRecord record_from_line(std::string_view line) {
   return record;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

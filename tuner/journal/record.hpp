@@ -8,7 +8,7 @@
 
 #include "sim/rollout/rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct JournalRecord {
   std::uint64_t number = 0;  ///< of the evaluation or sample, from 0
@@ -28,4 +28,4 @@ JournalRecord record_from_line(std::string_view line);
 std::string escaped(std::string_view text);
 std::string unescaped(std::string_view text);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostTold = 3;
@@ -74,4 +74,4 @@ std::string differences(const RunHeader& was, const RunHeader& is,
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct RunHeader {
   /// Name of the identity's entry that is the hash of the program itself.
@@ -25,4 +25,4 @@ std::string differences(
     const RunHeader& was, const RunHeader& is,
     const std::function<std::optional<std::string>(const std::string& value)>& copy_of = {});
 
-}  // namespace armtune
+}  // namespace armtune::internal

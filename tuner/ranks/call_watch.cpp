@@ -7,7 +7,7 @@
 
 #include "tuner/ranks/patience.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 CallWatch::CallWatch(double say_after, Action say, double limit, Action give_up)
     : thread_([=, say = std::move(say), give_up = std::move(give_up)](const std::stop_token& stop) {
@@ -30,4 +30,4 @@ CallWatch::CallWatch(double say_after, Action say, double limit, Action give_up)
         }
       }) {}
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include <functional>
 #include <thread>
 
-namespace armtune {
+namespace armtune::internal {
 
 class CallWatch {
  public:
@@ -21,4 +21,4 @@ class CallWatch {
   std::jthread thread_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,17 +9,17 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/ranks/call_watch.hpp"
 #include "tuner/ranks/transport.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr int kTag = 1;
 
 void check(int code, const char* what) {
-  if (code != MPI_SUCCESS) throw std::runtime_error(fmt::format("MPI: {} failed with code {}", what, code));
+  if (code != MPI_SUCCESS) throw FailedError(fmt::format("MPI: {} failed with code {}", what, code));
 }
 
 /// Watches a call that returns only when all ranks have made it. Rank 0 speaks first; a rank that no launcher
@@ -70,7 +70,7 @@ class MpiTransport final : public Transport {
     const std::lock_guard lock(mutex_);
     drop_sent();
     if (message.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-      throw std::runtime_error(fmt::format("MPI: a message of {} bytes is too long", message.size()));
+      throw FailedError(fmt::format("MPI: a message of {} bytes is too long", message.size()));
     }
     Sent& sent = sent_.emplace_back();
     sent.message = std::move(message);
@@ -144,4 +144,4 @@ std::string mpi_version() {
   return fmt::format("{}.{}.{}", OMPI_MAJOR_VERSION, OMPI_MINOR_VERSION, OMPI_RELEASE_VERSION);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/ranks/transport.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::unique_ptr<Transport> begin_mpi(const Notice& /*notice*/) {
   throw InputError(fmt::format(
@@ -18,4 +18,4 @@ std::string mpi_version() {
   return "not built in";
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Wall clock time, without that in which the process was stopped (Ctrl-Z, a suspended job): between two
 /// looks at it no more than a second counts.
@@ -42,4 +42,4 @@ class Patience {
   RunningTime time_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 
 #include "tuner/ranks/transport.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::optional<int> number(const char* variable) {
@@ -49,4 +49,4 @@ int strangers() {
   return rank_place().size == 1 && tasks && *tasks > 1 && number("SLURM_PROCID") ? *tasks : 0;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What the launcher (mpirun, srun) says through the environment, before MPI is begun.
 struct RankPlace {
@@ -58,4 +58,4 @@ std::unique_ptr<Transport> begin_mpi(const Notice& notice);
 /// Version of the MPI library linked, or "not built in".
 std::string mpi_version();
 
-}  // namespace armtune
+}  // namespace armtune::internal

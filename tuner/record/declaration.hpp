@@ -24,7 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace armtune::record {
+namespace armtune::internal::record {
 
 /// How a member stands in its object.
 enum class Presence {
@@ -90,4 +90,4 @@ bool is_empty(const T& value) {
   return false;
 }
 
-}  // namespace armtune::record
+}  // namespace armtune::internal::record

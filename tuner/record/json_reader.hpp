@@ -9,7 +9,7 @@
 #include "sim/yaml/map_reader.hpp"
 #include "tuner/record/declaration.hpp"
 
-namespace armtune::record {
+namespace armtune::internal::record {
 
 template <typename T>
 void read(const yaml::Node& node, T& value);
@@ -98,4 +98,4 @@ void read(const yaml::Node& node, T& value) {
   }
 }
 
-}  // namespace armtune::record
+}  // namespace armtune::internal::record

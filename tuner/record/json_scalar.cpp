@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace armtune::record {
+namespace armtune::internal::record {
 
 std::string json_scalar(std::string_view text) {
   std::string escaped;
@@ -20,4 +20,4 @@ std::string json_scalar(double number) {
   return nlohmann::json(number).dump();
 }
 
-}  // namespace armtune::record
+}  // namespace armtune::internal::record

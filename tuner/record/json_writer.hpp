@@ -6,7 +6,7 @@
 #include "tuner/record/declaration.hpp"
 #include "tuner/record/json_scalar.hpp"
 
-namespace armtune::record {
+namespace armtune::internal::record {
 
 template <typename T>
 void write(std::string& out, const T& value);
@@ -81,4 +81,4 @@ std::string json_of(const T& value) {
   return text;
 }
 
-}  // namespace armtune::record
+}  // namespace armtune::internal::record

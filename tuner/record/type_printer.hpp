@@ -6,7 +6,7 @@
 
 #include "tuner/record/declaration.hpp"
 
-namespace armtune::record {
+namespace armtune::internal::record {
 
 /// Prints the interface of a type after those of the types in it, each once.
 class TypePrinter {
@@ -103,4 +103,4 @@ std::string TypePrinter::type_of(bool or_null) {
   }
 }
 
-}  // namespace armtune::record
+}  // namespace armtune::internal::record

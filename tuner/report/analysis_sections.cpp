@@ -7,7 +7,7 @@
 
 #include "tuner/report/sections.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::vector<Sensitivity> sensitivity_of(const CsvTable& table) {
   const std::size_t gain = table.column("gain");
@@ -67,4 +67,4 @@ std::vector<MarginRow> margins_of(const std::vector<std::optional<CsvTable>>& se
   return rows;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 #include "tuner/report/mesh_path.hpp"
 #include "tuner/report/stl_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// Of all meshes of an arm: 48 bytes of text each, 1.4 MB.
@@ -136,4 +136,4 @@ std::size_t draw_without_meshes(Arm& arm) {
   return bytes;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -9,7 +9,7 @@
 #include "core/robot/shape.hpp"
 #include "tuner/record/declaration.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 struct Pose {
   Vec3 p = Vec3::Zero();  ///< [m]
@@ -81,4 +81,4 @@ Arm arm_of(const RobotModel& model);
 /// this saves.
 std::size_t draw_without_meshes(Arm& arm);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -3,7 +3,7 @@
 #include <bit>
 #include <vector>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::string base64(std::span<const unsigned char> bytes) {
   constexpr const char* kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -44,4 +44,4 @@ std::string base64_f32(std::span<const float> numbers) {
   return base64(bytes);
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

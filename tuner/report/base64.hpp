@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::string base64(std::span<const unsigned char> bytes);
 
@@ -15,4 +15,4 @@ std::string base64_u16(std::span<const std::uint16_t> numbers);
 /// Each number as the four bytes of an IEEE single, the lowest one first.
 std::string base64_f32(std::span<const float> numbers);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

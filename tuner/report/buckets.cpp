@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 Buckets::Buckets(std::size_t rows, std::size_t most) : rows_(rows), count_(rows <= 2 * most ? 0 : most) {}
 
@@ -57,4 +57,4 @@ std::vector<double> Buckets::extremes(std::span<const double> column) const {
   return kept;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

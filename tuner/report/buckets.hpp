@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 class Buckets {
  public:
@@ -31,4 +31,4 @@ class Buckets {
   std::size_t count_;  ///< 0: every row is kept
 };
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -8,7 +8,7 @@
 
 #include "tuner/report/tables.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 bool concerns(const std::vector<std::string>& scenarios, const std::string& name) {
@@ -161,4 +161,4 @@ std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std:
   return lines;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -8,7 +8,7 @@
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/study_facts.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// How a metric of a set compares with the first set's: the geometric mean of the ratios over the scenarios
 /// where both are positive.
@@ -60,4 +60,4 @@ std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std:
 std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std::vector<StudyLimit>& asked,
                                     std::size_t set);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

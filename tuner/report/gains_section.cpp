@@ -7,7 +7,7 @@
 #include "tuner/report/sections.hpp"
 #include "tuner/study/parameter.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vector<std::string>& joints,
                            const std::vector<std::optional<std::string>>& paths) {
@@ -32,4 +32,4 @@ std::vector<Gain> gains_of(const std::vector<StudyGain>& tuned, const std::vecto
   return gains;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

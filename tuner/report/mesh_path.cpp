@@ -10,7 +10,7 @@
 
 #include "core/common/file_path.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ std::optional<std::string> mesh_path(const std::string& named, const std::string
   return std::nullopt;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 void keep_nearest(const NumberTable& recording, std::size_t most, SceneScenario& scenario) {
   constexpr std::size_t kLooks = 200;  // rows, evenly over the recording
@@ -40,4 +40,4 @@ void keep_nearest(const NumberTable& recording, std::size_t most, SceneScenario&
   scenario.obstacles = std::move(kept);
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -2,10 +2,10 @@
 
 #include "tuner/report/page.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::string_view page_text() {
   return {};
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

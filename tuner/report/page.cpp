@@ -2,13 +2,15 @@
 
 #include <stdexcept>
 
-namespace armtune::report {
+#include "armtune/error.hpp"
+
+namespace armtune::internal::report {
 
 std::string filled_page(std::string_view page, std::string_view json) {
   constexpr std::string_view kMark = "<!--report-data-->";
   const std::size_t at = page.find(kMark);
   if (at == std::string_view::npos || page.find(kMark, at + 1) != std::string_view::npos) {
-    throw std::runtime_error(
+    throw FailedError(
         "the report's page does not hold the mark of its data exactly once; build armtune anew");
   }
   std::string filled;
@@ -21,4 +23,4 @@ std::string filled_page(std::string_view page, std::string_view json) {
   return filled;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -5,10 +5,10 @@
 #include <sstream>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/report/run_builder.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// What a joint does, with its unit where it turns and where it slides.
@@ -125,4 +125,4 @@ std::vector<PlanLimit> plan_limits_of(const CsvTable& limits, const Arm* arm, do
   return found;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -3,7 +3,7 @@
 
 #include "tuner/report/recording.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// "torque of elbow_joint", "tool path along y", "gaze".
 std::string limit_words(const std::string& limit, const std::string& part);
@@ -18,4 +18,4 @@ Run plan_run_of(const NumberTable& motion, const SceneScenario* scenario, const 
 /// joints count as turning then. Throws InputError naming the file if a column is missing.
 std::vector<PlanLimit> plan_limits_of(const CsvTable& limits, const Arm* arm, double start);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/report/nearest_obstacles.hpp"
 #include "tuner/report/plan_recording.hpp"
 #include "tuner/report/provenance.hpp"
@@ -16,7 +16,7 @@
 #include "tuner/report/words.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr std::size_t kMostNamed = 2;     // in the sentence
@@ -192,4 +192,4 @@ ReportData plan_report_of(const std::string& folder, std::size_t bytes) {
   return PlanAssembly(folder, bytes).make();
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -5,10 +5,10 @@
 
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// From motion.csv, limits.csv, scene.json and run.yaml. What of them is missing or cannot be understood is
 /// left out and said, as report_of does. bytes: as there.
 ReportData plan_report_of(const std::string& folder, std::size_t bytes);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// A scalar as it stands in the file.
@@ -38,4 +39,4 @@ std::vector<std::pair<std::string, std::string>> read_provenance(const std::stri
   return entries;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

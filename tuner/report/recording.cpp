@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/state_machine.hpp"
 #include "tuner/report/run_builder.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr double kBytesPerValue = 8.0 / 3.0;  // two bytes in base64
@@ -152,4 +152,4 @@ Run run_of(const NumberTable& rollout, const SceneScenario* scenario, const Arm*
   return std::move(builder.run);
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -5,7 +5,7 @@
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/scene.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// How fine: what one run may take of the page's size.
 struct Resolution {
@@ -33,4 +33,4 @@ std::vector<std::string> joints_of(const NumberTable& rollout);
 Run run_of(const NumberTable& rollout, const SceneScenario* scenario, const Arm* arm,
            const Resolution& resolution);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -6,7 +6,7 @@
 
 #include "core/control/state_machine.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
@@ -120,4 +120,4 @@ Replay replay_of(const NumberTable& rollout, const SceneScenario& scenario, cons
   return replay;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/scene.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// An error's column; no value in the states that do not track it, where the file has zeros. A plan's file
 /// has no states: there every value counts. position: of the tool's position.
@@ -19,4 +19,4 @@ std::vector<double> tracked(const NumberTable& rollout, std::size_t column, bool
 Replay replay_of(const NumberTable& rollout, const SceneScenario& scenario, const Arm& arm,
                  const std::vector<double>& time, double rate);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

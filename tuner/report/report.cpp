@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "armtune/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/report/page.hpp"
 #include "tuner/report/run_report.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr std::size_t kMostBytes = 6'000'000;  // that every mailbox takes
@@ -23,7 +24,7 @@ bool available() {
 Written write_report(const std::string& folder, const std::string& path, Existing existing,
                      const std::optional<Live>& live) {
   if (!available()) {
-    throw std::runtime_error(
+    throw FailedError(
         "this armtune was built without the report's page; install node and npm (scripts/setup does) and "
         "build it "
         "again with -DARMTUNE_REPORT=ON");
@@ -41,4 +42,4 @@ Written write_report(const std::string& folder, const std::string& path, Existin
   return {html.size(), std::move(data.left_out)};
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

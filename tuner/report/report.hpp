@@ -8,7 +8,7 @@
 
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// Whether armtune was built with the page.
 bool available();
@@ -26,9 +26,9 @@ enum class Existing {
 
 /// Writes the report of a run folder to `path`: 6 MB at most, for which plots and replay are made coarser,
 /// and sections shortened, where it takes that; the page says so. Throws InputError if it is no folder of a
-/// run, if the path cannot be written or is there and not to be replaced, std::runtime_error, which says how
+/// run, if the path cannot be written or is there and not to be replaced, FailedError, which says how
 /// to get it, where the page is not built in. `live`: the run goes on, and the page loads itself again.
 Written write_report(const std::string& folder, const std::string& path,
                      Existing existing = Existing::kReplace, const std::optional<Live>& live = {});
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

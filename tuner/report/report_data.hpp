@@ -16,7 +16,7 @@
 #include "tuner/report/search_data.hpp"
 #include "tuner/report/yardstick_rows.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// A joint, and when: " at 6.01 s". Each may be empty.
 struct Place {
@@ -148,4 +148,4 @@ struct ReportData {
 /// in it.
 std::string report_json(const ReportData& data);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

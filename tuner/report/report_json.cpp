@@ -1,10 +1,10 @@
 #include "tuner/record/json_writer.hpp"
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::string report_json(const ReportData& data) {
   return record::json_of(data);
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

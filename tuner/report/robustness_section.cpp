@@ -6,14 +6,14 @@
 #include <cmath>
 #include <map>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/report/sections.hpp"
 #include "tuner/report/tables.hpp"
 #include "tuner/robustness/limits.hpp"
 #include "tuner/rollouts/comparison.hpp"
 #include "tuner/samples/statistics.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr std::size_t kMostBins = 40;
@@ -156,4 +156,4 @@ Robustness robustness_of(const CsvTable& samples, const std::string& limits,
   return found;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

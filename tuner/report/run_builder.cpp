@@ -6,10 +6,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/report/replay.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 struct GroupOf {
@@ -91,4 +91,4 @@ void RunBuilder::add_replay(const SceneScenario* scenario, const Arm* arm) {
     run.replay = replay_of(table_, *scenario, *arm, time_, replay_rate_);
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -4,7 +4,7 @@
 #include "tuner/report/buckets.hpp"
 #include "tuner/report/recording.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// True for the columns that are plotted and are not a joint's: tool, errors, gaze and the like.
 bool is_task_column(std::string_view name);
@@ -42,4 +42,4 @@ class RunBuilder {
   double replay_rate_;
 };
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

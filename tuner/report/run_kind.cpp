@@ -2,12 +2,12 @@
 
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/path_state.hpp"
 #include "tuner/journal/journal.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr RunKind kKinds[] = {RunKind::kSimulate, RunKind::kTune, RunKind::kPareto, RunKind::kRobustness,
@@ -49,4 +49,4 @@ RunKind kind_of(const std::string& folder) {
                    "the folder of a run of simulate, tune, pareto, robustness, compare or plan");
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

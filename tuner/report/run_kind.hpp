@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare, kPlan };
 
@@ -16,4 +16,4 @@ constexpr const char* name(RunKind kind) {
 /// By its journal, else by the files in it. Throws InputError if it is no folder that a report is made of.
 RunKind kind_of(const std::string& folder);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

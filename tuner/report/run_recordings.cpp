@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/record/json_writer.hpp"
 #include "tuner/report/nearest_obstacles.hpp"
 #include "tuner/report/recording.hpp"
 #include "tuner/report/telling.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr std::size_t kColumnsBesideJoints = 22;
@@ -231,4 +231,4 @@ void add_recordings(const std::string& folder, const Scene& scene, std::size_t r
   Recordings(folder, scene, room, data).add();
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -6,7 +6,7 @@
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/scene.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// Name of a file of a set below the run's folder: "start/gains.yaml".
 std::string name_in(const SceneSet& set, const std::string& file);
@@ -17,4 +17,4 @@ std::string name_in(const SceneSet& set, const std::string& file);
 /// `data.thinned` says so. A recording that cannot be understood is named in `data.left_out`.
 void add_recordings(const std::string& folder, const Scene& scene, std::size_t room, ReportData& data);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

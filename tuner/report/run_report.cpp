@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/report/plan_report.hpp"
 #include "tuner/report/provenance.hpp"
@@ -19,7 +19,7 @@
 #include "tuner/report/words.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 class Assembly {
@@ -243,4 +243,4 @@ ReportData report_of(const std::string& folder, std::size_t bytes, const std::op
                                            : Assembly(folder, bytes, live).make();
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -5,7 +5,7 @@
 
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// From the folder alone: what it does not hold is left out of the data, and so is what a file spoils that
 /// cannot be understood, which is said in `left_out` and the verdict's details. Without scene.json, as of
@@ -18,4 +18,4 @@ ReportData report_of(const std::string& folder, std::size_t bytes = 5'000'000,
 /// Adds lines about what the page leaves out to the verdict's details.
 void add_notes(ReportData& data);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

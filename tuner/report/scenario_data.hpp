@@ -10,7 +10,7 @@
 #include "tuner/report/arm.hpp"
 #include "tuner/report/series.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 using enum record::Presence;
 
@@ -141,4 +141,4 @@ struct ReportScenario {
   }
 };
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

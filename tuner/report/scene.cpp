@@ -5,7 +5,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
   switch (kind) {
     case RunKind::kTune:
@@ -70,4 +70,4 @@ std::vector<Vec3> drawn_path(const Path& path) {
   return points;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -9,7 +9,7 @@
 #include "tuner/report/arm.hpp"
 #include "tuner/report/run_kind.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// A gain set of the run and where its files are: gains.yaml and rollout_<scenario>.csv.
 struct SceneSet {
@@ -68,4 +68,4 @@ std::string scene_json(const Scene& scene);
 /// Throws InputError naming file, key, value and what is expected.
 Scene read_scene(const std::string& path);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

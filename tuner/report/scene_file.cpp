@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/record/json_reader.hpp"
 #include "tuner/record/json_writer.hpp"
 #include "tuner/report/scene.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Time [s], position [m], velocity and acceleration.
@@ -115,7 +115,7 @@ void check(const yaml::Node& root) {
 
 /// A path alone, as it was written when obstacles had no body, is a point's.
 static void read(const yaml::Node& node, SceneObstacle& obstacle) {
-  if (node.find("path") == nullptr) return armtune::read(node, obstacle.path);
+  if (node.find("path") == nullptr) return armtune::internal::read(node, obstacle.path);
   record::read(node, obstacle);
 }
 
@@ -132,4 +132,4 @@ Scene read_scene(const std::string& path) {
 }
 
 }  // namespace report
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "sim/metrics/metric.hpp"
 #include "tuner/record/declaration.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 using enum record::Presence;
 
@@ -185,4 +185,4 @@ struct Robustness {
   }
 };
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -8,7 +8,7 @@
 #include "tuner/report/sections.hpp"
 #include "tuner/trade_off/front.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// The row whose gains are the last set's; of several the judge's, then the feasible one with the least
@@ -160,4 +160,4 @@ Front front_of(const CsvTable& table, const std::vector<std::string>& criteria, 
   return front;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -5,7 +5,7 @@
 #include "tuner/report/report_data.hpp"
 #include "tuner/report/study_facts.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// From evaluations.csv. chosen: the gains that were written to gains.yaml, by the columns of `gains`, whose
 /// last values they are, as Simbody judged them; unless any evaluation has them, the best one.
@@ -38,4 +38,4 @@ std::vector<Sensitivity> sensitivity_of(const CsvTable& table);
 /// From margins.csv of each set; none where there is no file.
 std::vector<MarginRow> margins_of(const std::vector<std::optional<CsvTable>>& sets);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

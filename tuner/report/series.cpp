@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 double Series::at(std::size_t i) const {
   if (steps[i] == kNoValue) return std::numeric_limits<double>::quiet_NaN();
@@ -36,4 +36,4 @@ Series quantize(std::span<const double> values) {
   return series;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

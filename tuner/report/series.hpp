@@ -7,7 +7,7 @@
 
 #include "tuner/report/base64.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 struct Series {
   static constexpr std::uint16_t kSteps = 65534;    ///< from lo to hi
@@ -30,4 +30,4 @@ struct Series {
 
 Series quantize(std::span<const double> values);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 
 #include "tuner/report/telling.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// Keeps the first ones, and says of what and where the others are.
@@ -179,4 +179,4 @@ void thin(Evaluations& e) {
   e = std::move(shown);
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -3,7 +3,7 @@
 
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// Shortens the sections of a page that grow with the run, all but the recordings, so that they take no more
 /// than about half of its 6 MB. What is left out is said in `data.thinned`, and counts are of everything
@@ -18,4 +18,4 @@ void drop_meshes(std::size_t bytes, ReportData& data);
 /// the best feasible one, the best of the others and the worst.
 void thin(Evaluations& evaluations);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

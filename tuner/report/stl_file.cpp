@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,4 +45,4 @@ std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::
   return corners;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

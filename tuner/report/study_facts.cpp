@@ -4,7 +4,7 @@
 
 #include "sim/yaml/document.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 const yaml::Node& needed(const yaml::Node& map, const char* key) {
@@ -66,4 +66,4 @@ StudyFacts read_study_facts(const std::string& path) {
   return facts;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 
 #include "sim/metrics/metric.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 struct StudyGain {
   std::string name;
@@ -43,4 +43,4 @@ std::vector<Metric> metrics_of(const StudyFacts& study);
 /// Of a study.yaml in a run folder. Throws InputError naming file and key.
 StudyFacts read_study_facts(const std::string& path);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

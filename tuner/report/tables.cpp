@@ -9,7 +9,7 @@
 
 #include "tuner/rollouts/comparison.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// The first row of each scenario in an errors.csv; none without a file.
@@ -113,4 +113,4 @@ double value_of(const Table& table, Metric metric, std::size_t set) {
   return NAN;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -4,7 +4,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// One table per scenario, in the order of their first appearance; rows: every metric of which any set has a
 /// value, those first that a person looks at first. errors: one per set, none where there is no file.
@@ -16,4 +16,4 @@ void keep_rows(std::vector<Table>& tables, const std::vector<Metric>& wanted);
 /// NaN where the table has no such row.
 double value_of(const Table& table, Metric metric, std::size_t set);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -6,7 +6,7 @@
 
 #include "tuner/report/findings.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 std::vector<std::size_t> telling_order(const std::vector<std::string>& names,
                                        const std::vector<Table>& tables, std::size_t set) {
@@ -27,4 +27,4 @@ std::vector<std::size_t> telling_order(const std::vector<std::string>& names,
   return order;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// "tune ur10_gaze (runs_of_today)": the folder's own name where it says more than the rest. kind: the
 /// command; what: the study, the task; may be empty.
@@ -15,4 +15,4 @@ inline std::string page_title(const std::string& kind, const std::string& what, 
   return kind + (what.empty() ? "" : " " + what) + (told ? "" : " (" + name + ")");
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

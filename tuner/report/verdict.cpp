@@ -13,7 +13,7 @@
 #include "tuner/report/words.hpp"
 #include "tuner/rollouts/comparison.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr std::size_t kMostLines = 12;
@@ -291,4 +291,4 @@ Verdict verdict_of(const ReportData& data, const VerdictFacts& facts) {
   return verdict;
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

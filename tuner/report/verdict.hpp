@@ -9,7 +9,7 @@
 #include "tuner/report/study_facts.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// What a verdict needs beside the page's data.
 struct VerdictFacts {
@@ -31,4 +31,4 @@ struct VerdictFacts {
 /// data: everything but its verdict.
 Verdict verdict_of(const ReportData& data, const VerdictFacts& facts);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

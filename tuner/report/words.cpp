@@ -7,7 +7,7 @@
 
 #include "tuner/rollouts/comparison.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// Below this a change is not worth a word.
@@ -94,4 +94,4 @@ void add(std::vector<std::string>& details, const std::vector<std::string>& line
   if (lines.size() > most) details.push_back(fmt::format("and {} more", lines.size() - most));
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -6,7 +6,7 @@
 
 #include "tuner/report/findings.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 /// Whether a ratio is worth a word.
 bool noticeable(double ratio);
@@ -37,4 +37,4 @@ std::string first_of(const std::vector<std::string>& lines);
 /// Appends the lines, at most so many, and says how many are left out.
 void add(std::vector<std::string>& details, const std::vector<std::string>& lines, std::size_t most);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

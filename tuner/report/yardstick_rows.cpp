@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// What the events of a kind are called.
@@ -115,4 +115,4 @@ std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_
                      fmt::join(told, ", "));
 }
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

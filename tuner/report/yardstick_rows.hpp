@@ -8,7 +8,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tuner/record/declaration.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 
 struct YardstickRow {
   std::size_t set = 0;
@@ -39,4 +39,4 @@ std::vector<YardstickRow> yardstick_of(const std::vector<std::optional<CsvTable>
 /// How far a set is from the best, at its worst switch, return and lap, in a sentence; empty without a ratio.
 std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_t set);
 
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

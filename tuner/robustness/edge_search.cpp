@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Below this share of EdgeSearch::first a value counts as zero.
@@ -63,4 +63,4 @@ Edge find_edge(const EdgeSearch& search, const std::function<bool(double)>& hold
   return edge;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where a search begins, how it strides and when it ends.
 struct EdgeSearch {
@@ -28,4 +28,4 @@ struct Edge {
 /// tried. Where already `first` fails, the search goes down to a thousandth of it and then gives zero.
 Edge find_edge(const EdgeSearch& search, const std::function<bool(double)>& holds);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,11 +5,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 #include "sim/rollout/applies.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<MetricLimit> arm_limits() {
   return {{Metric::kJointVelocityMaxRatio, true, 1.0},
@@ -72,4 +72,4 @@ std::string broken_limit(const RolloutResult& result, const std::vector<MetricLi
   return {};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "sim/rollout/rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct MetricLimit {
   Metric metric = Metric::kJointVelocityMaxRatio;
@@ -42,4 +42,4 @@ std::string to_string(const MetricLimit& limit);
 std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
                          const Scenario& scenario);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "tuner/robustness/margin_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The sensors' noise is scaled in this ratio where the scenario has none [rad per rad/s]: that of the
@@ -57,4 +57,4 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
   return fields;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

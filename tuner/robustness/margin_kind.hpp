@@ -8,7 +8,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "tuner/robustness/edge_search.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class MarginKind : std::size_t { kTorqueDelay, kGainFactor, kControlRate, kVelocityNoise, kCount };
 
@@ -34,4 +34,4 @@ inline const char* name(MarginKind kind) {
   return field(kind).name;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "sim/csv/cell.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr int kScenarioWidth = 30;
@@ -112,4 +112,4 @@ std::string margins_table(const std::vector<Scenario>& scenarios, const std::vec
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

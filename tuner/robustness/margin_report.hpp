@@ -6,7 +6,7 @@
 
 #include "tuner/robustness/margins.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// margins.csv: margin,unit,scenario,nominal,stands,fails,reason. A row per margin and scenario, and one
 /// `all` with the least of them where every scenario's is there. `stands` is empty where not even the nominal
@@ -24,4 +24,4 @@ struct ComparedMargins {
 /// The least margins of gain sets side by side, and below them what ends each and in which scenario.
 std::string margins_table(const std::vector<Scenario>& scenarios, const std::vector<ComparedMargins>& sets);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,11 +8,12 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "armtune/error.hpp"
 #include "tuner/ranks/patience.hpp"
 #include "tuner/workers/parallel.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Ends a rollout as soon as it is known not to stand, and says why.
@@ -67,7 +68,7 @@ std::optional<LoopFailure> failure(Engine engine, const Scenario& scenario, cons
       Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
         // Not that it does not stand: what a clock says must not become a margin.
         if (time.look() > deadline) {
-          throw std::runtime_error(
+          throw FailedError(
               fmt::format("{}: looking for margins, a rollout came to {:.3f} s of {} s simulated within its "
                           "deadline of {} s; find out what slows it down",
                           scenario.name, o.time, scenario.duration, deadline));
@@ -218,4 +219,4 @@ std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::v
   return there == scenarios.size() ? result : std::nullopt;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

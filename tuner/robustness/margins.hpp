@@ -16,7 +16,7 @@
 #include "tuner/robustness/limits.hpp"
 #include "tuner/robustness/margin_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// One margin in one scenario.
 struct Margin {
@@ -67,4 +67,4 @@ std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scena
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
                             MarginKind kind);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/csv/cell.hpp"
 #include "tuner/samples/statistics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// All samples of one call of monte_carlo: what is known of each, and what is still to be simulated.
@@ -192,4 +192,4 @@ std::string summary_csv(const std::vector<Scenario>& scenarios,
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

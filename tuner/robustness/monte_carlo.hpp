@@ -10,7 +10,7 @@
 #include "tuner/robustness/limits.hpp"
 #include "tuner/workers/rollout_pool.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// One arm in every scenario.
 struct MonteCarloSample {
@@ -74,4 +74,4 @@ std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, 
 /// summary.csv: scenario,metric,unit,samples,not_given,median,p95,p99,worst,worst_sample.
 std::string summary_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
 
-}  // namespace armtune
+}  // namespace armtune::internal

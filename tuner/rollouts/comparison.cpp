@@ -7,7 +7,7 @@
 
 #include "sim/csv/cell.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::string number(double value) {
@@ -101,4 +101,4 @@ std::string comparison_csv(const std::vector<ComparedSet>& sets) {
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

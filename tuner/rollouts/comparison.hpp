@@ -6,7 +6,7 @@
 
 #include "sim/rollout/error_report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ComparedSet {
   std::string name;
@@ -23,4 +23,4 @@ std::string comparison_csv(const std::vector<ComparedSet>& sets);
 /// The metrics a person looks at first.
 const std::vector<Metric>& headline_metrics();
 
-}  // namespace armtune
+}  // namespace armtune::internal

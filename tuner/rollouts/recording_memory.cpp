@@ -12,10 +12,10 @@
 #include <numeric>
 #include <string>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/rollout/columns.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kGigabyte = 1e9;
@@ -93,4 +93,4 @@ void require_recording_memory(const std::vector<Scenario>& scenarios, int stride
       std::ceil(stride * all / usable)));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

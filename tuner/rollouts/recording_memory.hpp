@@ -6,7 +6,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What becomes of recordings.
 enum class RecordingUse {
@@ -27,4 +27,4 @@ double usable_memory();
 void require_recording_memory(const std::vector<Scenario>& scenarios, int stride, int workers,
                               RecordingUse use = RecordingUse::kWritten, double usable = usable_memory());
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,13 +5,13 @@
 #include <mutex>
 #include <optional>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/ranks/patience.hpp"
 #include "tuner/rollouts/recording_memory.hpp"
 #include "tuner/workers/parallel.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                                      const std::function<Gains(const Scenario&)>& gains_of,
@@ -70,4 +70,4 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
   return results;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

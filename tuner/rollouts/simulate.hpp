@@ -10,7 +10,7 @@
 #include "sim/rollout/error_report.hpp"
 #include "sim/rollout/recorder.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct SimulateOptions {
   Stepper stepper = Stepper::kMidpoint;
@@ -34,4 +34,4 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
                                      const std::function<Gains(const Scenario&)>& gains_of,
                                      const SimulateOptions& options, const std::atomic<bool>& stop);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,10 +13,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/csv/text_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 int flags(AppendFile::Open open) {
@@ -74,15 +74,15 @@ AppendFile::~AppendFile() {
 }
 
 void AppendFile::fail(const char* what) const {
-  throw std::runtime_error(fmt::format("{}: cannot {} it: {}; what was finished before is in it", path_, what,
-                                       std::strerror(errno)));
+  throw FailedError(fmt::format("{}: cannot {} it: {}; what was finished before is in it", path_, what,
+                                std::strerror(errno)));
 }
 
 void AppendFile::append(const std::string& text, bool sync) {
   // What goes to a file that nobody can find again is lost: better said at once than in the morning.
   struct stat now {};
   if (::fstat(file_, &now) == 0 && now.st_nlink == 0) {
-    throw std::runtime_error(fmt::format("{}: was deleted while the run went on", path_));
+    throw FailedError(fmt::format("{}: was deleted while the run went on", path_));
   }
   const char* data = text.data();
   std::size_t left = text.size();
@@ -112,4 +112,4 @@ void AppendFile::publish() {
   published_ = true;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 class AppendFile {
  public:
@@ -20,14 +20,14 @@ class AppendFile {
   AppendFile(const AppendFile&) = delete;
   AppendFile& operator=(const AppendFile&) = delete;
 
-  /// Appends the text: it outlives this process, and with `sync` a power cut. Throws std::runtime_error if
+  /// Appends the text: it outlives this process, and with `sync` a power cut. Throws FailedError if
   /// the disk refuses it, or if somebody has deleted the file.
   void append(const std::string& text, bool sync = true);
-  /// Cuts the file to this many bytes. Throws std::runtime_error.
+  /// Cuts the file to this many bytes. Throws FailedError.
   void truncate(long size);
   /// Of kReplace: the file takes the older one's place. Further calls do nothing.
   void publish();
-  /// What was appended outlives a power cut. Throws std::runtime_error.
+  /// What was appended outlives a power cut. Throws FailedError.
   void sync();
 
  private:
@@ -38,4 +38,4 @@ class AppendFile {
   int file_ = -1;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -20,7 +20,7 @@
 #define ARMTUNE_GLIBC_X86
 #endif
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// True where libm may use no more than any x86-64 processor has.
@@ -96,4 +96,4 @@ void fix_arithmetic(char** argv) {
 #endif
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Arithmetic {
   std::string level;        ///< "baseline x86-64", or "of this processor" where that could not be had
@@ -23,4 +23,4 @@ void fix_arithmetic(char** argv);
 /// A value of GLIBC_TUNABLES that keeps what the user has set, with the baseline asked for.
 std::string baseline_tunables(const std::string& set);
 
-}  // namespace armtune
+}  // namespace armtune::internal

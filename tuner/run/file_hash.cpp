@@ -7,7 +7,7 @@
 
 #include "core/common/input_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string Fnv1a::text() const {
   return fmt::format("fnv1a-{:016x}", hash_);
@@ -28,4 +28,4 @@ std::string hash_of_input(const std::string& path) {
   return hash.text();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

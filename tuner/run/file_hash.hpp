@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace armtune {
+namespace armtune::internal {
 
 class Fnv1a {
  public:
@@ -32,4 +32,4 @@ std::string hash_of_file(const std::string& path);
 /// Hash of what was read of an input file (see InputRecord); of the file as it is where that was not kept.
 std::string hash_of_input(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "core/common/input_file.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{256} << 20;  // what CsvTable reads of armtune's own files
@@ -19,4 +19,4 @@ HashedTable read_hashed_table(const std::string& path) {
   return {CsvTable::parse(std::move(text), path), hash.text()};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

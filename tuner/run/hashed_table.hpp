@@ -6,7 +6,7 @@
 
 #include "sim/csv/csv_table.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct HashedTable {
   CsvTable table;
@@ -16,4 +16,4 @@ struct HashedTable {
 /// Reads a file that armtune wrote. Throws InputError as CsvTable::read does.
 HashedTable read_hashed_table(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ std::string where_copies_are(const std::string& folder) {
   return fmt::format(" (the files as the run read them are in {}/{})", folder, kInputCopies);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

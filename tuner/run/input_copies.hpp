@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Name of the folder in a run's folder where the copies are.
 constexpr const char* kInputCopies = "inputs";
@@ -25,4 +25,4 @@ std::optional<std::string> copy_of_hash(const std::string& folder, const std::st
 /// Returns " (the files as the run read them are in FOLDER/inputs)", or nothing where that is not there.
 std::string where_copies_are(const std::string& folder);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +63,4 @@ void refuse_links(const std::string& folder) {
   if (error) throw InputError(fmt::format("{}: cannot be looked through: {}", folder, error.message()));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Returns the path of a file in a run's folder, or nothing where there is none. name: below the folder, such
 /// as "start/errors.csv". The folder itself may be reached by a symbolic link, as the user named it. Throws
@@ -21,4 +21,4 @@ std::string run_file(const std::string& folder, const std::string& name);
 /// The folder itself may be reached by a link.
 void refuse_links(const std::string& folder);
 
-}  // namespace armtune
+}  // namespace armtune::internal

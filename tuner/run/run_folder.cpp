@@ -16,7 +16,7 @@
 #include <sstream>
 #include <thread>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
@@ -31,7 +31,7 @@
 #include "tuner/run/input_copies.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -199,4 +199,4 @@ void write_provenance(const std::string& folder, Provenance p) {
   write_text_file(folder + "/run.yaml", run_yaml(p));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/rollout/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Throws InputError if the folder exists and holds anything: finished results are never overwritten.
 void refuse_used_folder(const std::string& folder);
@@ -77,4 +77,4 @@ std::vector<std::pair<std::string, std::string>> versions();
 /// Where and when a figure was measured, one per line: versions, processor, date.
 std::string measured_with();
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "tuner/samples/statistics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::span<const char* const> risk_measure_names() {
   static constexpr const char* names[] = {"mean", "quantile", "worst", "cvar"};
@@ -66,4 +66,4 @@ RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> sample
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

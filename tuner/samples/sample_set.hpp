@@ -8,7 +8,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/perturbation.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// How the values of a metric over the samples become one number. Small values are the bad ones where more is
 /// better.
@@ -47,4 +47,4 @@ double measured(const SampleSet& set, bool larger_is_better, std::vector<double>
 /// are, else status, end and reason of the sample that ended first, which is named.
 RolloutResult folded(const SampleSet& set, std::span<const RolloutResult> samples);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Two-sided 95 % of a normal variable.
@@ -40,4 +40,4 @@ std::pair<double, double> wilson_interval(std::size_t successes, std::size_t tri
   return {successes == 0 ? 0.0 : center - half, successes == trials ? 1.0 : center + half};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Value below which a share p in [0, 1] of the values lies, interpolated between neighbours (Hyndman and
 /// Fan, Sample quantiles in statistical packages, 1996, definition 7). sorted: ascending, at least one.
@@ -19,4 +19,4 @@ double conditional_value_at_risk(std::span<const double> sorted, double p);
 /// 1927): unlike the normal approximation's it holds for yields near 1.
 std::pair<double, double> wilson_interval(std::size_t successes, std::size_t trials);
 
-}  // namespace armtune
+}  // namespace armtune::internal

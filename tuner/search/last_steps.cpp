@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Without these there is no result: the best, the best inside the box, the best of the sweep.
@@ -45,4 +45,4 @@ double kept_seconds(const Study& study, double one) {
                     static_cast<double>(kept_evaluations(study)) * one);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

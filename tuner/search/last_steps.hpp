@@ -9,7 +9,7 @@
 #include "tuner/search/seen.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Initial step of the last search, from the best of another engine: of the box between the bounds.
 constexpr double kLastStep = 0.02;
@@ -32,4 +32,4 @@ long evaluations_to_search(const Study& study);
 /// no more than all kept_evaluations do. one: how long Simbody simulates one [s].
 double kept_seconds(const Study& study, double one);
 
-}  // namespace armtune
+}  // namespace armtune::internal

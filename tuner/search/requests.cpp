@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
                                      const std::function<bool(const SolverPoint&)>& known,
@@ -33,4 +33,4 @@ void answer(std::vector<Request>& requests, bool go_on,
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

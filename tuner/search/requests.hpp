@@ -8,7 +8,7 @@
 #include "tuner/evaluation/evaluator.hpp"
 #include "tuner/solver/together.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Points asked for that are not known, each once, in the order of the requests; those for differences are of
 /// phase "gradient". known: whether a point was simulated before. allowed: asked before each candidate,
@@ -22,4 +22,4 @@ std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const
 void answer(std::vector<Request>& requests, bool go_on,
             const std::function<std::optional<SolverValue>(std::size_t search, const SolverPoint&)>& value);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 bool inside(const std::vector<double>& x, const WarmPoint& box) {
@@ -26,4 +26,4 @@ void Seen::take(const Evaluation& e, const WarmPoint& box) {
   if (inside(e.x, box) && (!best_inside_ || better(e, *best_inside_))) best_inside_ = e;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

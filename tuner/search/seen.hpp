@@ -11,7 +11,7 @@
 #include "tuner/study/objective.hpp"
 #include "tuner/study/warm_start.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class Seen {
  public:
@@ -41,4 +41,4 @@ class Seen {
   std::optional<Evaluation> best_inside_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

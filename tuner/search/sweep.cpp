@@ -1,6 +1,6 @@
 #include "tuner/search/sweep.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<std::vector<double>> sweep_points(const Study& study) {
   std::vector<std::vector<double>> points;
@@ -23,4 +23,4 @@ std::vector<std::vector<double>> sweep_points(const Study& study) {
   return points;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

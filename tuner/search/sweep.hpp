@@ -5,9 +5,9 @@
 
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Search coordinates of every combination of the axes' factors, the first axis fastest; none without axes.
 std::vector<std::vector<double>> sweep_points(const Study& study);
 
-}  // namespace armtune
+}  // namespace armtune::internal

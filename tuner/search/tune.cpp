@@ -16,7 +16,7 @@
 #include "tuner/solver/starts.hpp"
 #include "tuner/solver/together.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A study without a warm start begins at its start gains.
@@ -86,8 +86,8 @@ void Run::take_in(const char* phase, Evaluation e) {
   seconds_ = std::max(seconds_, e.seconds);
   auto& objective = seen().objective;
   if (!objective) {
-    objective.emplace(study_.terms, study_.constraints, simulated_scenarios(study_), e.results,
-                      study_.source);
+    objective.emplace(study_.terms, study_.constraints, simulated_scenarios(study_), e.results, where(study_),
+                      study_.own_objective);
     if (first && callbacks_.begin) callbacks_.begin(*objective);
   }
   objective->judge(e);
@@ -284,4 +284,4 @@ TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<
   return std::move(run).result();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct TuneProgress {
   const char* phase = "";
@@ -51,4 +51,4 @@ TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<
 /// Largest |q'|/limit over an evaluation's scenarios, the corners of margins aside.
 double largest_velocity_ratio(const Study& study, const Evaluation& e);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tuner/evaluation/simulate_points.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Merits that differ relatively by less are the same: engines differ by rounding, some 1e-13.
@@ -53,4 +53,4 @@ std::optional<std::vector<double>> Merits::confirmed(const std::vector<std::vect
   return same ? std::optional(std::move(merits)) : of(points, Engine::kSimbody);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

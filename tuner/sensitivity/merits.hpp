@@ -10,7 +10,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where the points of parameter i stand among all, which begin with the best: a step below it, a step above,
 /// and back to the start.
@@ -49,4 +49,4 @@ class Merits {
   std::size_t all_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

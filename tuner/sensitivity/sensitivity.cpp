@@ -10,7 +10,7 @@
 #include "tuner/search/last_steps.hpp"
 #include "tuner/sensitivity/merits.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A relative change of the merit below this is no effect.
@@ -186,4 +186,4 @@ Study without_less_important_half(const Study& study, const Sensitivity& sensiti
   return reduced;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/study/study.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ParameterSensitivity {
   std::size_t parameter = 0;  ///< index into ParameterSpace::free
@@ -64,4 +64,4 @@ std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivi
 /// The study with the less important half of its parameters fixed at their start values.
 Study without_less_important_half(const Study& study, const Sensitivity& sensitivity);
 
-}  // namespace armtune
+}  // namespace armtune::internal

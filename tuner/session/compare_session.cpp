@@ -10,7 +10,7 @@
 #include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 CompareSession::CompareSession(RolloutSettings settings, std::vector<GainsToSimulate> sets,
                                SessionContext context, SessionObserver& observer)
@@ -112,4 +112,4 @@ void CompareSession::write_conclusion() {
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "tuner/rollouts/comparison.hpp"
 #include "tuner/session/simulate_session.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct CompareOutcome {
   Ending ending = Ending::kInterrupted;
@@ -40,4 +40,4 @@ class CompareSession {
   CompareOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/error_report.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -16,7 +16,7 @@
 #include "tuner/session/study_files.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kLevelsForTwo = 12;
@@ -208,4 +208,4 @@ void FrontSession::write_reports(int workers) {
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/trade_off/pareto.hpp"
 #include "tuner/workers/rank_group.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct FrontSettings {
   RunPlace place = {};
@@ -47,7 +47,7 @@ class FrontSession {
 
   /// Runs it; may be called once. Returns nothing in a rank that worked for another one. Throws InputError if
   /// a criterion is unknown or named twice, if the folder is used or holds another run, and if the start
-  /// gains give no reference; std::runtime_error if a file cannot be written or a point simulated again
+  /// gains give no reference; FailedError if a file cannot be written or a point simulated again
   /// gives other figures. What was finished by then is in the folder.
   std::optional<FrontOutcome> run(RankGroup& ranks);
 
@@ -74,4 +74,4 @@ class FrontSession {
   FrontOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tuner/run/run_file.hpp"
 #include "tuner/session/study_files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -84,7 +84,7 @@ JournalledRun::JournalledRun(RunPlace place, const RunHeader& header, const std:
                              SessionObserver& observer, const std::function<void()>& write_first)
     : place_(std::move(place)) {
   if (!place_.resume) lock_ = make_run_folder(place_.folder);
-  journal_ = place_.resume ? armtune::resume(place_.folder, header, inputs, observer)
+  journal_ = place_.resume ? armtune::internal::resume(place_.folder, header, inputs, observer)
                            : begin(place_.folder, header, inputs, write_first);
   before_ = journal_->seconds();
 }
@@ -103,4 +103,4 @@ bool JournalledRun::can_resume() const {
   return fs::exists(place_.folder + "/" + kJournal, ignored);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/session/observer.hpp"
 #include "tuner/session/session_context.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where a run's files go.
 struct RunPlace {
@@ -67,4 +67,4 @@ class JournalledRun {
   bool kept_ = false;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

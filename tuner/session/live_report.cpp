@@ -6,10 +6,10 @@
 #include <cmath>
 #include <ctime>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/report/report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kLeastSeconds = 3.0;  ///< between two pages
@@ -45,4 +45,4 @@ void LiveReport::update(long evaluations, long most_evaluations, double seconds_
   next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(every_));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

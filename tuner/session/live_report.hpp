@@ -7,7 +7,7 @@
 #include "tuner/report/report_data.hpp"
 #include "tuner/session/observer.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class LiveReport {
  public:
@@ -29,4 +29,4 @@ class LiveReport {
   bool failed_ = false;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

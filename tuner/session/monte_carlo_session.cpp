@@ -14,7 +14,7 @@
 #include "tuner/session/report_files.hpp"
 #include "tuner/verdict/yield_check.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 MonteCarloSession::MonteCarloSession(MonteCarloSettings settings, SessionContext context,
                                      MonteCarloObserver& observer)
@@ -167,4 +167,4 @@ report::Scene MonteCarloSession::scene() const {
   return report::scene_of(settings_.scenarios, {nominal}, settings_.gains.obstacleInfluenceRadius);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

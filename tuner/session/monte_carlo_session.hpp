@@ -14,7 +14,7 @@
 #include "tuner/verdict/verdict.hpp"
 #include "tuner/workers/rank_group.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct MonteCarloSettings {
   RunPlace place = {};
@@ -47,7 +47,7 @@ class MonteCarloSession {
   MonteCarloSession(MonteCarloSettings settings, SessionContext context, MonteCarloObserver& observer);
 
   /// Runs it; may be called once. Returns nothing in a rank that worked for another one. Throws InputError if
-  /// the perturbation is not valid or the folder is used or holds another run; std::runtime_error if a file
+  /// the perturbation is not valid or the folder is used or holds another run; FailedError if a file
   /// cannot be written. What was finished by then is in the folder.
   std::optional<MonteCarloOutcome> run(RankGroup& ranks);
 
@@ -72,4 +72,4 @@ class MonteCarloSession {
   MonteCarloOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

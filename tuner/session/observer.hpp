@@ -2,21 +2,14 @@
 // What a session tells while it works, to whoever runs it: the command line, Python, a test. A session
 // itself prints nothing.
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 
-namespace armtune {
+#include "armtune/progress.hpp"
 
-/// How far a part of a run is.
-struct Progress {
-  std::string work;  ///< what is done, such as "margins of the start gains"
-  long done = 0;
-  long all = 0;               ///< units of `done`; 0: not known
-  double seconds_left = NAN;  ///< about; NaN: not known
-  std::string detail = {};    ///< the best so far, or where the work stands, for a person
-};
+namespace armtune::internal {
 
 /// A session calls these from any thread, one call at a time. Sessions of some kinds tell more: see the class
 /// derived from this one beside them.
@@ -44,4 +37,4 @@ inline std::function<void(std::size_t, std::size_t)> progress_of(SessionObserver
   };
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/rollouts/simulate.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 void warn_of_left_out(const report::Written& written, SessionObserver& observer) {
   for (const std::string& why : written.left_out) observer.warned("left out of the report: " + why);
@@ -55,4 +55,4 @@ report::SceneSet record_set(const std::string& name, const std::string& folder, 
   return {name, below, below + "/errors.csv"};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/session/observer.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The pages of a run, by their names in its folder.
 inline constexpr const char* kScene = "scene.json";
@@ -45,4 +45,4 @@ report::SceneSet record_set(const std::string& name, const std::string& folder, 
 /// Writes FOLDER/verdict.yaml, which the report begins with.
 void write_verdict(const std::string& folder, const SimulationVerdict& verdict);
 
-}  // namespace armtune
+}  // namespace armtune::internal

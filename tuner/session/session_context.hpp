@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The command that a run is made by, for its journal and its provenance.
 struct Invocation {
@@ -39,4 +39,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

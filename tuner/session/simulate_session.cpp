@@ -11,7 +11,7 @@
 #include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 bool check_rollouts(const RolloutSettings& settings, const std::vector<ScenarioResult>& results,
                     const std::optional<std::vector<EnduranceResult>>& endured, const std::string& set,
@@ -128,4 +128,4 @@ void SimulateSession::write_conclusion() {
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tuner/session/yardstick_files.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A gain set that fits the robot of every scenario that it is simulated in.
 struct GainsToSimulate {
@@ -69,7 +69,7 @@ class SimulateSession {
                   SessionObserver& observer);
 
   /// Runs it; may be called once. Throws InputError if the folder is used, if a path winds a joint up, or if
-  /// the recordings do not fit in memory; std::runtime_error if a file cannot be written.
+  /// the recordings do not fit in memory; FailedError if a file cannot be written.
   SimulateOutcome run();
 
  private:
@@ -84,4 +84,4 @@ class SimulateSession {
   SimulateOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

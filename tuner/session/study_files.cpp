@@ -9,7 +9,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string search_text(const Study& study) {
   return fmt::format("{}{}{}", global_of(study).empty() ? "" : global_of(study) + ", then ",
@@ -107,4 +107,4 @@ void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const
                   study_yaml(without_less_important_half(study, sensitivity), "start/gains.yaml"));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/session/observer.hpp"
 #include "tuner/session/session_context.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Where a run folder keeps the gains a warm start began with.
 inline constexpr const char* kWarmGains = "start/warm_gains.yaml";
@@ -49,4 +49,4 @@ void warn_of_clamped(const Study& study, SessionObserver& observer);
 /// start/gains.yaml there.
 void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const std::string& folder);
 
-}  // namespace armtune
+}  // namespace armtune::internal

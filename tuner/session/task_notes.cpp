@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/path_walk.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver& observer) {
   const auto [trouble, winds] = find_task_trouble(scenario, gains);
@@ -25,4 +25,4 @@ void refuse_winding(const Scenario& scenario, const Gains& gains) {
   if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

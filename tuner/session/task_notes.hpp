@@ -5,7 +5,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "tuner/session/observer.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Warns if the scenario's path leaves the workspace, a joint's limits, or runs through a
 /// singularity, and if the controller would have to learn what it cannot. Throws InputError if the
@@ -15,4 +15,4 @@ void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver&
 /// The last of these alone: throws InputError if the path itself winds a joint up.
 void refuse_winding(const Scenario& scenario, const Gains& gains);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "tuner/verdict/rollout_checks.hpp"
 #include "tuner/verdict/search_checks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Adds margins, random arms and endurance; names those that an interruption left out.
@@ -63,4 +63,4 @@ void TuneSession::check(bool analysed) {
   add_bounds_note(study_, result.best.gains, verdict);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

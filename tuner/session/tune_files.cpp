@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "armtune/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/columns.hpp"
 #include "sim/scenario/gains_file.hpp"
@@ -17,7 +18,7 @@
 #include "tuner/session/study_files.hpp"
 #include "tuner/verdict/search_checks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Returns the first words of a gains file, which say what its gains are.
@@ -70,8 +71,8 @@ std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResul
     for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
       const RolloutResult& again = (*evaluations)[i].results[s];
       if (seen.engine == Engine::kSimbody && !same_metrics(again, seen.results[s])) {
-        throw std::runtime_error(fmt::format("{}: the {} gains simulated again give other figures",
-                                             study.scenarios[s].name, sets[i].name));
+        throw FailedError(fmt::format("{}: the {} gains simulated again give other figures",
+                                      study.scenarios[s].name, sets[i].name));
       }
       sets[i].results.push_back({study.scenarios[s].name, again});
     }
@@ -127,4 +128,4 @@ Provenance tune_provenance(const Study& study, const TuneResult& result, const I
                            {"gains_file", hash_of_file(folder + "/gains.yaml")}});
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,14 +6,14 @@
 
 #include "tuner/session/tune_session.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Simulates the start and the result, with recordings where the run has a folder.
 std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
                                         const TuneSettings& settings);
 
 /// Of a study on many arms: the measure of fresh rollouts of all of them, as robust_errors.csv where the run
-/// has a folder. Throws std::runtime_error if it is not what the search saw in Simbody.
+/// has a folder. Throws FailedError if it is not what the search saw in Simbody.
 std::vector<ComparedSet> simulate_arms_again(const Study& study, const TuneResult& result,
                                              const TuneSettings& settings, RankGroup& ranks);
 
@@ -31,4 +31,4 @@ void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
 Provenance tune_provenance(const Study& study, const TuneResult& result, const Invocation& invocation,
                            int workers, double seconds, const std::string& folder);
 
-}  // namespace armtune
+}  // namespace armtune::internal

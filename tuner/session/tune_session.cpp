@@ -16,7 +16,7 @@
 #include "tuner/session/tune_files.hpp"
 #include "tuner/verdict/search_checks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 TuneSession::TuneSession(Study study, TuneSettings settings, SessionContext context, TuneObserver& observer)
     : study_(std::move(study)),
@@ -94,6 +94,7 @@ TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
     if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;
     evaluations_.push_back({study_.space.point_of(e.gains), e.objective, e.violation});
     if (file) file->append(phase, e);
+    observer_.evaluated(e);
   };
   callbacks.progress = [&](const TuneProgress& p) {
     const double left = seconds_left(p.evaluations, p.max_evaluations, p.last->seconds, study_.max_minutes);
@@ -205,4 +206,4 @@ void TuneSession::conclude(bool analysed) {
   if (run_) run_->complete(outcome_.ending);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

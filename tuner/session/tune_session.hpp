@@ -24,7 +24,7 @@
 #include "tuner/verdict/verdict.hpp"
 #include "tuner/workers/rank_group.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct TuneSettings {
   RunPlace place = {};
@@ -56,6 +56,8 @@ class TuneObserver : public SessionObserver {
  public:
   /// The start gains were simulated. recalled: evaluations that a resumed run has finished before.
   virtual void began(const Study& /*study*/, std::size_t /*recalled*/) {}
+  /// Of every evaluation, in order.
+  virtual void evaluated(const Evaluation& /*evaluation*/) {}
   /// The result was simulated again.
   virtual void verified(const TuneOutcome& /*so_far*/) {}
   /// Margins of the start and of the result.
@@ -73,7 +75,7 @@ class TuneSession {
   TuneSession(Study study, TuneSettings settings, SessionContext context, TuneObserver& observer);
 
   /// Runs it; may be called once. Returns nothing in a rank that worked for another one. Throws InputError if
-  /// the folder is used or holds another run, and if the start gains give no reference; std::runtime_error
+  /// the folder is used or holds another run, and if the start gains give no reference; FailedError
   /// if a file cannot be written. What was finished by then is in the folder.
   std::optional<TuneOutcome> run(RankGroup& ranks);
 
@@ -101,4 +103,4 @@ class TuneSession {
   TuneOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "sim/rollout/error_report.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct YardstickFiles {
   std::vector<FurtherColumn> errors;  ///< reacquisition/limit
@@ -24,4 +24,4 @@ using Yardstick =
     std::function<YardstickFiles(const std::string& folder, const std::vector<Scenario>& scenarios,
                                  const std::function<Gains(const Scenario&)>& gains)>;
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Other coordinates that coordinate i takes: one or two. None where the box has no width.
@@ -54,4 +54,4 @@ void set_gradients(const SolverProblem& problem, const SolverOptions& options, c
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The points, beside x itself, that the derivatives at x take, coordinate by coordinate; all in the
 /// problem's box. A step that leaves the box is made towards the inside, and shortened where neither side has
@@ -17,4 +17,4 @@ std::vector<std::vector<double>> difference_points(const SolverProblem& problem,
 void set_gradients(const SolverProblem& problem, const SolverOptions& options, const std::vector<double>& x,
                    const std::vector<SolverValue>& values, SolverAnswer& answer);
 
-}  // namespace armtune
+}  // namespace armtune::internal

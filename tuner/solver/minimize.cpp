@@ -7,7 +7,7 @@
 #include "tuner/solver/differences.hpp"
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A search that asks this often in a row for points it knows is going round in a circle.
@@ -81,4 +81,4 @@ SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& option
   return outcome;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,10 +10,10 @@
 #include <exception>
 #include <memory>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 struct Offered {
@@ -260,4 +260,4 @@ SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& o
   return {converged && !search.stopped, search.stopped, reason(search.stopped ? NLOPT_FORCED_STOP : code)};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Objective and constraints (g <= 0 holds; relative to their limits) at one point; all finite.
 struct SolverValue {
@@ -104,4 +104,4 @@ using Oracle = std::function<bool(const std::vector<double>& x, bool derivatives
 /// The bare algorithm: one point after the other, `problem.evaluate` left alone.
 SolverOutcome run_algorithm(const SolverProblem& problem, const SolverOptions& options, const Oracle& oracle);
 
-}  // namespace armtune
+}  // namespace armtune::internal

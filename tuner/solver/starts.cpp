@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::vector<double> first_primes(std::size_t count) {
@@ -37,4 +37,4 @@ std::vector<std::vector<double>> spread_starts(const SolverProblem& problem, std
   return points;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// `count` points of a low-discrepancy sequence in the problem's box: Richtmyer's (1951), whose coordinate i
 /// goes on by the fractional part of the square root of the i-th prime, shifted at random (Cranley and
@@ -14,4 +14,4 @@ namespace armtune {
 std::vector<std::vector<double>> spread_starts(const SolverProblem& problem, std::size_t count,
                                                std::uint64_t seed);
 
-}  // namespace armtune
+}  // namespace armtune::internal

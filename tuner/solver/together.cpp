@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Where searches and the caller's thread meet. NLopt cannot be left in the middle and come back to, so a
@@ -138,4 +138,4 @@ std::vector<SolverOutcome> minimize_together(const std::vector<JoinedSearch>& se
   return rounds.outcomes();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct JoinedSearch {
   SolverProblem problem;  ///< its `evaluate` is not used
@@ -28,4 +28,4 @@ struct Request {
 std::vector<SolverOutcome> minimize_together(const std::vector<JoinedSearch>& searches,
                                              const std::function<void(std::vector<Request>&)>& evaluate);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/rollout/applies.hpp"
 #include "tuner/robustness/margins.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 const std::array<MarginThreshold, kMarginCount>& margin_thresholds() {
   static constexpr std::array<MarginThreshold, kMarginCount> all{{
@@ -55,4 +55,4 @@ double missing_to_hold(const RolloutResult& result, const Scenario& corner) {
   return std::max(missing, (saturated - allowed) / std::max(1.0, allowed));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/robustness/margin_kind.hpp"
 #include "tuner/study/thresholds.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A demand on one margin, in the words of a study's `margins`: extra periods of delay, a factor on the
 /// gains, a factor on the noise, a share of the control rate.
@@ -43,4 +43,4 @@ Scenario corner_of(const Scenario& scenario, const MarginDemand& demand);
 /// allowed); 1 and more where it did not complete.
 double missing_to_hold(const RolloutResult& result, const Scenario& corner);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/control/gains.hpp"
 #include "sim/rollout/rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Evaluation {
   std::vector<double> x;  ///< search coordinates
@@ -43,4 +43,4 @@ inline bool better(const Evaluation& a, const Evaluation& b) {
   return a.objective < b.objective;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

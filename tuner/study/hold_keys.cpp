@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Returns the threshold that the field's key gives, or `fallback` without it.
@@ -98,4 +98,4 @@ VerdictThresholds read_thresholds(const yaml::Node& node) {
   return thresholds;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

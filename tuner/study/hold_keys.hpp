@@ -5,7 +5,7 @@
 #include "sim/yaml/document.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Returns the arms that the keys of `robust` describe, which differ from those of the scenarios. Throws
 /// InputError with file, line and key.
@@ -19,4 +19,4 @@ void read_margins(const yaml::Node& node, Study& study);
 /// file, line and key.
 VerdictThresholds read_thresholds(const yaml::Node& node);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The drives' limit is the arm's end of speed, the study's limit lies below it: at twice that no gain set is
@@ -65,4 +65,4 @@ std::string hopeless_text(const Hopeless& hopeless) {
   return "";
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/metrics/metric.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Hopeless {
   enum class Kind {
@@ -35,4 +35,4 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
 /// As read_hopeless reads it.
 std::string hopeless_text(const Hopeless& hopeless);
 
-}  // namespace armtune
+}  // namespace armtune::internal

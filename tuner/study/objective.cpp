@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/rollout/applies.hpp"
 #include "tuner/study/term_score.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Ratio that a term scores, at least, in a scenario that did not complete: above any completed one.
@@ -39,8 +39,8 @@ double scale_of(double bound) {
 
 Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
                      const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
-                     const std::string& where)
-    : terms_(std::move(terms)), constraints_(std::move(constraints)) {
+                     const std::string& where, OwnObjective own)
+    : terms_(std::move(terms)), own_(std::move(own)), constraints_(std::move(constraints)) {
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     pushed_.push_back(scenarios[s].pushed);
     if (start[s].status != RolloutStatus::kCompleted && !scenarios[s].pushed) {
@@ -53,6 +53,15 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     start_.push_back(start[s].metrics);
   }
   corners_ = scenarios;
+  if (own_) {
+    own_start_ = own_(of_scenarios(start));
+    if (!(std::isfinite(own_start_) && own_start_ > 0.0)) {
+      throw InputError(fmt::format(
+          "{}: the objective of the start gains is {}, and it must be a number above zero: the search sees it "
+          "relative to that",
+          where, own_start_));
+    }
+  }
   for (const ObjectiveTerm& term : terms_) {
     weights_ += term.weight;
     for (const std::size_t s : term.scenarios) {
@@ -156,6 +165,23 @@ double Objective::relative_excess(std::size_t c, double excess, std::size_t s) c
   return std::min(excess / scale_of(limit(c, s)), kLargestRatio);
 }
 
+std::vector<RolloutResult> Objective::of_scenarios(const std::vector<RolloutResult>& results) const {
+  std::vector<RolloutResult> own;
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    if (!pushed_[s]) own.push_back(results[s]);
+  }
+  return own;
+}
+
+double Objective::own_score(const Evaluation& e) const {
+  const std::vector<RolloutResult> results = of_scenarios(e.results);
+  const bool completed = std::all_of(results.begin(), results.end(), [](const RolloutResult& result) {
+    return result.status == RolloutStatus::kCompleted;
+  });
+  const double value = completed ? own_(results) / own_start_ : HUGE_VAL;
+  return std::isfinite(value) ? std::min(value, kLargestRatio) : kIncompletePenalty;
+}
+
 void Objective::judge(Evaluation& e) const {
   double sum = 0.0;
   for (const ObjectiveTerm& term : terms_) {
@@ -163,7 +189,7 @@ void Objective::judge(Evaluation& e) const {
     for (const std::size_t s : term.scenarios) mean += score(term, e.results[s], s);
     sum += term.weight * mean / static_cast<double>(term.scenarios.size());
   }
-  e.objective = sum / weights_;
+  e.objective = own_ ? own_score(e) : sum / weights_;
 
   e.constraints.assign(constraint_count(), 0.0);
   e.relative.assign(constraint_count(), 0.0);
@@ -200,4 +226,4 @@ void Objective::judge(Evaluation& e) const {
   e.feasible = e.violation <= 0.0;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

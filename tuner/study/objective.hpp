@@ -2,6 +2,7 @@
 // Objective and constraints of a study: metrics over scenarios, relative to the start gains.
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "tuner/study/evaluation.hpp"
 #include "tuner/study/hopeless.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// weight * mean over scenarios of the metric's score against its value with the start gains (see
 /// term_score).
@@ -20,6 +21,10 @@ struct ObjectiveTerm {
   double floor = 0.0;                  ///< smallest reference, in the metric's unit
   std::vector<std::size_t> scenarios;  ///< indices into the study's scenarios; the metric applies to each
 };
+
+/// A user's own objective, in place of terms: from one result for each of the study's scenarios, corners left
+/// out. Less is better. It is asked where every scenario completed, by one thread at a time.
+using OwnObjective = std::function<double(const std::vector<RolloutResult>&)>;
 
 /// A bound that must hold in every listed scenario.
 struct Constraint {
@@ -37,11 +42,11 @@ class Objective {
   /// scenarios: those that are simulated, corners included. start: results of the start gains, one per
   /// scenario. Throws InputError, with `where` in front, if they give no reference: a scenario did not
   /// complete, or a term's metric has no value or no positive one, that of a constraint `start` none, or one
-  /// is hopeless by a value that the study gives. By default a constraint is never hopeless in a scenario
-  /// where the start would be.
+  /// is hopeless by a value that the study gives, or `own` gives no positive number. By default a constraint
+  /// is never hopeless in a scenario where the start would be.
   Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> constraints,
             const std::vector<Scenario>& scenarios, const std::vector<RolloutResult>& start,
-            const std::string& where);
+            const std::string& where, OwnObjective own = {});
 
   /// Sets objective, constraints, violation, feasible and status of `e` from its results. A scenario that did
   /// not complete makes it infeasible and scores a finite penalty that grows with how early it ended and, of
@@ -77,7 +82,14 @@ class Objective {
   double relative_excess(std::size_t c, double excess, std::size_t s) const;
   void set_end_limits(const std::vector<Scenario>& scenarios, const std::string& where);
 
+  /// The user's own objective, relative to the start.
+  double own_score(const Evaluation& e) const;
+  /// What it is given.
+  std::vector<RolloutResult> of_scenarios(const std::vector<RolloutResult>& results) const;
+
   std::vector<ObjectiveTerm> terms_;
+  OwnObjective own_;
+  double own_start_ = 1.0;
   std::vector<Constraint> constraints_;
   std::vector<std::vector<bool>> judged_;  ///< [constraint][scenario]: listed there, and the metric applies
   std::vector<EndLimits> end_limits_;      ///< [scenario]
@@ -93,4 +105,4 @@ inline std::vector<EndLimits> end_limits(const std::optional<Objective>& objecti
   return objective ? objective->end_limits() : std::vector<EndLimits>{};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Largest ratio of the bounds on a log scale: beyond it, their ratio no longer fits a double.
@@ -110,4 +110,4 @@ void validate(const ParameterSpace& space, const std::string& where) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "core/control/gain_fields.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class Scale { kLog, kLinear };
 
@@ -67,4 +67,4 @@ struct ParameterSpace {
 /// outside them, or whose scale does not fit.
 void validate(const ParameterSpace& space, const std::string& where);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/common/nearest.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Entries that a name stands for: one number, or all of a field.
@@ -142,4 +142,4 @@ std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<Gain
   return axes;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/yaml/document.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The entries of `parameters`; without the key (null) all gains that are searched by default, between their
 /// default bounds. start: what they are where the file does not say. orientation: whether any scenario holds
@@ -20,4 +20,4 @@ ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std:
 std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<GainEntry>& all,
                                   const ParameterSpace& space);
 
-}  // namespace armtune
+}  // namespace armtune::internal

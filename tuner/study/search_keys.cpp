@@ -4,11 +4,11 @@
 
 #include <limits>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/map_reader.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -139,4 +139,4 @@ void read_warm_start(const yaml::Node& node, Study& study) {
   study.warm = std::move(warm);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

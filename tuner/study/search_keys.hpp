@@ -4,7 +4,7 @@
 #include "sim/yaml/document.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// How a study searches that names no algorithm: the winner of scripts/compare-algorithms, whose table and
 /// profiles are results/algorithms.
@@ -18,4 +18,4 @@ void read_search(const yaml::Node& node, Study& study);
 /// with file, line and key.
 void read_warm_start(const yaml::Node& node, Study& study);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<Scenario> simulated_scenarios(const Study& study) {
   std::vector<Scenario> all = study.scenarios;
@@ -19,4 +19,4 @@ std::size_t rollouts_per_evaluation(const Study& study) {
   return study.scenarios.size() * (each + study.margins.size());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

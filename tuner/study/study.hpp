@@ -12,7 +12,7 @@
 #include "tuner/study/thresholds.hpp"
 #include "tuner/study/warm_start.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// One direction of the coarse sweep that the search is compared with: these parameters are multiplied
 /// together.
@@ -23,12 +23,13 @@ struct SweepAxis {
 
 struct Study {
   std::string name;
-  std::string source;
+  std::string source;  ///< file; empty: a text
   std::string description;
-  std::string gains;  ///< file of the start gains
+  std::string gains;  ///< file of the start gains; empty: of none
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::vector<ObjectiveTerm> terms;
+  OwnObjective own_objective;           ///< in place of terms, of a study that was not read from a file
   std::vector<Constraint> constraints;  ///< those of `margins` behind the others
   std::vector<MarginDemand> margins;    ///< demanded in every scenario, one corner rollout each
   std::vector<SweepAxis> sweep;         ///< may be empty
@@ -46,6 +47,11 @@ struct Study {
   Engine engine = Engine::kSimbody;  ///< of sweep and search; start and result are Simbody's in any case
   double verify_share = 0.03;        ///< with another engine: part of evaluations and minutes left to Simbody
 };
+
+/// What messages about the study begin with: its file, or its name.
+inline const std::string& where(const Study& study) {
+  return study.source.empty() ? study.name : study.source;
+}
 
 /// Everything that is simulated for an evaluation: the study's scenarios, then the corners of its margins,
 /// margin by margin.
@@ -73,8 +79,20 @@ inline std::string global_of(const Study& study) {
 /// that are by default. Throws InputError.
 Study load_study(const std::string& name_or_path, const std::string& controller = {});
 
+/// What takes the place of what a study's text says under `scenarios`, `gains` and `objective`, where it is
+/// given.
+struct StudyParts {
+  std::vector<Scenario> scenarios = {};
+  std::optional<Gains> start = {};       ///< valid ones
+  std::vector<std::string> joints = {};  ///< names of the joints that `start` is for
+  OwnObjective objective = {};           ///< in place of `objective`
+};
+
+/// Reads a study from a text. It has no source, so that it can leave no run folder. Throws InputError.
+Study parse_study(const std::string& yaml, const StudyParts& parts);
+
 /// The study with every default written out, as YAML that load_study reads. `gains_file`, `warm_file`: where
 /// the gains of start and warm start are kept beside it; an empty one leaves the warm start out.
 std::string study_yaml(const Study& study, const std::string& gains_file, const std::string& warm_file = {});
 
-}  // namespace armtune
+}  // namespace armtune::internal

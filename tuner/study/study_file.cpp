@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/controller_kind.hpp"
@@ -20,21 +20,27 @@
 #include "tuner/study/search_keys.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
+
+/// Returns why the last of the scenarios cannot be in a study with the others; empty if it can.
+std::string why_not_last(const std::vector<Scenario>& scenarios) {
+  const Scenario& last = scenarios.back();
+  if (joint_names(*last.robot) != joint_names(*scenarios.front().robot)) {
+    return fmt::format("{} and {} have different joints; a study tunes one arm", scenarios.front().name,
+                       last.name);
+  }
+  for (std::size_t i = 0; i + 1 < scenarios.size(); ++i) {
+    if (scenarios[i].name == last.name) return last.name + " stands twice";
+  }
+  return {};
+}
 
 std::vector<Scenario> read_scenarios(const yaml::Node& node, const std::string& folder) {
   std::vector<Scenario> scenarios;
   for (const std::string& name : node.as_strings()) {
     scenarios.push_back(load_scenario(find_data_file("scenarios", name, folder)));
-    const auto joints = joint_names(*scenarios.back().robot);
-    if (joints != joint_names(*scenarios.front().robot)) {
-      node.fail(fmt::format("{} and {} have different joints; a study tunes one arm", scenarios.front().name,
-                            scenarios.back().name));
-    }
-    for (std::size_t i = 0; i + 1 < scenarios.size(); ++i) {
-      if (scenarios[i].name == scenarios.back().name) node.fail(scenarios[i].name + " stands twice");
-    }
+    if (const std::string why = why_not_last(scenarios); !why.empty()) node.fail(why);
   }
   if (scenarios.empty()) node.fail("empty; name at least one scenario");
   return scenarios;
@@ -188,21 +194,41 @@ Gains controlled(const Gains& gains, const yaml::Node* node, const std::string& 
   }
 }
 
-}  // namespace
+/// The scenarios that are given, else those that the file names.
+std::vector<Scenario> scenarios_of(yaml::MapReader& map, const std::string& folder, const StudyParts& parts) {
+  if (parts.scenarios.empty()) return read_scenarios(map.required("scenarios"), folder);
+  map.optional("scenarios");
+  std::vector<Scenario> scenarios;
+  for (const Scenario& scenario : parts.scenarios) {
+    scenarios.push_back(scenario);
+    if (const std::string why = why_not_last(scenarios); !why.empty()) throw InputError("study: " + why);
+  }
+  return scenarios;
+}
 
-Study load_study(const std::string& name_or_path, const std::string& controller) {
-  const std::string path = find_data_file("studies", name_or_path);
-  const yaml::Node root = yaml::parse_file(path);
+/// The same of the gains that the search begins with.
+Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts& parts, Study& study) {
+  const auto joints = joint_names(*study.scenarios.front().robot);
+  if (parts.start) {
+    map.optional("gains");
+    if (parts.joints != joints) throw InputError("study: the start gains are for an arm of other joints");
+    return *parts.start;
+  }
+  study.gains = find_data_file("gains", map.required("gains").as_string(), folder);
+  return load_gains(study.gains, joints);
+}
+
+/// source: path of the file, empty for a text. Sets everything but the name.
+Study read_study(const yaml::Node& root, const std::string& source, const std::string& controller,
+                 const StudyParts& parts) {
   yaml::MapReader map(root);
   Study study;
-  study.name = stem(path);
-  check_file_name(study.name, path);
-  study.source = path;
+  study.source = source;
+  const std::string folder = folder_of(source);
   study.description = map.string("description", "");
-  study.scenarios = read_scenarios(map.required("scenarios"), folder_of(path));
+  study.scenarios = scenarios_of(map, folder, parts);
   const auto joints = joint_names(*study.scenarios.front().robot);
-  study.gains = find_data_file("gains", map.required("gains").as_string(), folder_of(path));
-  const Gains read = load_gains(study.gains, joints);
+  const Gains read = gains_of(map, folder, parts, study);
   const yaml::Node* named = map.optional("controller");
   const Gains start = controlled(read, named, controller, study.scenarios.front());
   // What the file says of gains is about those of another controller.
@@ -212,14 +238,19 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   const bool orientation = std::any_of(study.scenarios.begin(), study.scenarios.end(),
                                        [](const Scenario& s) { return tracks_orientation(s.mask); });
   study.space = read_space(another ? nullptr : parameters, start, joints, orientation);
-  validate(study.space, path);
+  validate(study.space, root.file());
   const std::size_t n = study.space.free.size();
   for (const auto& corner :
        {study.space.start_point(), std::vector<double>(n, 0.0), std::vector<double>(n, 1.0)}) {
-    validate(study.space.gains_at(corner), joints, path + ": gains within the bounds of 'parameters'");
+    validate(study.space.gains_at(corner), joints, root.file() + ": gains within the bounds of 'parameters'");
   }
   study.space.start = study.space.gains_at(study.space.start_point());  // links included: it is what scores 1
-  study.terms = read_objective(map.required("objective"), study.scenarios);
+  study.own_objective = parts.objective;
+  if (!parts.objective) {
+    study.terms = read_objective(map.required("objective"), study.scenarios);
+  } else if (const yaml::Node* node = map.optional("objective")) {
+    node->fail("stands here, and a function of one's own is given; leave one of them out");
+  }
   if (const yaml::Node* node = map.optional("constraints")) {
     study.constraints = read_constraints(*node, study.scenarios);
   }
@@ -244,4 +275,20 @@ Study load_study(const std::string& name_or_path, const std::string& controller)
   return study;
 }
 
-}  // namespace armtune
+}  // namespace
+
+Study load_study(const std::string& name_or_path, const std::string& controller) {
+  const std::string path = find_data_file("studies", name_or_path);
+  Study study = read_study(yaml::parse_file(path), path, controller, {});
+  study.name = stem(path);
+  check_file_name(study.name, path);
+  return study;
+}
+
+Study parse_study(const std::string& yaml, const StudyParts& parts) {
+  Study study = read_study(yaml::parse_text(yaml, "study"), "", {}, parts);
+  study.name = "study";
+  return study;
+}
+
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/yaml/quoted.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::string subset_text(const std::vector<std::size_t>& subset, const std::vector<Scenario>& scenarios) {
@@ -130,4 +130,4 @@ std::string study_yaml(const Study& study, const std::string& gains_file, const 
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace armtune {
+namespace armtune::internal {
 
 double term_score(Metric metric, double value, double reference) {
   constexpr double kMiddle = kLargestRatio / 2.0;
@@ -11,4 +11,4 @@ double term_score(Metric metric, double value, double reference) {
   return r >= 1.0 / kMiddle ? 1.0 / r : kLargestRatio - 1.0 / (2.0 / kMiddle - r);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "sim/metrics/metric.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Largest score. A metric relative to its reference, and a violation relative to its limit, count at most
 /// this much: one wild value must not drown the rest.
@@ -21,4 +21,4 @@ inline constexpr double kLargestRatio = 10.0;
 ///   10 - 1/(2/5 - r), which is smooth there, finite at zero and below, and falls strictly with r.
 double term_score(Metric metric, double value, double reference);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace armtune {
+namespace armtune::internal {
 
 const std::array<ThresholdField, 9>& threshold_fields() {
   static constexpr std::array<ThresholdField, 9> fields{{
@@ -40,4 +40,4 @@ std::vector<std::string> loosened(const VerdictThresholds& thresholds) {
   return sentences;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

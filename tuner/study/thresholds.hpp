@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct VerdictThresholds {
   double delay_periods = 1.0;  ///< extra torque delay that every loop holds [control periods]
@@ -37,4 +37,4 @@ const std::array<ThresholdField, 9>& threshold_fields();
 /// Returns one sentence for each threshold that is looser than its default.
 std::vector<std::string> loosened(const VerdictThresholds& thresholds);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/run/run_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// For each parameter, whether the warm start gives it.
@@ -93,4 +93,4 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
   return point;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "tuner/study/parameter.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct WarmStart {
   std::string source;                   ///< the gains file
@@ -35,4 +35,4 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const P
 /// from them.
 WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm);
 
-}  // namespace armtune
+}  // namespace armtune::internal

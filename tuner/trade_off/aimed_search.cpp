@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/search/requests.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 AimedSearch::AimedSearch(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
                          const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal)
@@ -34,7 +34,7 @@ void AimedSearch::take_in(const char* phase, Evaluation e) {
   const bool first = !objective_;
   if (first)
     objective_.emplace(study_.terms, study_.constraints, simulated_scenarios(study_), point.e.results,
-                       study_.source);
+                       where(study_), study_.own_objective);
   objective_->judge(point.e);
   for (const Criterion& criterion : options_.criteria) {
     point.costs.push_back(cost(criterion, point.e, study_.scenarios));
@@ -68,7 +68,7 @@ void AimedSearch::check_reference(const Costs& start) const {
     if (std::isfinite(start[k]) && start[k] != 0.0) continue;
     throw InputError(fmt::format(
         "{}: {} of the start gains is {}, which gives the front no reference; name another criterion",
-        study_.source, options_.criteria[k].name(), start[k]));
+        where(study_), options_.criteria[k].name(), start[k]));
   }
 }
 
@@ -123,4 +123,4 @@ void AimedSearch::minimise(const char* phase, const std::string& shown, const st
   minimize_together(searches, [&](std::vector<Request>& requests) { serve(phase, aims, left, requests); });
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/solver/together.hpp"
 #include "tuner/trade_off/archive.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// One search: criterion k becomes least, all others held at or under `levels` (infinite: free).
 struct Aim {
@@ -69,4 +69,4 @@ class AimedSearch {
   std::string shown_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

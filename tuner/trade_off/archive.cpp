@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// How much a relative excess over a level weighs where the point to begin at is chosen.
@@ -48,4 +48,4 @@ const std::vector<double>& Archive::beginning(const Costs& levels, const ParetoP
   return *best;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tuner/trade_off/pareto.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class Archive {
  public:
@@ -26,4 +26,4 @@ class Archive {
   std::vector<ParetoPoint> points_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 #include "sim/rollout/applies.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr const char* kObjective = "objective";
@@ -16,7 +16,7 @@ constexpr const char* kObjective = "objective";
 }  // namespace
 
 std::string Criterion::name() const {
-  return metric ? armtune::name(*metric) : kObjective;
+  return metric ? armtune::internal::name(*metric) : kObjective;
 }
 
 std::string Criterion::unit() const {
@@ -24,7 +24,7 @@ std::string Criterion::unit() const {
 }
 
 bool Criterion::larger_is_better() const {
-  return metric && armtune::larger_is_better(*metric);
+  return metric && armtune::internal::larger_is_better(*metric);
 }
 
 Criterion criterion_from_name(const std::string& name) {
@@ -57,4 +57,4 @@ double value(const Criterion& criterion, const Evaluation& e, const std::vector<
   return criterion.larger_is_better() ? -cost(criterion, e, scenarios) : cost(criterion, e, scenarios);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Criterion {
   std::optional<Metric> metric;  ///< none: the study's objective
@@ -27,4 +27,4 @@ double value(const Criterion& criterion, const Evaluation& e, const std::vector<
 /// The value with the sign that makes less better.
 double cost(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
-}  // namespace armtune
+}  // namespace armtune::internal

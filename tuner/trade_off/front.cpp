@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Volume between the origin and gains (how far each cost lies below the reference; all positive) in the
@@ -71,4 +71,4 @@ double hypervolume(const std::vector<Costs>& points, const Costs& reference) {
   return volume(std::move(gains), reference.size());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

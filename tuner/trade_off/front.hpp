@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 using Costs = std::vector<double>;
 
@@ -21,4 +21,4 @@ std::vector<std::size_t> non_dominated(const std::vector<Costs>& points);
 /// reference are finite and not zero.
 double hypervolume(const std::vector<Costs>& points, const Costs& reference);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "tuner/trade_off/level_grid.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::vector<std::vector<std::size_t>> serpentine(std::size_t axes, std::size_t levels) {
   std::vector<std::vector<std::size_t>> grid(1);
@@ -30,4 +30,4 @@ std::vector<std::vector<std::size_t>> searched_together(std::size_t count) {
   return groups;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Every level of a grid with `axes` axes of `levels` each, as its index along each: serpentine, so that a
 /// level differs from the one before in one step along one axis.
@@ -15,4 +15,4 @@ std::vector<std::vector<std::size_t>> serpentine(std::size_t axes, std::size_t l
 /// the machine.
 std::vector<std::vector<std::size_t>> searched_together(std::size_t count);
 
-}  // namespace armtune
+}  // namespace armtune::internal

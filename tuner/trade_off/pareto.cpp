@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/trade_off/aimed_search.hpp"
 #include "tuner/trade_off/level_grid.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Share of the budget for the least of the first criterion, and of each other.
@@ -159,4 +159,4 @@ ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateR
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

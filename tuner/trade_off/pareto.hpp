@@ -18,7 +18,7 @@
 #include "tuner/trade_off/front.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ParetoOptions {
   std::vector<Criterion> criteria;  ///< two or three; the first is searched, the others get levels
@@ -84,9 +84,9 @@ ParetoResult pareto(const Study& study, const ParetoOptions& options, CandidateR
 void settle(ParetoResult& result, const std::vector<ParetoPoint>& points);
 
 /// Simulates the front again, in Simbody and in `workers` of its own, and takes those results in. Throws
-/// std::runtime_error if one differs from what the search saw: to the bit if that was Simbody too. What
+/// FailedError if one differs from what the search saw: to the bit if that was Simbody too. What
 /// another engine found is judged anew: it may leave the front. False if `stop` became true before.
 bool verify(const Study& study, const Objective& objective, const ParetoOptions& options,
             ParetoResult& result, CandidateRunner& workers, const std::atomic<bool>& stop);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/csv/cell.hpp"
 #include "sim/scenario/data_files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The study's objective stands in pareto.csv also where it is no criterion.
@@ -101,4 +101,4 @@ std::string point_file(std::size_t point) {
   return fmt::format("points/{:02}.yaml", point + 1);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

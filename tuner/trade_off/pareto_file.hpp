@@ -6,7 +6,7 @@
 #include "sim/rollout/columns.hpp"
 #include "tuner/trade_off/pareto.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Name, unit and meaning of pareto.csv's columns.
 std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& options);
@@ -21,4 +21,4 @@ std::string pareto_table(const Study& study, const ParetoOptions& options, const
 /// File of a point's gains inside the run's folder: "points/07.yaml".
 std::string point_file(std::size_t point);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "tuner/trade_off/pareto.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::size_t ParetoOptions::searches() const {
   std::size_t count = 2;
@@ -38,4 +38,4 @@ void settle(ParetoResult& result, const std::vector<ParetoPoint>& points) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "armtune/error.hpp"
 #include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/trade_off/pareto.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 namespace {
 
@@ -44,9 +45,9 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
     }
     if (!agree(point.costs, seen.costs, same_engine ? 0.0 : kEngineTolerance) ||
         (same_engine && !point.e.feasible)) {
-      throw std::runtime_error(fmt::format("evaluation {} simulated again gives {} {} instead of {}",
-                                           seen.evaluation, options.criteria.front().name(),
-                                           point.costs.front(), seen.costs.front()));
+      throw FailedError(fmt::format("evaluation {} simulated again gives {} {} instead of {}",
+                                    seen.evaluation, options.criteria.front().name(), point.costs.front(),
+                                    seen.costs.front()));
     }
     if (point.e.feasible) verified.push_back(std::move(point));
   }
@@ -58,4 +59,4 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
   return true;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/control/laws/first_gains.hpp"
 #include "core/robot/friction.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// What the verdict assumes of the robot's rotors, joint by joint.
@@ -85,4 +85,4 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
            verdict.assumes);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "sim/rollout/rollout.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// How near each joint is to the limit that the metric is about, the largest value the nearest (n). Empty for
@@ -66,4 +66,4 @@ std::optional<Breach> first_breach(const Study& study, const Scenario& scenario,
   return first;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/rollout/end_limit.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Breach {
   std::string arm;    ///< of several, such as "random arm 3 of 6"; empty where the study has one
@@ -22,4 +22,4 @@ struct Breach {
 std::optional<Breach> first_breach(const Study& study, const Scenario& scenario, const Gains& gains,
                                    const EndLimit& limit);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 CheckKind kind_of(JointLimit limit) {
@@ -136,4 +136,4 @@ void add_unchecked(bool extended, SimulationVerdict& verdict) {
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Adds one check for completion and one for each kind of joint limit, each with the earliest fault over the
 /// scenarios. set: name of the gain set, for runs with several; may be empty.
@@ -31,4 +31,4 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
 /// what no simulation can check. extended: whether every scenario was extended.
 void add_unchecked(bool extended, SimulationVerdict& verdict);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tuner/verdict/yield_check.hpp"
 #include "tuner/workers/parallel.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Returns what a constraint's value is: that of the scenario's own arm, or of many arms by the study's
@@ -221,4 +221,4 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   return true;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/search/tune.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What a search ended with.
 enum class SearchOutcome {
@@ -46,4 +46,4 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
-}  // namespace armtune
+}  // namespace armtune::internal

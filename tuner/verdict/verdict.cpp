@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// More failures than this are counted, not listed.
@@ -32,6 +32,29 @@ std::vector<std::string> kinds_of(const SimulationVerdict& verdict) {
 
 }  // namespace
 
+std::string headline(const SimulationVerdict& verdict) {
+  if (verdict.checks.empty()) return "Simulation checks: none were made";
+  const auto failed = failures(verdict);
+  if (failed.empty()) {
+    return fmt::format("Simulation checks: passed ({})", fmt::join(kinds_of(verdict), ", "));
+  }
+  return "Simulation checks: failed: " + to_text(*failed.front());
+}
+
+void add_once(std::string text, std::vector<std::string>& list) {
+  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
+}
+
+const std::vector<std::string>& never_checked() {
+  static const std::vector<std::string> all = {"self-collision", "collisions with floor and table",
+                                               "cables and hoses", "flexible joints and links"};
+  return all;
+}
+
+}  // namespace armtune::internal
+
+namespace armtune {
+
 const char* name(CheckKind kind) {
   constexpr const char* kNames[] = {
       "completion",  "velocity limit", "position limit", "effort limit",          "clear of obstacles",
@@ -41,7 +64,7 @@ const char* name(CheckKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-bool SimulationVerdict::passed() const {
+bool Verdict::passed() const {
   return !checks.empty() &&
          std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
 }
@@ -61,22 +84,14 @@ std::string to_text(const Check& check) {
   return text;
 }
 
-std::string headline(const SimulationVerdict& verdict) {
-  if (verdict.checks.empty()) return "Simulation checks: none were made";
-  const auto failed = failures(verdict);
-  if (failed.empty()) {
-    return fmt::format("Simulation checks: passed ({})", fmt::join(kinds_of(verdict), ", "));
-  }
-  return "Simulation checks: failed: " + to_text(*failed.front());
-}
-
-std::string to_text(const SimulationVerdict& verdict) {
-  std::string text = headline(verdict) + "\n";
-  const auto failed = failures(verdict);
-  for (std::size_t i = 1; i < std::min(failed.size(), kMostListed); ++i) {
+std::string to_text(const Verdict& verdict) {
+  std::string text = internal::headline(verdict) + "\n";
+  const auto failed = internal::failures(verdict);
+  for (std::size_t i = 1; i < std::min(failed.size(), internal::kMostListed); ++i) {
     text += "  and failed: " + to_text(*failed[i]) + "\n";
   }
-  if (failed.size() > kMostListed) text += fmt::format("  and {} more\n", failed.size() - kMostListed);
+  if (failed.size() > internal::kMostListed)
+    text += fmt::format("  and {} more\n", failed.size() - internal::kMostListed);
   const auto line = [&text](const char* what, const std::vector<std::string>& items) {
     if (!items.empty()) text += fmt::format("{}: {}\n", what, fmt::join(items, "; "));
   };
@@ -84,16 +99,6 @@ std::string to_text(const SimulationVerdict& verdict) {
   line("Assumes", verdict.assumes);
   for (const std::string& note : verdict.notes) text += "Note: " + note + "\n";
   return text;
-}
-
-void add_once(std::string text, std::vector<std::string>& list) {
-  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
-}
-
-const std::vector<std::string>& never_checked() {
-  static const std::vector<std::string> all = {"self-collision", "collisions with floor and table",
-                                               "cables and hoses", "flexible joints and links"};
-  return all;
 }
 
 }  // namespace armtune

@@ -1,68 +1,21 @@
 #pragma once
 // The verdict on a gain set: which simulation checks it passed, what was not checked, and what the checks
-// assume. It is plain data: commands print it last, the report shows it first, and exit codes follow it.
+// assume: include/armtune/verdict.hpp. Commands print it last, the report shows it first, and exit codes
+// follow it.
 //
 //   SimulationVerdict verdict;
 //   verdict.checks.push_back({CheckKind::kEffortLimit, false, "moving_target", "wrist_1_joint", 527.3});
 //   fmt::print("{}", to_text(verdict));   // Simulation checks: failed: effort limit, wrist_1_joint, 527.3 s
 //   ...
 
-#include <cmath>
 #include <string>
 #include <vector>
 
-namespace armtune {
+#include "armtune/verdict.hpp"
 
-enum class CheckKind {
-  kCompleted,      ///< every rollout ran to its end and tracked something
-  kVelocityLimit,  ///< the arm's own limits
-  kPositionLimit,
-  kEffortLimit,
-  kContact,      ///< tool and joints, or links, stay outside every obstacle's radius
-  kConstraints,  ///< those of the study
-  kTorqueDelay,  ///< the margins
-  kGainFactor,
-  kControlRate,
-  kVelocityNoise,
-  kYield,           ///< random arms that keep their limits
-  kEndurance,       ///< extended scenarios keep every limit
-  kErrorGrowth,     ///< and their errors do not grow
-  kBetterThanStart  ///< of a search
-};
+namespace armtune::internal {
 
-/// The name that is printed and written to files, such as "effort limit".
-const char* name(CheckKind kind);
-
-/// One check that was made, with its worst place. Fields that say nothing of a check are empty or NaN.
-struct Check {
-  CheckKind kind = CheckKind::kCompleted;
-  bool passed = true;
-  std::string scenario = {};
-  std::string arm = {};  ///< which of several, such as "random arm 3 of 6"
-  std::string joint = {};
-  double time = NAN;        ///< [s]
-  double value = NAN;       ///< what was found
-  double threshold = NAN;   ///< what it is compared with
-  std::string unit = {};    ///< of both
-  std::string detail = {};  ///< one clause for a person, such as the constraint's name
-};
-
-struct SimulationVerdict {
-  std::vector<Check> checks;
-  std::vector<std::string> not_checked;
-  std::vector<std::string> assumes;
-  std::vector<std::string> notes;  ///< loosened thresholds, gains on their bounds
-
-  /// True if every check that was made passed. A verdict without checks has passed nothing.
-  bool passed() const;
-};
-
-/// Returns, for example, "effort limit, wrist_1_joint, 527.300 s, in moving_target: 94.1, threshold 56".
-std::string to_text(const Check& check);
-
-/// Returns the lines for a terminal: "Simulation checks: passed" or "... failed: ...", then "Not checked:",
-/// "Assumes:" and one "Note:" for each note.
-std::string to_text(const SimulationVerdict& verdict);
+using SimulationVerdict = Verdict;
 
 /// The verdict in one line, as the report begins with it.
 std::string headline(const SimulationVerdict& verdict);
@@ -77,4 +30,4 @@ const std::vector<std::string>& never_checked();
 std::string verdict_yaml(const SimulationVerdict& verdict);
 SimulationVerdict read_verdict(const std::string& path);
 
-}  // namespace armtune
+}  // namespace armtune::internal

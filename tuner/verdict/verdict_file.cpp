@@ -8,7 +8,25 @@
 #include "tuner/record/json_reader.hpp"
 #include "tuner/verdict/verdict.hpp"
 
+// Where the types are, so that the reader finds them.
 namespace armtune {
+
+static void declare(auto& f, internal::record::Of<Check> auto& check) {
+  using enum internal::record::Presence;
+  f("check", check.kind)("passed", check.passed)("scenario", check.scenario, "", kIfAny);
+  f("arm", check.arm, "", kIfAny)("joint", check.joint, "", kIfAny)("time", check.time, "", kIfAny);
+  f("value", check.value, "", kIfAny)("threshold", check.threshold, "", kIfAny);
+  f("unit", check.unit, "", kIfAny)("detail", check.detail, "", kIfAny);
+}
+
+static void declare(auto& f, internal::record::Of<Verdict> auto& verdict) {
+  f("passed", verdict.passed())("checks", verdict.checks)("not_checked", verdict.not_checked);
+  f("assumes", verdict.assumes)("notes", verdict.notes);
+}
+
+}  // namespace armtune
+
+namespace armtune::internal {
 namespace {
 
 std::string list(const std::vector<std::string>& texts) {
@@ -47,23 +65,10 @@ std::string verdict_yaml(const SimulationVerdict& verdict) {
   return text;
 }
 
-static void declare(auto& f, record::Of<Check> auto& check) {
-  using enum record::Presence;
-  f("check", check.kind)("passed", check.passed)("scenario", check.scenario, "", kIfAny);
-  f("arm", check.arm, "", kIfAny)("joint", check.joint, "", kIfAny)("time", check.time, "", kIfAny);
-  f("value", check.value, "", kIfAny)("threshold", check.threshold, "", kIfAny);
-  f("unit", check.unit, "", kIfAny)("detail", check.detail, "", kIfAny);
-}
-
-static void declare(auto& f, record::Of<SimulationVerdict> auto& verdict) {
-  f("passed", verdict.passed())("checks", verdict.checks)("not_checked", verdict.not_checked);
-  f("assumes", verdict.assumes)("notes", verdict.notes);
-}
-
 SimulationVerdict read_verdict(const std::string& path) {
   SimulationVerdict verdict;
   record::read(yaml::parse_file(path), verdict);
   return verdict;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

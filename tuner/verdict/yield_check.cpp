@@ -10,7 +10,7 @@
 #include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/assumptions.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Why a random arm is not counted in the yield.
@@ -103,4 +103,4 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
   return verdict;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/verdict/verdict.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Returns how many of the samples keep their limits, against the share that is asked for, and what is broken
 /// most often: scenario, limit and, of velocity limits, the joint. samples: at least one.
@@ -26,4 +26,4 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
 /// Returns, for example, "the default spread of arms, payloads up to 5 kg". whose: "the default".
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 
-}  // namespace armtune
+}  // namespace armtune::internal

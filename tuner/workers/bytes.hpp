@@ -9,7 +9,9 @@
 #include <string>
 #include <string_view>
 
-namespace armtune {
+#include "armtune/error.hpp"
+
+namespace armtune::internal {
 
 class ByteWriter {
  public:
@@ -33,7 +35,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Takes values out in the order they were added. Throws std::runtime_error where the message is too short.
+/// Takes values out in the order they were added. Throws FailedError where the message is too short.
 class ByteReader {
  public:
   /// bytes: outlive the reader.
@@ -49,18 +51,18 @@ class ByteReader {
   }
   double number() { return std::bit_cast<double>(integer()); }
   std::string text() { return std::string(take(integer())); }
-  /// Throws std::runtime_error unless everything was taken.
+  /// Throws FailedError unless everything was taken.
   void end() const {
     if (!left_.empty()) {
-      throw std::runtime_error("a message is " + std::to_string(left_.size()) + " bytes too long");
+      throw FailedError("a message is " + std::to_string(left_.size()) + " bytes too long");
     }
   }
 
  private:
   std::string_view take(std::uint64_t count) {
     if (count > left_.size()) {
-      throw std::runtime_error("a message ends where " + std::to_string(count) + " more bytes should be, " +
-                               std::to_string(left_.size()) + " are left");
+      throw FailedError("a message ends where " + std::to_string(count) + " more bytes should be, " +
+                        std::to_string(left_.size()) + " are left");
     }
     const std::string_view taken = left_.substr(0, count);
     left_.remove_prefix(count);
@@ -70,4 +72,4 @@ class ByteReader {
   std::string_view left_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace armtune {
+namespace armtune::internal {
 
 RolloutPlan plan_of(const std::vector<Scenario>& scenarios, Stepper stepper,
                     const std::optional<SampleSet>& samples) {
@@ -82,4 +82,4 @@ std::optional<std::vector<std::vector<RolloutResult>>> CandidateRunner::run(std:
   return results;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

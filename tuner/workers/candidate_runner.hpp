@@ -13,7 +13,7 @@
 #include "tuner/workers/conditions.hpp"
 #include "tuner/workers/rollout_pool.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Scenarios as they are, or as each arm of a sample set meets them. Corners of margins keep their own arm;
 /// they come last.
@@ -65,4 +65,4 @@ class CandidateRunner {
   std::vector<std::size_t> place_;  ///< [scenario]: of the result of its first sample
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

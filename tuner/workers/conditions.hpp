@@ -6,7 +6,7 @@
 #include "sim/plant/engine.hpp"
 #include "sim/rollout/end_limit.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Conditions {
   Engine engine = Engine::kSimbody;
@@ -14,4 +14,4 @@ struct Conditions {
   std::vector<EndLimits> limits = {};
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

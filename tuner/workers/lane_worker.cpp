@@ -7,7 +7,7 @@
 #include "sim/lanes/rollout_lanes.hpp"
 #include "tuner/ranks/patience.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Between two looks at clock and stop: as long as a few periods of one arm in Simbody.
@@ -137,4 +137,4 @@ LaneWorker::LaneGroup& LaneWorker::group_of(const RolloutJob& job, std::size_t s
   return *groups_.emplace_back(std::make_unique<LaneGroup>(kind, share));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tuner/workers/rollout_worker.hpp"
 #include "tuner/workers/single_rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class LaneWorker : public RolloutWorker {
  public:
@@ -36,4 +36,4 @@ class LaneWorker : public RolloutWorker {
   std::vector<std::unique_ptr<LaneGroup>> groups_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "tuner/workers/leader_jobs.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 LeaderJobs::LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others)
     : transport_(transport), others_(others) {
@@ -71,4 +71,4 @@ void LeaderJobs::fail(const std::string& what) {
   open_.clear();
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/workers/messages.hpp"
 #include "tuner/workers/rollout_worker.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class LeaderJobs final : public JobSource {
  public:
@@ -45,4 +45,4 @@ class LeaderJobs final : public JobSource {
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

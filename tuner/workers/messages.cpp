@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "tuner/workers/bytes.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 ByteWriter begun(MessageKind kind) {
@@ -21,7 +22,7 @@ ByteReader opened(const std::string& message, MessageKind kind) {
   ByteReader reader(message);
   const std::uint64_t found = reader.integer();
   if (found != static_cast<std::uint64_t>(kind)) {
-    throw std::runtime_error(
+    throw FailedError(
         fmt::format("a message is of kind {}, not {}", found, static_cast<std::uint64_t>(kind)));
   }
   return reader;
@@ -47,7 +48,7 @@ void add_gains(ByteWriter& writer, const Gains& gains) {
 void make_room(Gains& gains, const GainField& field, std::uint64_t count) {
   const auto resize = [&](auto& values) {
     if (count > static_cast<std::uint64_t>(std::remove_cvref_t<decltype(values)>::MaxRowsAtCompileTime)) {
-      throw std::runtime_error(fmt::format("a message's {} has {} numbers", field.name, count));
+      throw FailedError(fmt::format("a message's {} has {} numbers", field.name, count));
     }
     values.resize(static_cast<Eigen::Index>(count));
   };
@@ -67,7 +68,7 @@ Gains read_gains(ByteReader& reader) {
   for (const GainField& field : fields_of(gains)) {
     const std::uint64_t first = reader.integer();
     if (!field.is_number()) {
-      if (first > 1) throw std::runtime_error(fmt::format("a message's {} is {}", field.name, first));
+      if (first > 1) throw FailedError(fmt::format("a message's {} is {}", field.name, first));
       if (const auto* flag = std::get_if<bool Gains::*>(&field.member)) {
         gains.** flag = first == 1;
       } else {
@@ -78,7 +79,7 @@ Gains read_gains(ByteReader& reader) {
     make_room(gains, field, first);
     const auto values = numbers(gains, field);
     if (values.size() != first) {
-      throw std::runtime_error(
+      throw FailedError(
           fmt::format("a message's {} has {} numbers, not {}", field.name, first, values.size()));
     }
     for (double& value : values) value = reader.number();
@@ -88,7 +89,7 @@ Gains read_gains(ByteReader& reader) {
 
 Metric read_metric(ByteReader& reader) {
   const std::uint64_t metric = reader.integer();
-  if (metric >= kMetricCount) throw std::runtime_error(fmt::format("a message's metric is {}", metric));
+  if (metric >= kMetricCount) throw FailedError(fmt::format("a message's metric is {}", metric));
   return static_cast<Metric>(metric);
 }
 
@@ -161,7 +162,7 @@ NumberedJob read_job(const std::string& message) {
   }
   const std::uint64_t engine = reader.integer();
   if (engine > static_cast<std::uint64_t>(Engine::kNative)) {
-    throw std::runtime_error(fmt::format("a message's engine is {}", engine));
+    throw FailedError(fmt::format("a message's engine is {}", engine));
   }
   job.job.engine = static_cast<Engine>(engine);
   reader.end();
@@ -199,7 +200,7 @@ std::pair<std::uint64_t, RolloutResult> read_result(const std::string& message) 
   RolloutResult result;
   const std::uint64_t status = reader.integer();
   result.status = static_cast<RolloutStatus>(status);
-  if (!*name(result.status)) throw std::runtime_error(fmt::format("a message's status is {}", status));
+  if (!*name(result.status)) throw FailedError(fmt::format("a message's status is {}", status));
   result.end_time = reader.number();
   result.reason = reader.text();
   result.metrics.max_ratio_joint = reader.text();
@@ -233,9 +234,9 @@ int read_bye(const std::string& message) {
   constexpr std::uint64_t kLargest = 255;
   ByteReader reader = opened(message, MessageKind::kBye);
   const std::uint64_t exit_code = reader.integer();
-  if (exit_code > kLargest) throw std::runtime_error(fmt::format("a message's exit code is {}", exit_code));
+  if (exit_code > kLargest) throw FailedError(fmt::format("a message's exit code is {}", exit_code));
   reader.end();
   return static_cast<int>(exit_code);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class MessageKind : std::uint64_t {
   kHello,    ///< to rank 0: who, and everything that has to be the same everywhere
@@ -47,7 +47,7 @@ std::string result_message(std::uint64_t number, const RolloutResult& result);
 std::string failure_message(std::uint64_t number, const std::string& what);
 std::string bye_message(int exit_code);
 
-// Each throws std::runtime_error if the message is of another kind, too short or too long.
+// Each throws FailedError if the message is of another kind, too short or too long.
 Hello read_hello(const std::string& message);
 NumberedJob read_job(const std::string& message);
 std::uint64_t read_stop(const std::string& message);
@@ -55,4 +55,4 @@ std::pair<std::uint64_t, RolloutResult> read_result(const std::string& message);
 std::pair<std::uint64_t, std::string> read_failure(const std::string& message);
 int read_bye(const std::string& message);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,9 @@
 #include <thread>
 #include <vector>
 
-namespace armtune {
+#include "armtune/error.hpp"
+
+namespace armtune::internal {
 
 /// Calls job(worker, index) for index 0 .. count-1, started in that order, on `workers` threads (>= 1, the
 /// caller's included). No job is started once `stop` is true. The first exception ends the rest and is thrown
@@ -38,7 +40,7 @@ inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>
       for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
     } catch (const std::system_error& e) {
       next = count;  // those already there must not do it all first
-      throw std::runtime_error(
+      throw FailedError(
           fmt::format("of {} threads the system starts no more than {} ({}): give fewer workers", workers,
                       threads.size() + 1, e.what()));
     }
@@ -47,4 +49,4 @@ inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>
   if (error) std::rethrow_exception(error);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

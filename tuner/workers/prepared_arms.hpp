@@ -10,7 +10,7 @@
 #include "sim/rollout/prepared_scenario.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class PreparedArms {
  public:
@@ -47,4 +47,4 @@ class PreparedArms {
   std::uint64_t uses_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "tuner/ranks/patience.hpp"
 #include "tuner/run/arithmetic.hpp"
@@ -16,7 +16,7 @@
 #include "tuner/workers/leader_jobs.hpp"
 #include "tuner/workers/messages.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -100,7 +100,7 @@ std::string RankGroup::hear(Peer& peer, double limit) {
     const double seconds = patience.seconds();
     if (seconds > limit) {
       peer.lost = true;
-      throw std::runtime_error(
+      throw FailedError(
           fmt::format("rank {} on {} has said nothing for {} s: it hangs", peer.rank, peer.host, limit));
     }
     say_waiting(peer, seconds, {}, limit, notice_);
@@ -173,7 +173,7 @@ void RankGroup::serve() {
         leave(message);
         return;
       default:
-        throw std::runtime_error("rank 0 sent a message that is none of its own kinds");
+        throw FailedError("rank 0 sent a message that is none of its own kinds");
     }
   }
 }
@@ -202,4 +202,4 @@ bool RankGroup::end(int exit_code) {
   return true;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/ranks/transport.hpp"
 #include "tuner/workers/rollout_pool.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class LaneWorker;
 struct Hello;
@@ -46,7 +46,7 @@ class RankGroup {
   /// any other it does jobs until the leader needs no more, and is false then: nothing is left to do.
   /// threads: of a process that is alone; every rank is one worker. Throws InputError in rank 0 if that is
   /// more than 1 among ranks, if a rank could not make its plan, or if it has another plan. Throws
-  /// std::runtime_error if a rank says nothing for kStartSeconds.
+  /// FailedError if a rank says nothing for kStartSeconds.
   bool begin(RolloutPlan plan, int threads);
 
   /// Workers of the plan that have done nothing yet, for the process that leads. Those of an earlier call
@@ -62,7 +62,7 @@ class RankGroup {
   int exit_code() const { return exit_code_; }
 
   /// In rank 0, whatever became of the work: sends the others home with the exit code. False if one of them
-  /// was given up before, with an exception; throws std::runtime_error if one does not leave. What is left
+  /// was given up before, with an exception; throws FailedError if one does not leave. What is left
   /// then is abort().
   bool end(int exit_code);
   void abort(int exit_code) { transport_->abort(exit_code); }
@@ -100,4 +100,4 @@ void say_waiting(Peer& peer, double seconds, const std::string& what, double lim
 std::unique_ptr<RolloutWorker> rank_worker(Transport& transport, Peer& peer, std::uint64_t pool,
                                            const RolloutPlan& plan, const Notice& notice);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,12 +6,13 @@
 #include <map>
 #include <stdexcept>
 
+#include "armtune/error.hpp"
 #include "sim/lanes/arm_lanes.hpp"
 #include "tuner/ranks/patience.hpp"
 #include "tuner/workers/messages.hpp"
 #include "tuner/workers/rank_group.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Past its deadline a rank says so within a control period. [s]
@@ -65,15 +66,14 @@ class RankWorker final : public RolloutWorker {
   void take(const std::string& message, JobSource& jobs) {
     if (kind_of(message) == MessageKind::kFailure) {
       const auto [failed, what] = read_failure(message);
-      throw std::runtime_error(fmt::format("rank {} on {}{}: {}", peer_.rank, peer_.host,
-                                           open_.contains(failed) ? "" : fmt::format(", job {}", failed),
-                                           what));
+      throw FailedError(fmt::format("rank {} on {}{}: {}", peer_.rank, peer_.host,
+                                    open_.contains(failed) ? "" : fmt::format(", job {}", failed), what));
     }
     auto [answered, result] = read_result(message);
     const auto of = open_.find(answered);
     if (of == open_.end()) {
-      throw std::runtime_error(fmt::format("rank {} on {} answered job {}, which it was not given",
-                                           peer_.rank, peer_.host, answered));
+      throw FailedError(fmt::format("rank {} on {} answered job {}, which it was not given", peer_.rank,
+                                    peer_.host, answered));
     }
     const std::size_t number = of->second.number;
     open_.erase(of);
@@ -96,9 +96,9 @@ class RankWorker final : public RolloutWorker {
            (plan_.draw ? fmt::format(", sample {}", oldest.sample) : std::string());
   }
 
-  std::runtime_error hung(double seconds) {
+  FailedError hung(double seconds) {
     peer_.lost = true;
-    return std::runtime_error(fmt::format(
+    return FailedError(fmt::format(
         "rank {} on {} gave no answer for {:.0f} s to {}: it hangs (a slow one says so after {} s, "
         "its --rollout-deadline)",
         peer_.rank, peer_.host, seconds, what(), longest()));
@@ -120,4 +120,4 @@ std::unique_ptr<RolloutWorker> rank_worker(Transport& transport, Peer& peer, std
   return std::make_unique<RankWorker>(transport, peer, pool, plan, notice);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

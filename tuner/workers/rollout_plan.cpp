@@ -7,7 +7,7 @@
 
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 double deadline_of(double asked, const Scenario& scenario) {
   constexpr double kAnyhow = 20.0;
@@ -49,4 +49,4 @@ std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& pla
   return facts;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

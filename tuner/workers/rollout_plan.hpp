@@ -15,7 +15,7 @@
 #include "sim/scenario/perturbation.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Arms drawn at random in place of the scenarios' own.
 struct Draw {
@@ -54,4 +54,4 @@ Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sam
 /// their hashes.
 std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan);
 
-}  // namespace armtune
+}  // namespace armtune::internal

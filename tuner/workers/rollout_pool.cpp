@@ -5,7 +5,7 @@
 #include "tuner/workers/lane_worker.hpp"
 #include "tuner/workers/parallel.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Jobs 0 .. count - 1 for all workers of a pool.
@@ -73,4 +73,4 @@ void RolloutPool::run(std::size_t count, const std::function<RolloutJob(std::siz
   });
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

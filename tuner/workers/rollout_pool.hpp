@@ -8,7 +8,7 @@
 
 #include "tuner/workers/rollout_worker.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class RolloutPool {
  public:
@@ -36,4 +36,4 @@ class RolloutPool {
   std::atomic<double> simulated_{0.0};
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

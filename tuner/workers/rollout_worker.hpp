@@ -7,7 +7,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct GivenJob {
   std::size_t number = 0;
@@ -36,8 +36,8 @@ class RolloutWorker {
   RolloutWorker& operator=(const RolloutWorker&) = delete;
 
   /// Jobs of the plan it was made for, until there are no more. A result depends on plan and job alone.
-  /// Throws std::runtime_error past a rollout's deadline, or if the worker is lost.
+  /// Throws FailedError past a rollout's deadline, or if the worker is lost.
   virtual void work(JobSource& jobs) = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
+#include "armtune/error.hpp"
 #include "tuner/ranks/patience.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Rollout& SingleRollouts::rollout(const RolloutJob& job) {
   constexpr std::size_t kKept = 64;
@@ -26,9 +27,9 @@ Rollout& SingleRollouts::rollout(const RolloutJob& job) {
   return *ready_.back().rollout;
 }
 
-std::runtime_error SingleRollouts::late(const RolloutJob& job, int arms, double simulated) const {
+FailedError SingleRollouts::late(const RolloutJob& job, int arms, double simulated) const {
   const Scenario& scenario = plan_.scenarios[job.scenario];
-  return std::runtime_error(
+  return FailedError(
       fmt::format("{}{}: the rollout came to {:.3f} s of {} s simulated within its deadline of {} s{}; allow "
                   "more with --rollout-deadline, or find out what slows it down",
                   scenario.name, plan_.draw ? fmt::format(", sample {}", job.sample) : "", simulated,
@@ -46,4 +47,4 @@ RolloutResult SingleRollouts::run(const RolloutJob& job, const std::function<boo
   return rollout(job).run(job.gains, observer, job.limits);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,11 +7,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "armtune/error.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "tuner/workers/prepared_arms.hpp"
 #include "tuner/workers/rollout_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class SingleRollouts {
  public:
@@ -19,13 +20,13 @@ class SingleRollouts {
   explicit SingleRollouts(const RolloutPlan& plan) : plan_(plan), arms_(plan) {}
 
   /// The result depends on plan and job alone; kInterrupted once `stop`, asked once per control period, is
-  /// true. Throws std::runtime_error past the rollout's deadline.
+  /// true. Throws FailedError past the rollout's deadline.
   RolloutResult run(const RolloutJob& job, const std::function<bool()>& stop);
 
   PreparedArms& arms() { return arms_; }
   /// What to throw when a job is not done within its deadline, times the arms that were simulated side by
   /// side. simulated: how far it came [s].
-  std::runtime_error late(const RolloutJob& job, int arms, double simulated) const;
+  FailedError late(const RolloutJob& job, int arms, double simulated) const;
 
  private:
   /// A plant made ready. Few are kept.
@@ -44,4 +45,4 @@ class SingleRollouts {
   std::uint64_t uses_ = 0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include "core/control/adaptation.hpp"
 #include "core/control/adaptation_filter.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 class AdaptiveLaw final : public TorqueLaw {
@@ -66,4 +66,4 @@ ControllerKind adaptive_controller() {
           true};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,8 +3,8 @@
 
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 ControllerKind adaptive_controller();
 
-}  // namespace armtune
+}  // namespace armtune::internal

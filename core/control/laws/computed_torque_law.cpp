@@ -3,7 +3,7 @@
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/task_resolution.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// No part of this law learns the errors of the model: the feedback alone corrects what they do.
@@ -51,4 +51,4 @@ ControllerKind computed_torque_controller() {
           {}};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,8 +13,8 @@
 
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 ControllerKind computed_torque_controller();
 
-}  // namespace armtune
+}  // namespace armtune::internal

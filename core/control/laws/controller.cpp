@@ -4,7 +4,7 @@
 #include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 Controller::Controller(std::shared_ptr<const RobotModel> model, const Gains& gains,
                        const ParameterVector& theta, double period, TaskMask mask)
@@ -35,4 +35,4 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
   return out;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

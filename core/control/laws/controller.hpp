@@ -7,7 +7,7 @@
 #include "core/control/control_logic.hpp"
 #include "core/control/laws/torque_law.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class Controller {
  public:
@@ -38,4 +38,4 @@ class Controller {
   std::unique_ptr<TorqueLaw> law_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

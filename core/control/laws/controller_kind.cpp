@@ -8,7 +8,7 @@
 #include <deque>
 #include <stdexcept>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/adaptive_law.hpp"
 #include "core/control/laws/computed_torque_law.hpp"
@@ -16,7 +16,7 @@
 #include "core/control/laws/impedance_law.hpp"
 #include "core/control/laws/joint_pd_law.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 struct Registered {
@@ -121,8 +121,7 @@ std::size_t place_of(const Gains& gains, const std::string& name) {
   const GainField* field = find_field(fields_of(gains), name);
   const auto* own = field == nullptr ? nullptr : std::get_if<OwnGain>(&field->member);
   if (own == nullptr || own->place >= gains.own.size()) {
-    throw std::logic_error(
-        fmt::format("controller '{}' has no gain '{}' of its own here", gains.controller, name));
+    throw InputError(fmt::format("controller '{}' has no gain '{}' of its own here", gains.controller, name));
   }
   return own->place;
 }
@@ -228,4 +227,4 @@ Gains controlled_by(const ControllerKind& kind, const Gains& gains, const RobotM
   return other;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "core/control/gain_fields.hpp"
 #include "core/control/laws/torque_law.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ControllerKind {
   std::string name;     ///< in a gains file: "controller: NAME"
@@ -56,7 +56,7 @@ const std::vector<GainField>& fields_of(const Gains& gains);
 /// Multiplies every gain that is a factor of the loop's gain (GainField::in_loop).
 void scale_loop_gains(Gains& gains, double factor);
 
-/// The numbers of the kind's own gain of that name: 1, 6 or n. Throws std::logic_error if it has none.
+/// The numbers of the kind's own gain of that name: 1, 6 or n. Throws InputError if it has none.
 const JointVector& own(const Gains& gains, const std::string& name);
 JointVector& own(Gains& gains, const std::string& name);
 
@@ -69,4 +69,4 @@ void become(Gains& gains, const std::string& name, int n);
 Gains controlled_by(const ControllerKind& kind, const Gains& gains, const RobotModel& robot,
                     const JointVector& q);
 
-}  // namespace armtune
+}  // namespace armtune::internal

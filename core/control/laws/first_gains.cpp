@@ -5,7 +5,7 @@
 #include "core/robot/dynamics.hpp"
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kFirstTaskIntegral = 0.1;  // 1/s^2
@@ -49,4 +49,4 @@ void first_references(Gains& gains) {
   gains.task_space_gains_i.setConstant(kFirstTaskIntegral);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

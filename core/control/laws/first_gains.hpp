@@ -5,7 +5,7 @@
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 inline constexpr double kFirstRate = 25.0;      ///< [1/s], of S
 inline constexpr double kFirstTaskRate = 15.0;  ///< [1/s], of the task's errors
@@ -25,4 +25,4 @@ Vec6 task_inertia(const RobotModel& robot, const JointVector& q);
 /// Kp and Ki of the Cartesian references, where there are none.
 void first_references(Gains& gains);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include "core/control/laws/first_gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kStiffRate = 40.0;  // 1/s
@@ -61,4 +61,4 @@ ControllerKind impedance_controller() {
           }};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

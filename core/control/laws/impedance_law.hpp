@@ -8,8 +8,8 @@
 
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 ControllerKind impedance_controller();
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "core/control/laws/first_gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kOuterShare = 0.25;  // of the slowest joint motion's rate
@@ -68,4 +68,4 @@ ControllerKind joint_pd_controller() {
           }};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

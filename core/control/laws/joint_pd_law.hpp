@@ -6,8 +6,8 @@
 
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 ControllerKind joint_pd_controller();
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "core/control/laws/first_gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kJointRate = 5.0;           // 1/s
@@ -50,4 +50,4 @@ Gains starting_gains(const RobotModel& robot, const JointVector& start, const Jo
   return gains;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

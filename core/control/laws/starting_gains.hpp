@@ -5,7 +5,7 @@
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// start, goal (n) [rad, m]: of leaveSingularity; goal lies on the task. manipulability: the smallest that
 /// the task has.
@@ -17,4 +17,4 @@ namespace armtune {
 Gains starting_gains(const RobotModel& robot, const JointVector& start, const JointVector& goal,
                      double manipulability);
 
-}  // namespace armtune
+}  // namespace armtune::internal

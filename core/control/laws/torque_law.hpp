@@ -10,7 +10,7 @@
 #include "core/robot/robot_model.hpp"
 #include "core/robot/slotine_li.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What a law is made from. model and gains outlive it; theta does not: it is to be copied, as TorqueLaw
 /// does.
@@ -71,4 +71,4 @@ class TorqueLaw {
   JointVector rest_;  ///< zeros
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

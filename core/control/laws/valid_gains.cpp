@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source) {
   for (const GainField& field : fields_of(gains)) {
@@ -48,4 +48,4 @@ void validate(const Gains& gains, const std::vector<std::string>& joints, const 
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

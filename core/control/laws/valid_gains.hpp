@@ -6,10 +6,10 @@
 
 #include "core/control/gains.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// All gains that the controller of `gains` has. Throws InputError naming the gain, its value and the limit;
 /// `source` stands in front of the message.
 void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 namespace {
 
 std::string unique_path(const char* stream) {
@@ -85,4 +85,4 @@ Finished run_program(const std::vector<std::string>& arguments) {
   return Program(arguments, folder.path()).wait();
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 struct Finished {
   int exit_code = -1;  ///< -1: ended by a signal
@@ -41,4 +41,4 @@ class Program {
 /// Runs it to its end in a folder of its own.
 Finished run_program(const std::vector<std::string>& arguments);
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -5,7 +5,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::refusal;
@@ -44,4 +44,4 @@ TEST(ResultName, WhatBreaksACsvFileIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

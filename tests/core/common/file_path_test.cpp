@@ -6,7 +6,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,4 +42,4 @@ TEST(AbsolutePath, BeginsAtTheRoot) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMost = 1000;
@@ -92,4 +92,4 @@ TEST(ReadInputFile, APathThatNoFileCouldNameIsRefusedAndShownEscaped) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/utf8.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(OneLine, EscapesLineBreaksAndControlCharacters) {
@@ -73,4 +73,4 @@ TEST(IsUtf8, FollowsTheTableOfUnicode) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

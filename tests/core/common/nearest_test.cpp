@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::vector<std::string> kKeys = {"duration", "damping", "payload", "kp", "kd"};
@@ -71,4 +71,4 @@ TEST(Suggestion, IsEmptyWhenNothingIsClose) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST_F(PathState, ARelativePathNeedsTheCurrentFolder) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Mat6 = Eigen::Matrix<double, 6, 6>;
@@ -104,4 +104,4 @@ TEST(Products, AreEigensToRounding) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "core/common/joint_math.hpp"
 #include "core/robot/friction.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using vector_math::Double2;
@@ -131,4 +131,4 @@ TEST(Friction, ItsDirectionIsTheHyperbolicTangent) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

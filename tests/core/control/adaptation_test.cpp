@@ -9,7 +9,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -277,4 +277,4 @@ TEST(AdaptationFilter, PassesSlowMotionAndDampsFastMotionAsAFirstOrderLowPass) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -15,7 +15,7 @@
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 class Allocation : public testing::Test {
@@ -169,4 +169,4 @@ TEST_F(Allocation, NeverHappensInAKernelForThreeToTwelveJoints) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

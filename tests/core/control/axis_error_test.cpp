@@ -13,7 +13,7 @@
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -99,4 +99,4 @@ TEST_P(FreeTurn, ChangesNoReferenceOfTheTask) {
 INSTANTIATE_TEST_SUITE_P(GazeErrors, FreeTurn, testing::Values(0.1, 0.9));
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

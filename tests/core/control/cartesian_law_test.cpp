@@ -9,7 +9,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -152,4 +152,4 @@ TEST(CartesianReferences, CarryTheDesiredMotionForward) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Largest |S| while a leaveSingularity of one second is under way, theta at the truth.
@@ -92,4 +92,4 @@ TEST(ClosedLoop, AdaptationFromNothingLearnsToCarryTheArm) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,12 +8,12 @@
 #include <limits>
 #include <set>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/controller_rig.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -142,4 +142,4 @@ TEST(GainFields, ASlerpMustStartBeforeItsEnd) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

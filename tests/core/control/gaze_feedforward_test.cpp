@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::gains_for_gaze;
@@ -206,4 +206,4 @@ TEST(GazeControl, BelowTheThresholdTheDesiredOrientationTurnsWithTheLineOnlyWith
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

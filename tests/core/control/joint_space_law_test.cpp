@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -73,4 +73,4 @@ TEST(JointSpaceReferences, PointBackToTheDesiredPositionAndVelocity) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A leaveSingularity under way in a noise-free closed loop: of its reference qr'' is the exact derivative of
@@ -102,4 +102,4 @@ TEST(Lyapunov, FallsByWhatKdDissipatesWithFrictionUnknownToo) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/obstacles.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::distance_by_sampling;
@@ -128,4 +128,4 @@ TEST(Clearance, IsInfiniteWithoutObstacles) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

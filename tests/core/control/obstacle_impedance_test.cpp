@@ -12,7 +12,7 @@
 #include "tests/core/support/obstacles.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -203,4 +203,4 @@ TEST(ObstacleTorque, IsZeroWithoutAnObstacleInReach) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 double no_preference(const JointVector&) {
@@ -127,4 +127,4 @@ TEST(PoseSearch, TheTightestJointIsTheOneWithTheLeastShareLeft) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -144,4 +144,4 @@ TEST(RollCentering, KeepsTheLastJointInsideItsLimitsWhileTheToolGoesRound) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr ControlState kLeave = ControlState::kLeaveSingularity;
@@ -107,4 +107,4 @@ TEST(ControlStateName, IsThePublishedOneWhereThereIsOne) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

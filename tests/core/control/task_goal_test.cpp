@@ -11,7 +11,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -198,4 +198,4 @@ TEST(Towards, OfAStandingGoalIsTheJointTrajectory) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -148,4 +148,4 @@ TEST(TaskInverse, IsFiniteAtASingularity) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/law_period.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -21,7 +21,7 @@ constexpr double kPsi = 0.05;
 struct Case {
   RobotModel arm;
   TaskMask mask;
-  std::string name() const { return arm.name + ", " + armtune::name(mask); }
+  std::string name() const { return arm.name + ", " + armtune::internal::name(mask); }
 };
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
@@ -175,4 +175,4 @@ TEST(TaskResolution, CenteringMovesTheFreeJointsUntilNothingDrawsThemAndLeavesTh
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

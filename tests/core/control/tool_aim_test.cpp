@@ -10,7 +10,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -164,4 +164,4 @@ TEST(GazeControl, ASlerpGoesOnPastHalfATurnOfItsGoal) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -155,4 +155,4 @@ TEST(VelocityBarrier, WithoutGainAddsWhatBypassesTheReferenceAsItIs) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

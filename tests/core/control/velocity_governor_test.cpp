@@ -9,7 +9,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -185,4 +185,4 @@ TEST(ShortestDuration, LetsTheQuinticsFastestJointJustReachItsBoundInSpeedOrInAc
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

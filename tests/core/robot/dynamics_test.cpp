@@ -10,7 +10,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -208,4 +208,4 @@ TEST(InverseDynamics, PowerOfAFrictionlessArmIsTheRateOfItsEnergy) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

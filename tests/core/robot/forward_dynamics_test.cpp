@@ -9,7 +9,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -77,4 +77,4 @@ TEST(ForwardDynamics, NeedsNothingButBodyPosesAndKeepsNothing) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -207,4 +207,4 @@ TEST(FrictionStep, IsStableForTheSecantOfFastJointsNotForTheirSlope) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -153,4 +153,4 @@ TEST(ToolJacobianDerivative, GivesTheToolsAccelerationTogetherWithTheJacobian) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

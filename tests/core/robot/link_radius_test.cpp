@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tests/core/support/arms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 Shape shape(int body, bool collision, ShapeKind kind, const Vec3& size) {
@@ -59,4 +59,4 @@ TEST(LinkRadius, OfAnArmWithoutItIsAskedForByName) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "core/robot/dynamics.hpp"
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 class Errors : public console_bridge::OutputHandler {
@@ -130,4 +130,4 @@ TEST_F(MutatedUrdf, TenThousandAreRefusedOrSound) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vector;
@@ -216,4 +216,4 @@ TEST(Packs, MasksHoldSomewhereEverywhereOrNowhere) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_number;
@@ -214,4 +214,4 @@ TEST(ProjectToPhysical, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,12 +9,12 @@
 #include <limits>
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/arms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -229,4 +229,4 @@ TEST(Validate, RefusesNamesThatWouldBreakACsvHeader) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

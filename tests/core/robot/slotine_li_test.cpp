@@ -8,7 +8,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -204,4 +204,4 @@ TEST(SlotineLiTorque, TakesFrictionFromTheMeasuredVelocityNotTheReference) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::joint;
@@ -239,4 +239,4 @@ TEST_F(UrdfBadInput, AsManyFixedLinksAsAllowedAreMergedWithoutRecursion) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::joint;
@@ -243,4 +243,4 @@ TEST_F(UrdfGeometry, MergingFixedLinksConservesMassCentreAndInertia) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::joint;
@@ -79,4 +79,4 @@ TEST_F(UrdfMissingData, LimitsThatAreNotThereAreMissingAndNotWrong) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::joint;
@@ -136,4 +136,4 @@ TEST_F(UrdfReader, ThreadsReadGoodAndBadFilesAtTheSameTime) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::joint;
@@ -303,4 +303,4 @@ TEST_F(UrdfSelection, ATipLinkThatATreeDoesNotHaveIsNamedFirst) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "core/robot/kinematics.hpp"
 #include "tests/core/support/urdf_text.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::joint;
@@ -108,4 +108,4 @@ TEST_F(UrdfShapes, ThatHaveNoExtentAreLeftOutAndTheArmIsReadAllTheSame) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -16,7 +16,7 @@
 #define ARMTUNE_COUNT_ALLOCATIONS 1
 #endif
 
-namespace armtune::test {
+namespace armtune::internal::test {
 namespace {
 
 thread_local long count =
@@ -69,4 +69,4 @@ bool allocations_are_counted() {
 }
 #endif
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

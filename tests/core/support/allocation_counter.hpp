@@ -1,7 +1,7 @@
 #pragma once
 // Counts heap allocations of the calling thread, for the laws that forbid them.
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Whether this build can count: not under a sanitizer that owns malloc, nor without glibc.
 bool allocations_are_counted();
@@ -9,4 +9,4 @@ bool allocations_are_counted();
 /// Allocations of this thread so far: malloc, calloc, realloc and aligned_alloc, operator new through them.
 long allocations();
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

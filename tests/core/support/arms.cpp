@@ -8,7 +8,7 @@
 
 #include "core/robot/urdf_reader.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -159,4 +159,4 @@ std::vector<RobotModel> all_arms() {
           random_arm(12, 14, true)};
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -5,7 +5,7 @@
 
 #include "core/robot/robot_model.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// The bundled UR10 with a tool 0.14 m along z of `tool0` and rotor inertia 0.1 kg m^2 on every joint.
 RobotModel ur10();
@@ -21,4 +21,4 @@ RobotModel random_arm(int n, unsigned seed, bool with_prismatic);
 /// UR10, seven joints, and random arms: 6 and 12 joints with prismatic ones, 7 and 3 without.
 std::vector<RobotModel> all_arms();
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

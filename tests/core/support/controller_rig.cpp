@@ -6,7 +6,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 namespace {
 
 JointVector six(double a, double b, double c, double d, double e, double f) {
@@ -89,4 +89,4 @@ void integrate(const Chain& chain, const JointVector& torque, double period, int
   }
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

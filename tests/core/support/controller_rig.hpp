@@ -6,7 +6,7 @@
 
 #include "core/control/laws/controller.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Gains of the published UR10 controller's size, but with a leaveSingularity of 0.5 s.
 Gains ur10_gains();
@@ -39,4 +39,4 @@ std::vector<Obstacle> obstacles_near(const Rig& rig);
 /// q'' = (M + D)^-1 (tau - h) under a held torque: classical Runge-Kutta with `substeps` per period.
 void integrate(const Chain& chain, const JointVector& torque, double period, int substeps, JointState& state);
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -13,7 +13,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// An arm at a random state with random errors and references, and a law with random gains that knows the
 /// arm.
@@ -110,4 +110,4 @@ inline Eigen::MatrixXd rows_of(TaskMask mask, const Mat3& R_0T) {
   return E;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -8,7 +8,7 @@
 #include "core/control/obstacle.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Around some joint origins of the arm at q, so that several joints feel several of them.
 inline std::vector<Obstacle> random_obstacles(std::mt19937& generator, const Poses& poses) {
@@ -40,4 +40,4 @@ inline double distance_by_sampling(const Poses& poses, int i, const Vec3& p) {
   return least;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

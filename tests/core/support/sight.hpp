@@ -8,7 +8,7 @@
 #include "core/robot/kinematics.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline Gains gains_for_gaze() {
   Gains gains;
@@ -36,4 +36,4 @@ inline Sight sight(std::mt19937& generator, double angle) {
   return s;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

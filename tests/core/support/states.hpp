@@ -7,7 +7,7 @@
 #include "core/robot/dynamics.hpp"
 #include "core/robot/robot_model.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline double random_number(std::mt19937& generator, double lower, double upper) {
   return std::uniform_real_distribution<double>(lower, upper)(generator);
@@ -85,4 +85,4 @@ inline Chain without_friction(Chain chain) {
   return chain;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -10,10 +10,10 @@
 #include <fstream>
 #include <string>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/urdf_reader.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline const std::string kUr10 = ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf";
 
@@ -71,4 +71,4 @@ class UrdfFiles : public testing::Test {
   const std::string folder_ = testing::TempDir() + "armtune_urdf_" + std::to_string(getpid());
 };
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// |a - b| / max(|a|, |b|, floor), Euclidean norms; zero when both are equal. Where two sides may vanish,
 /// `floor` is the size of the terms that cancel.
@@ -64,4 +64,4 @@ auto derivative(const F& f, double h = 1e-3) {
   return Value((f(-2.0 * h) - f(2.0 * h) + 8.0 * (f(h) - f(-h))) / (12.0 * h));
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

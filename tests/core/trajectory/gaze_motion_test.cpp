@@ -8,7 +8,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -180,4 +180,4 @@ TEST(GazeTurnMotion, StraightBehindIsAHalfTurnAboutXAtRest) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

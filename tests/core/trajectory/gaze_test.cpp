@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -95,4 +95,4 @@ TEST(GazeLineRate, IsTheTurnRateOfTheUnitLineWithoutRoll) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

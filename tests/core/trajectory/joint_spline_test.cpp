@@ -5,12 +5,12 @@
 
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/trajectory/linear_acceleration.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -131,4 +131,4 @@ TEST(JointSpline, RefusesWhatIsNoMotion) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -61,4 +61,4 @@ TEST(MotionFilter, LetsAsMuchNoiseThroughAsTheTextbookSays) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

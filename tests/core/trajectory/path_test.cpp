@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -130,4 +130,4 @@ TEST(Path, WithoutTermsIsItsCentre) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <functional>
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/trajectory/cubic_spline.hpp"
 #include "core/trajectory/joint_spline.hpp"
 #include "core/trajectory/path.hpp"
@@ -13,7 +13,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -211,4 +211,4 @@ TEST(PathOfKnots, IsItsSplineAboutItsCentre) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

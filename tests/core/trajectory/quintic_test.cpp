@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -93,4 +93,4 @@ TEST(RestToRest, RisesMonotonicallyAndIsSymmetricAboutItsMiddle) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

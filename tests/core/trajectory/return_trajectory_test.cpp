@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::random_vec3;
@@ -64,4 +64,4 @@ TEST(ReturnTrajectory, LeavesWithTheToolsMotionAndJoinsThePathsOwn) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

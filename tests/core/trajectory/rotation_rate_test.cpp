@@ -8,7 +8,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -105,4 +105,4 @@ TEST(RotationRate, AboutAStandingAxisIsTheRotationVectorsOwn) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

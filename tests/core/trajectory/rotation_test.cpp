@@ -7,7 +7,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -83,4 +83,4 @@ TEST(RotationVector, TheNearestTurnsAsTheShortestDoes) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::derivative;
@@ -140,4 +140,4 @@ TEST(SlerpToAMovingGoal, IsThePlainOneWhileTheGoalStands) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

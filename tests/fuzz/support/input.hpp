@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 
 class InputFile {
  public:
@@ -49,4 +49,4 @@ void read_or_refuse(Read read) {
   }
 }
 
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz

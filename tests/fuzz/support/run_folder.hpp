@@ -12,7 +12,7 @@
 #include "tests/fuzz/support/input.hpp"
 #include "tuner/report/run_report.hpp"
 
-namespace armtune::fuzz {
+namespace armtune::internal::fuzz {
 
 /// A copy of tests/fuzz/run, small and of a real run, that lives as long as the object; in memory where the
 /// system has a place for that.
@@ -86,4 +86,4 @@ inline void check_report(const RunFolder& folder) {
   });
 }
 
-}  // namespace armtune::fuzz
+}  // namespace armtune::internal::fuzz

@@ -9,7 +9,7 @@
 #include "tests/sim/support/csv.hpp"
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(Cell, ANumberReadsBackToTheSameBitsAndNoValueIsEmpty) {
@@ -50,4 +50,4 @@ TEST(Cell, IsNoFormulaToASpreadsheet) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/rollout/error_report.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::refusal;
@@ -109,4 +109,4 @@ TEST(CsvTable, NamesFileLineAndColumnOfWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::TemporaryFolder;
@@ -65,4 +65,4 @@ TEST(NumberTable, RefusesWithTheLine) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

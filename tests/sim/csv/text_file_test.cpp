@@ -11,7 +11,7 @@
 #include "core/common/path_state.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST(MakeFolder, MakesParentsAndTakesOneThatIsThere) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

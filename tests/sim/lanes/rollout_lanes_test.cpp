@@ -5,12 +5,13 @@
 
 #include <algorithm>
 
+#include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/robot/link_radius.hpp"
 #include "sim/scenario/perturbation.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::bits;
@@ -102,7 +103,7 @@ TEST(RolloutLanes, StepAsTheStepperDoesAlone) {
   for (const Stepper stepper : {Stepper::kRungeKutta4, Stepper::kSemiImplicitEuler}) {
     expect_the_same(candidates(scenario_of("moving_target", 3.0), 3), stepper);
   }
-  EXPECT_THROW(lane_kind(scenario_of("moving_target", 3.0), Stepper::kReference, 0), std::invalid_argument);
+  EXPECT_THROW(lane_kind(scenario_of("moving_target", 3.0), Stepper::kReference, 0), InputError);
 }
 
 TEST(RolloutLanes, NoiseCameraDelayFrictionAndObstaclesAreEachArmsOwn) {
@@ -160,7 +161,7 @@ TEST(RolloutLanes, LinksAndBodiesAreEachArmsOwn) {
   expect_the_same(jobs);
   const Scenario joints = scenario_of("realistic_obstacle_pass", 8.0);
   RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, 3), 2);
-  EXPECT_THROW(lanes.start(0, job_of(joints, jobs[0].gains)), std::invalid_argument);
+  EXPECT_THROW(lanes.start(0, job_of(joints, jobs[0].gains)), InputError);
 }
 
 TEST(RolloutLanes, ACameraSeesItsOwnTargets) {
@@ -202,7 +203,7 @@ TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   Scenario slower = scenario;
   slower.control_period *= 2.0;
   for (const Scenario& other : {scenario_of("obstacle_pass"), slower}) {
-    EXPECT_THROW(lanes.start(0, job_of(other, quick_gains(other))), std::invalid_argument);
+    EXPECT_THROW(lanes.start(0, job_of(other, quick_gains(other))), InputError);
   }
   EXPECT_EQ(lanes.busy(), 0);
   lanes.start(1, job_of(scenario, quick_gains(scenario)));
@@ -211,10 +212,10 @@ TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   Gains without_lanes = quick_gains(scenario);
   become(without_lanes, "joint_pd", scenario.robot->n());
   EXPECT_FALSE(has_lanes(without_lanes));
-  EXPECT_THROW(lanes.start(lanes.free_lane(), job_of(scenario, without_lanes)), std::invalid_argument);
-  EXPECT_THROW(lanes.start(1, job_of(scenario, quick_gains(scenario))), std::invalid_argument);
+  EXPECT_THROW(lanes.start(lanes.free_lane(), job_of(scenario, without_lanes)), InputError);
+  EXPECT_THROW(lanes.start(1, job_of(scenario, quick_gains(scenario))), InputError);
   EXPECT_EQ(lanes.busy(), 1);
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "tests/core/support/arms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using enum ControlState;
@@ -320,4 +320,4 @@ TEST_F(Accumulated, WhatWasNeverJudgedHasNoValue) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tests/sim/support/linear_system.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -111,4 +111,4 @@ TEST(FrequencyResponse, AGainThatNeverFallsEndsAtTheHighestOrderAndALowOneAtTheL
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(Metric, NamesAreUniqueTreesWithoutCommasAndReadBack) {
@@ -52,4 +52,4 @@ TEST(Metric, HasNoValueUntilItGetsOne) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -118,4 +118,4 @@ TEST(StepResponse, WithoutSamplesNothingHasAValue) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr std::array kStiffSteppers = {Stepper::kMidpoint, Stepper::kSemiImplicitEuler,
@@ -270,4 +270,4 @@ TEST(FrictionStepped, IsTheExplicitRuleToTheBitWhereFrictionIsNotStiff) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/plant/plant.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tests/core/support/arms.hpp"
@@ -14,7 +14,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -108,4 +108,4 @@ TEST(Engine, NamesReadBack) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

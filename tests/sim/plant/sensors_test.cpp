@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const JointVector kQ = JointVector::LinSpaced(6, -1.0, 1.0);
@@ -83,4 +83,4 @@ TEST(Sensors, ZeroNoiseDrawsNothing) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "tests/core/support/arms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 class RandomStates {
@@ -276,4 +276,4 @@ TEST(SimbodyPlant, StartsAnewFromAnyState) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Error at t = 1 s of the damped oscillator q'' = -w^2 q - 2 d q', which starts at q = 1, q' = 0.
@@ -55,4 +55,4 @@ TEST(Stepper, AnUnknownNameIsRefusedWithThoseThereAre) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

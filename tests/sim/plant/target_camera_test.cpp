@@ -4,7 +4,7 @@
 
 #include "sim/metrics/accumulator.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 Scenario two_targets() {
@@ -69,4 +69,4 @@ TEST(TargetCamera, NoiseFollowsFromTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 class TorqueDelayed : public testing::TestWithParam<int> {};
@@ -19,4 +19,4 @@ TEST_P(TorqueDelayed, ByWholePeriodsAndZeroBefore) {
 INSTANTIATE_TEST_SUITE_P(Periods, TorqueDelayed, testing::Values(0, 1, 2, 7));
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/core/support/allocation_counter.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Two bundled gain sets of the scenario's arm.
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(Bundled, RolloutAllocation,
                          [](const auto& scenario) { return scenario.param; });
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Values = std::map<std::string, double>;
@@ -117,4 +117,4 @@ TEST(Columns, APlansAreThoseOfItsJointsWhileItIsFollowed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/random_job.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Job;
@@ -123,4 +123,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FixedControllers, testing::Values("joint_pd", "c
                          name_of);
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

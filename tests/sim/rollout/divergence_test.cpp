@@ -13,7 +13,7 @@
 #include "sim/lanes/rollout_lanes.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::quick_gains;
@@ -134,4 +134,4 @@ TEST(Divergence, NoDampingIsBlamedOfALawWithoutKd) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/planned.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::bits;
@@ -115,4 +115,4 @@ TEST(EndLimit, ThatIsNeverReachedChangesNothing) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

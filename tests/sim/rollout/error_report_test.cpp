@@ -10,7 +10,7 @@
 #include "tests/sim/support/read_back.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::vector<ScenarioResult> two_results() {
@@ -143,4 +143,4 @@ TEST(ColumnsCsv, ExplainsEveryColumnOfBothFiles) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

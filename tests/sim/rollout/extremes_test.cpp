@@ -13,7 +13,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::quick_gains;
@@ -147,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(Each, Extremes,
                          });
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// An observation of an arm at rest in the middle of its limits.
@@ -122,4 +122,4 @@ TEST(LimitWatch, AgreesWithTheMetrics) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

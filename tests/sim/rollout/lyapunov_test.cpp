@@ -14,7 +14,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Integrals over the periods of one state that follow one another without a saturated torque.
@@ -120,4 +120,4 @@ TEST(LyapunovInSimbody, FallsByWhatKdDissipatesUnderTheExtendedLaw) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

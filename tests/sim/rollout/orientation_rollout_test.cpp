@@ -11,7 +11,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A figure eight of the UR10 in 10 s with its arm known, or as it is with noise, delay and payload.
@@ -132,4 +132,4 @@ TEST(OrientedTool, TheTargetsColumnsAreEmpty) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

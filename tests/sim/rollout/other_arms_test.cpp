@@ -8,7 +8,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/core/support/arms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
@@ -116,4 +116,4 @@ TEST(OtherArms, FiveJointsFollowPositionAndGaze) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

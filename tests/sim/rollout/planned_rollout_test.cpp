@@ -10,7 +10,7 @@
 #include "tests/sim/support/planned.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using enum ControlState;
@@ -240,4 +240,4 @@ TEST_F(PlannedRollout, ASwitchInTheFirstPeriodCounts) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "tests/sim/support/random_job.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Job;
@@ -80,4 +80,4 @@ TEST_P(RandomArms, MoveInSimbodyAsInArmtunesOwnDynamics) {
 INSTANTIATE_TEST_SUITE_P(Joints, RandomArms, testing::Range(3, 13));
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

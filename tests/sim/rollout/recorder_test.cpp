@@ -10,7 +10,7 @@
 #include "tests/sim/support/read_back.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::scenario_of;
@@ -174,4 +174,4 @@ TEST(RolloutCsv, IsRefusedWhereItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

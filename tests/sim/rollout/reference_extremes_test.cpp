@@ -12,7 +12,7 @@
 #include "sim/rollout/rollout.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 struct Beyond {
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(Each, ReferenceExtremes, testing::ValuesIn(kBeyond),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "core/robot/kinematics.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::bits;
@@ -254,4 +254,4 @@ TEST(Rollout, CommandsReachTheArmLateByTheDelay) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

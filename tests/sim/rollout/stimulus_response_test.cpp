@@ -10,7 +10,7 @@
 #include "tests/sim/support/linear_system.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::bits;
@@ -261,4 +261,4 @@ TEST(StimulusResponse, AStepOfNextToNothingLeavesTheMetricsOfTheTrueStateAsTheyW
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "core/trajectory/rotation.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 Eigen::AngleAxisd turn_by(const Vec3& vector) {
@@ -228,4 +228,4 @@ TEST(TrueState, ClearanceOfLinksIsTheirs) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

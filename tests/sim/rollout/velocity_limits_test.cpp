@@ -9,7 +9,7 @@
 #include "core/control/velocity_governor.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::quick_gains;
@@ -120,4 +120,4 @@ TEST(VelocityLimits, HoldAgainstARepulsionThatBypassesTheReference) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

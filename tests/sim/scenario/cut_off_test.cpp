@@ -11,7 +11,7 @@
 #include "tests/sim/support/cut_off.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 void expect_valid(const Scenario& scenario) {
@@ -73,4 +73,4 @@ TEST(CutOff, ARobotIsRefusedOrWhole) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::refusal;
@@ -56,4 +56,4 @@ TEST(DataFiles, PathsComeApart) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 void does_its_task(const std::shared_ptr<const RobotModel>& robot) {
@@ -82,4 +82,4 @@ TEST(DefaultTask, TwoJointsAreTooFewToHaveAToolAnywhere) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tests/sim/support/ros_parameters.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::kRosParameters;
@@ -245,4 +245,4 @@ TEST_F(GainsFile, GainsThatNoControllerCanUseAreRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

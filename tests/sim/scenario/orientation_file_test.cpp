@@ -11,7 +11,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -133,4 +133,4 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "sim/yaml/document.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -245,4 +245,4 @@ TEST(PathFile, TwoOfOneNameAreRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -219,4 +219,4 @@ TEST(PathWalk, TheFoundStartIsOffTheGoalTowardsTheMiddle) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

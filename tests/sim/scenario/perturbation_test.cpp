@@ -10,7 +10,7 @@
 #include "core/trajectory/polyline.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -253,4 +253,4 @@ TEST(Perturbed, ByNothingIsTheScenarioButForItsSeed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

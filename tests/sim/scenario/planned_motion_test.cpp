@@ -10,7 +10,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/planned.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::refusal;
@@ -214,4 +214,4 @@ TEST_F(PlannedMotion, WhatDoesNotGoWithItIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/core/support/worst_error.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -133,4 +133,4 @@ TEST(ThetaStart, FactorsMultiplyEachLinksAndItsJointsParameters) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -79,4 +79,4 @@ TEST(RandomTargets, AFileDrawsThemInPlaceOfItsBasesTargets) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/scenario/urdf_keys.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -186,4 +186,4 @@ TEST(RobotFile, WhatDoesNotFitIsRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -12,7 +12,7 @@
 #include "tests/core/support/urdf_text.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -363,4 +363,4 @@ TEST_F(ScenarioFile, ABaseThatIsNotThereOrNeverEndsIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

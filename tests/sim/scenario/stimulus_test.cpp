@@ -8,7 +8,7 @@
 #include "sim/scenario/scenario.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -187,4 +187,4 @@ TEST_F(StimulusFile, SinesThatCannotBeMeasuredAreRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

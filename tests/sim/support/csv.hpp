@@ -8,7 +8,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> out(1);
@@ -53,4 +53,4 @@ inline Csv read_csv(const std::string& path) {
   return Csv(read_text(path));
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -7,9 +7,9 @@
 #include <exception>
 #include <string>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// What became of the beginnings of a text.
 struct Cuts {
@@ -49,4 +49,4 @@ Cuts cut_off(const std::string& text, std::size_t required, std::size_t stride, 
   return cuts;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

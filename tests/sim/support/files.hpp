@@ -10,9 +10,9 @@
 #include <iterator>
 #include <string>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// A folder that lives as long as the object.
 class TemporaryFolder {
@@ -59,4 +59,4 @@ std::string refusal(Action&& action) {
   return "nothing was refused";
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// All of them UTF-8, none with a NUL.
 inline std::vector<std::string> hostile_texts() {
@@ -81,4 +81,4 @@ inline std::vector<std::string> hostile_texts() {
   return texts;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -6,7 +6,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline Stimulus bundled_sines() {
   return *load_scenario("sines_position").stimulus;
@@ -38,4 +38,4 @@ void drive(const Eigen::Matrix<double, N, N>& A, const Eigen::Matrix<double, N, 
   }
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

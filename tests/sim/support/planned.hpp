@@ -11,7 +11,7 @@
 #include "core/trajectory/linear_acceleration.hpp"
 #include "sim/csv/cell.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// From rest to rest.
 struct QuinticPlan {
@@ -57,4 +57,4 @@ inline std::string plan_csv(const RobotModel& robot, const QuinticPlan& plan) {
   return text;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -10,7 +10,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 struct Job {
   Scenario scenario;
@@ -121,4 +121,4 @@ inline Job whole_job(int n, unsigned seed, bool with_prismatic) {
   return job;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

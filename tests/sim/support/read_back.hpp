@@ -13,7 +13,7 @@
 #include "core/common/message_text.hpp"
 #include "sim/csv/csv_table.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Numbers that a writer who rounds or a reader who guesses gets wrong.
 inline const std::vector<double>& awkward_numbers() {
@@ -93,4 +93,4 @@ class ReadBack {
   std::vector<bool> seen_;
 };
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

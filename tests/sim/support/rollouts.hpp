@@ -11,7 +11,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline Gains published_gains(const Scenario& scenario) {
   return load_gains("published", joint_names(*scenario.robot));
@@ -58,4 +58,4 @@ inline double largest_difference(const std::vector<JointVector>& a, const std::v
   return difference;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Key for key and number for number, in their order and spelling, launch/configs/simpleEffortCtrl.yaml of
 /// mrcoliva/ur10-controller (commit 0149d2b), the circle included; its comments are replaced by shorter ones.
@@ -37,4 +37,4 @@ simple_effort_ctrl:
   circularTrajectoryRadius: 0.12
   circularTrajectoryPeriod: 15)";
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -4,7 +4,7 @@
 
 #include "tests/sim/yaml/yaml_values.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 using namespace test;
@@ -90,4 +90,4 @@ TEST(Document, ItsNodesCanBeCopiedAndOutliveTheRoot) {
 }
 
 }  // namespace
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -165,4 +165,4 @@ TEST(MapReaderFinish, AcceptsAnEmptyMap) {
 }
 
 }  // namespace
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -5,7 +5,7 @@
 
 #include "tests/sim/yaml/yaml_values.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 using namespace test;
@@ -220,4 +220,4 @@ TEST(NodeFail, DoesNotCutACharacterInHalf) {
 }
 
 }  // namespace
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

@@ -5,7 +5,7 @@
 
 #include "tests/sim/yaml/yaml_values.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 using namespace test;
@@ -234,4 +234,4 @@ TEST(ParseFile, RefusesAnOversizeOrEndlessFile) {
 }
 
 }  // namespace
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

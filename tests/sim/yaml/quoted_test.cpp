@@ -9,7 +9,7 @@
 #include "sim/yaml/document.hpp"
 #include "tests/sim/support/hostile_texts.hpp"
 
-namespace armtune::yaml {
+namespace armtune::internal::yaml {
 namespace {
 
 /// True for a text of printable lines: no reader ends one of them anywhere else.
@@ -65,4 +65,4 @@ TEST(Quoted, BytesThatAreNotUtf8CanStillBeRead) {
 }
 
 }  // namespace
-}  // namespace armtune::yaml
+}  // namespace armtune::internal::yaml

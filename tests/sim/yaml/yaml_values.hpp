@@ -11,10 +11,10 @@
 #include <locale>
 #include <string>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/yaml/document.hpp"
 
-namespace armtune::yaml::test {
+namespace armtune::internal::yaml::test {
 
 inline std::string error_of(const std::function<void()>& action) {
   try {
@@ -104,4 +104,4 @@ class CommaLocale {
   std::locale before_;
 };
 
-}  // namespace armtune::yaml::test
+}  // namespace armtune::internal::yaml::test

@@ -12,7 +12,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/endurance/error_windows.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::atomic<bool> kNever{false};
@@ -222,4 +222,4 @@ TEST(Endurance, TheBundledTunedGainsHoldForTwentyMinutes) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/sim/support/read_back.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// A short study whose start was "simulated" by hand.
@@ -161,4 +161,4 @@ TEST(Columns, OfTheBundledStudyAreAllExplained) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

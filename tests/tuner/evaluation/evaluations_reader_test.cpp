@@ -6,7 +6,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/evaluation/evaluations_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST_F(EvaluationsReader, RefusesWhatIsNoneOfItsStudy) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -212,4 +212,4 @@ TEST_F(Recall, ASearchLeavesTheTimeThatIsKept) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -79,4 +79,4 @@ TEST_F(GainsDifference, AGainThatAControllerHasNotIsADash) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

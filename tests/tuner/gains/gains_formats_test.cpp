@@ -15,7 +15,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tests/sim/support/ros_parameters.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::kRosParameters;
@@ -200,4 +200,4 @@ TEST_F(GainsFormats, ANameThatRosDoesNotTakeIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::Contains;
@@ -69,4 +69,4 @@ TEST(GainsOrigin, OfFilesIsTheirHashes) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -57,4 +57,4 @@ TEST(BaseParameters, OfTheUr10AreTheTextbooks) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(LogCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
@@ -41,4 +41,4 @@ TEST(LogCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/read_back.hpp"
 #include "tuner/identification/excitation_design.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -150,4 +150,4 @@ TEST(ExcitationDesign, RepeatsItselfAndRefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -20,7 +20,7 @@
 #include "tuner/run/run_folder.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Keys and texts in the order of the file, in hexadecimal; what is no text is "-".
@@ -186,4 +186,4 @@ TEST_F(HostileNames, OfScenariosAndJointsInStudies) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

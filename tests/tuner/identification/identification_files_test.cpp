@@ -8,7 +8,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr Eigen::Index kGroups = 9;
@@ -99,4 +99,4 @@ TEST(BaseParametersCsv, IsEmptyForAThetaThatIsNone) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,14 +4,14 @@
 
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/identification/excitation_design.hpp"
 #include "tuner/identification/excitation_log.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ TEST(IdentifySession, GivesWhatIdentifyGivesAndWritesNothingItDoubts) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

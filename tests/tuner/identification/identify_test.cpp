@@ -18,7 +18,7 @@
 #include "tuner/identification/identification_files.hpp"
 #include "tuner/run/file_hash.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::atomic<bool> kNever{false};
@@ -387,4 +387,4 @@ TEST_F(Identify, ALogThatIsTooShortOrTooCoarseIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -229,4 +229,4 @@ TEST_F(Logs, ItsOwnVelocityColumnsMayBeMissingButNamedOnesMayNot) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

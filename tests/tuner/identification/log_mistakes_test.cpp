@@ -13,7 +13,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/identification/log_extremes.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -250,4 +250,4 @@ TEST(ArmFitter, LeavesNothingOfTheRobotFilesOwnTorquesUnexplained) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

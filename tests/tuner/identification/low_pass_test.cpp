@@ -7,7 +7,7 @@
 
 #include "tuner/identification/moving_window.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kPeriod = 0.002;
@@ -83,4 +83,4 @@ TEST(MovingWindow, GivesWeightedSumsOfTheLastSamplesEverySoManySteps) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

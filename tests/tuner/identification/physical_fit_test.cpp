@@ -6,12 +6,12 @@
 #include <cmath>
 #include <random>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Estimate of a theta's base parameters, each known within a share of its size.
@@ -115,4 +115,4 @@ TEST(PhysicalFit, ACovarianceThatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

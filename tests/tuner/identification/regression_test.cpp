@@ -7,7 +7,7 @@
 
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -112,4 +112,4 @@ TEST(Regression, WhatIsNotExcitedKeepsItsPrior) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

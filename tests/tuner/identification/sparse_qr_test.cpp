@@ -6,7 +6,7 @@
 
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -60,4 +60,4 @@ TEST(RankRevealingFactor, CallsAColumnDeadThatDependsOnThoseBeforeIt) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

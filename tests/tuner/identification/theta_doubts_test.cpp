@@ -5,7 +5,7 @@
 
 #include "tests/core/support/arms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -81,4 +81,4 @@ TEST_F(ThetaDoubts, MassesThatAreNotTheRobotFilesAreNamed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

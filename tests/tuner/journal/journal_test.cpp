@@ -13,7 +13,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -282,4 +282,4 @@ TEST(Journal, AHeaderThatTheDiskRefusesLeavesNoFile) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

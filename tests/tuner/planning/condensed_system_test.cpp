@@ -8,7 +8,7 @@
 
 #include "tests/tuner/support/dense_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -128,4 +128,4 @@ TEST(CondensedSystem, AddsAsMuchCurvatureAsItNeedsWithinReason) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

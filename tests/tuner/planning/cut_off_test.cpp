@@ -12,7 +12,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 void expect_valid(const PlanTask& task) {
@@ -68,4 +68,4 @@ TEST(CutOff, APlanningTaskIsRefusedOrWhole) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "tests/tuner/support/events.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::of_kind;
@@ -224,4 +224,4 @@ TEST(Events, DistanceFromThePathCountsAsLongAsASwitchsPlanLasts) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/planning/output/scenario_file.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// What following a plan came to.
@@ -117,4 +117,4 @@ TEST(FollowPlanScenario, IsTheTasksOwnWithThePlanInFrontAndAControllerThatKnowsT
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -76,4 +76,4 @@ TEST(GivenStates, AnObstacleThatIsCloserAtTheStartIsNamed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

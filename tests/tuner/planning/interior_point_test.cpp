@@ -7,7 +7,7 @@
 
 #include "tests/tuner/support/dense_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -182,4 +182,4 @@ TEST(SparseCholesky, SaysThatAMatrixIsNotPositiveDefinite) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <IpTNLP.hpp>
 #include <algorithm>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Map;
@@ -242,4 +242,4 @@ IpoptRun solve_by_ipopt(NonlinearProgram& program, const VectorXd& z, const Vect
   return run;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

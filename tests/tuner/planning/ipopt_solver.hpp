@@ -8,7 +8,7 @@
 
 #include "tuner/planning/solver/sequential_quadratic.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct IpoptOptions {
   double stationarity = 1e-6;     ///< largest entry of the Lagrangian's gradient, scaled by Ipopt
@@ -30,4 +30,4 @@ struct IpoptRun {
 IpoptRun solve_by_ipopt(NonlinearProgram& program, const Eigen::VectorXd& z,
                         const Eigen::VectorXd& multipliers, const IpoptOptions& options);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "ipopt_solver.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Where Ipopt begins.
@@ -71,4 +71,4 @@ TEST(IpoptUnderLimits, FindsTheSameOptimumUnderAccelerationAndJerkLimits) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tuner/planning/transcription/refining_solver.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::VectorXd;
@@ -155,4 +155,4 @@ TEST(KnownSolutions, AStartAboveTheVelocityLimitIsInfeasible) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -16,7 +16,7 @@
 
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Cells = std::map<std::string, double>;
@@ -250,4 +250,4 @@ TEST(LimitsCsv, ReadsBackToTheBitAndIsEmptyWhereThereIsNoFigure) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

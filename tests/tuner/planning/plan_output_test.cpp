@@ -15,7 +15,7 @@
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::a_limited_move;
@@ -254,4 +254,4 @@ TEST(PlanFacts, HeadlineTellsTimeFromErrorAndEntriesNameWhatWasMeasured) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,4 +53,4 @@ TEST(PlanSession, InterruptedItLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

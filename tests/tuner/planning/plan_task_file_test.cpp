@@ -5,12 +5,12 @@
 
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -217,4 +217,4 @@ TEST(PlanTaskFile, OnlyGazesArePlanned) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

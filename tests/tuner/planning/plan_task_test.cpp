@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/dynamics.hpp"
 #include "core/trajectory/gaze.hpp"
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/worst_violation.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -260,4 +260,4 @@ TEST(PlanTasks, ARobotIsAskedToReachOnlyWhatItCan) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

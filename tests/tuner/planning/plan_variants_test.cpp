@@ -16,7 +16,7 @@
 #include "tuner/planning/tasks/controller_motion.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -295,4 +295,4 @@ TEST(PlanVariants, ArmsOfOneToTwelveJointsMoveNoFasterThanTheirLimits) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

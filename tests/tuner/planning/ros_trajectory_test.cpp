@@ -10,7 +10,7 @@
 #include "sim/yaml/document.hpp"
 #include "tests/tuner/support/solved_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -77,4 +77,4 @@ TEST(RosTrajectory, SaysWhereItDoesNotEndAtRest) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "tuner/planning/output/binding_limits.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 PlanTask slow_wrists(double acceleration) {
@@ -142,4 +142,4 @@ TEST(SolvePlan, WhatNoDurationIsEnoughForIsNotCalledTooShort) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(ToolMotion, TheBestPoseOfFiveJointsIsTheOneThatMovesToolAndGazeBest) {
@@ -44,4 +44,4 @@ TEST(ToolMotion, TheBestPoseOfFiveJointsIsTheOneThatMovesToolAndGazeBest) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

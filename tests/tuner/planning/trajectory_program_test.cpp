@@ -12,7 +12,7 @@
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -270,4 +270,4 @@ TEST(Trajectory, StaysTheSameMotionOnAFinerGrid) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

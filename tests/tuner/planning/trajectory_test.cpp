@@ -6,7 +6,7 @@
 
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Two phases, so that the intervals differ.
@@ -91,4 +91,4 @@ TEST(InDurationsOf, TheWayIsTheSameAndTheSpeedGoesWithTheDurations) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::VectorXd;
@@ -65,4 +65,4 @@ TEST(ViolationPrice, IsTooLowWhereTheViolationStaysAndNotWhereItShrinks) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -85,4 +85,4 @@ TEST(YardstickCsv, ReadsBackToTheBitAndIsEmptyWithAStatus) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tuner/planning/tasks/plan_problem.hpp"
 #include "tuner/planning/yardstick/yardstick_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::of_kind;
@@ -235,4 +235,4 @@ TEST(Yardstick, OfAScenariosSwitchesTheSlowestOnesLimitCounts) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(CallWatch, SaysOnceAndGivesUpOnce) {
@@ -35,4 +35,4 @@ TEST(CallWatch, IsSilentWhenTheCallReturnsInTime) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -17,7 +17,7 @@
 #include "tuner/record/json_writer.hpp"
 #include "tuner/record/type_printer.hpp"
 
-namespace armtune::record {
+namespace armtune::internal::record {
 namespace {
 
 using testing::AllOf;
@@ -205,4 +205,4 @@ TEST(Declaration, WhatIsWrongIsNamedWithItsFileAndKey) {
 }
 
 }  // namespace
-}  // namespace armtune::record
+}  // namespace armtune::internal::record

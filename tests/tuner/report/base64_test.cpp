@@ -7,7 +7,7 @@
 
 #include "tests/tuner/report/support/decode.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 std::string of_text(const std::string& text) {
@@ -45,4 +45,4 @@ TEST(Base64, PutsTheLowestByteOfANumberFirst) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

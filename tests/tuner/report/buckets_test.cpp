@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 /// Noise with gaps: every `gap`-th value is missing, one in three of these infinite.
@@ -99,4 +99,4 @@ TEST(Buckets, KeepAShortRunWhole) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -11,7 +11,7 @@
 #include "tests/tuner/report/support/decode.hpp"
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::at;
@@ -82,4 +82,4 @@ TEST(Json, ValuesThatAreNotFiniteAreNull) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

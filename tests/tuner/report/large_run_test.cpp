@@ -16,7 +16,7 @@
 #include "tuner/report/shorten.hpp"
 #include "tuner/rollouts/comparison.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::TemporaryFolder;
@@ -221,4 +221,4 @@ TEST(LargeRun, ABadRecordingIsNamedAndTheOthersAreShown) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST_F(MeshPath, LeavesItWhereThatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -17,7 +17,7 @@
 #include "tuner/report/run_report.hpp"
 #include "tuner/report/tables.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::at;
@@ -190,4 +190,4 @@ TEST(RunReport, TellsARunThatEndedEarlyWithItsReason) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

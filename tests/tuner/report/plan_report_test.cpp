@@ -15,7 +15,7 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 #include "tuner/report/run_report.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using testing::HasSubstr;
@@ -164,4 +164,4 @@ TEST(PlanReport, WhatIsMissingOrSpoiltIsLeftOutAndSaid) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -13,7 +13,7 @@
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tuner/report/buckets.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::recorded;
@@ -326,4 +326,4 @@ TEST(Recording, AReplayHasASampleWhateverTheTimes) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -13,7 +13,7 @@
 #include "tuner/report/base64.hpp"
 #include "tuner/report/stl_file.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::TemporaryFolder;
@@ -226,4 +226,4 @@ TEST(StlFile, IsReadWholeOrNotAtAll) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -13,7 +13,7 @@
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/samples/statistics.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using testing::ElementsAre;
@@ -227,4 +227,4 @@ TEST(MarginsSection, PutsTheSetsSideBySideAlsoWhereOneHasNoFile) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -67,4 +67,4 @@ TEST(Series, HoldsConstantsAndTheWidestRangeThereIs) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -8,7 +8,7 @@
 #include "tests/tuner/report/support/two_sets.hpp"
 #include "tuner/report/findings.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::errors_of;
@@ -84,4 +84,4 @@ TEST(Changes, TheWorstStepIsOfOneScenarioNotOfTheirMean) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

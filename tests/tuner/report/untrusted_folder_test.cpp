@@ -10,7 +10,7 @@
 #include "tuner/journal/journal.hpp"
 #include "tuner/report/run_report.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(UntrustedName, OfASetInAComparisonLeadsNowhere) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

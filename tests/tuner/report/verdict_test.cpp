@@ -9,7 +9,7 @@
 #include "tuner/report/findings.hpp"
 #include "tuner/report/tables.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using test::errors_of;
@@ -241,4 +241,4 @@ TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tuner/report/report_data.hpp"
 
-namespace armtune::report {
+namespace armtune::internal::report {
 namespace {
 
 using testing::AllOf;
@@ -91,4 +91,4 @@ TEST(YardstickJson, HasNullWhereThereIsNoValue) {
 }
 
 }  // namespace
-}  // namespace armtune::report
+}  // namespace armtune::internal::report

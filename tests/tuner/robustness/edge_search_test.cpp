@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(EdgeSearch, EndsBesideTheKnownEdgeOfANumber) {
@@ -82,4 +82,4 @@ TEST(EdgeSearch, TriesWhatIsPrinted) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/robustness/margin_report.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -322,4 +322,4 @@ TEST(MarginFields, ASlowerRateGivesTheControllerFewerPeriods) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -205,4 +205,4 @@ TEST(Limits, WhatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tests/sim/support/read_back.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Every awkward number and every figure that there is not, each in another scenario, metric and set.
@@ -82,4 +82,4 @@ TEST(ComparisonCsv, ARatioToWhatIsNoFigureIsNone) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/rollouts/simulate.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -83,4 +83,4 @@ TEST(RecordingMemory, IsAskedForBeforeAnythingIsSimulated) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(BaselineTunables, KeepWhatTheUserHasSet) {
@@ -16,4 +16,4 @@ TEST(BaselineTunables, KeepWhatTheUserHasSet) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST_F(RunFile, TheFolderItselfMayBeALink) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

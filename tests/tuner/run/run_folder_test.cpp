@@ -13,7 +13,7 @@
 #include "tuner/run/file_hash.hpp"
 #include "tuner/run/input_copies.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST(AppendFile, SaysAtOnceThatItsFileIsGone) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -197,4 +197,4 @@ TEST(RobustKeys, ThatAreWrongAreRefusedWithFileAndLine) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(Quantile, IsExactAtTheValuesAndLinearBetween) {
@@ -71,4 +71,4 @@ TEST(WilsonInterval, HoldsTheTruthAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// All of Kp grows together, on a linear scale from 0.4 to 400 times the published. From 100 times on it
@@ -104,4 +104,4 @@ TEST(BoxThatHalfDiverges, HalfOfItDoes) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

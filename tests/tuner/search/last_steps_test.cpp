@@ -18,7 +18,7 @@
 #include "tuner/journal/journal.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -89,7 +89,7 @@ class LastStepsInTime : public testing::Test {
       done.points.push_back(e.x);
       done.seconds = e.seconds;
     };
-    done.result = armtune::tune(study_, workers, stop_, callbacks, journal);
+    done.result = armtune::internal::tune(study_, workers, stop_, callbacks, journal);
     done.rollouts = workers.rollouts_done();
     return done;
   }
@@ -216,4 +216,4 @@ TEST_F(LastStepsInTime, TooLittleTimeForTwoEnginesIsSimbodys) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The tool at rest, its set point on eight sines up to 10 Hz.
@@ -43,4 +43,4 @@ TEST(MoreIsBetter, TheSearchRaisesTheBandwidth) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::ShortStudy;
@@ -42,7 +42,7 @@ class NativeSearch : public testing::Test {
       seen_.push_back({phase, e});
       if (seen_.size() == stop_after) stop = true;
     };
-    return armtune::tune(study, pool, stop, callbacks);
+    return armtune::internal::tune(study, pool, stop, callbacks);
   }
 
   /// Whether the metrics are, to the bit, what that engine gives for the gains.
@@ -201,4 +201,4 @@ TEST_F(NativeSearch, AGlobalSearchEndsWithLocalSteps) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

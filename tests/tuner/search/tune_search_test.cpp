@@ -9,7 +9,7 @@
 
 #include "tests/tuner/support/tuned.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::run;
@@ -128,4 +128,4 @@ TEST(Tune, AWarmStartBeginsThereKeepsToItsBoxAndStaysRelativeToTheStart) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

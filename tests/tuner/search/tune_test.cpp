@@ -10,7 +10,7 @@
 
 #include "tests/tuner/support/tuned.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::run;
@@ -188,4 +188,4 @@ TEST(Tune, ABudgetThatEndsInsideTheSweepIsKeptToByAnyNumberOfWorkers) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -13,7 +13,7 @@
 #include "tuner/search/tune.hpp"
 #include "tuner/sensitivity/merits.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::Contains;
@@ -263,4 +263,4 @@ TEST(ReducedStudy, KeepsLinksAndSweepsOfWhatIsStillTuned) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tuner/session/front_session.hpp"
 #include "tuner/session/monte_carlo_session.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST(CompareSession, IsWholeOrNothing) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,4 +132,4 @@ TEST(TuneSession, InterruptedAtOnceItLeavesNoFolder) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Point = std::vector<double>;
@@ -106,4 +106,4 @@ TEST(Gradients, AreFormedFromOneBatchOfMarkedPoints) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

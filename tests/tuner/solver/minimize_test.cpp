@@ -8,7 +8,7 @@
 
 #include "tuner/solver/solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Point = std::vector<double>;
@@ -106,4 +106,4 @@ TEST(Minimize, EndsWithAPopulationThatHasBecomeOnePoint) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

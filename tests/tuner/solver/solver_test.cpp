@@ -9,7 +9,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Point = std::vector<double>;
@@ -245,4 +245,4 @@ TEST(Solver, DoesNotOfferWhatNLoptDoesBadly) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

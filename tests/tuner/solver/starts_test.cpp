@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 SolverProblem box(std::size_t n) {
@@ -69,4 +69,4 @@ TEST(Starts, LieMoreEvenlyAlongEveryCoordinateThanRandomPoints) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

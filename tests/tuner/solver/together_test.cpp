@@ -7,10 +7,10 @@
 #include <cmath>
 #include <thread>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Point = std::vector<double>;
@@ -122,4 +122,4 @@ TEST(Together, NoSearchesAreDoneAtOnce) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tuner/robustness/margins.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(Corner, AVerdictOfHalfAPeriodOrOfHalfAnArmIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

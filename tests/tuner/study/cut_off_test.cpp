@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 void expect_valid(const Study& study) {
@@ -54,4 +54,4 @@ TEST(CutOff, AStudyIsRefusedOrWhole) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::ShortStudy;
@@ -64,4 +64,4 @@ TEST(DefaultSearch, AWarmStartGoesWithoutAGlobalSearchThatNobodyNamed) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

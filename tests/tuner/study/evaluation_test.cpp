@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 Evaluation evaluation(bool feasible, double violation, double objective) {
@@ -53,4 +53,4 @@ TEST(Better, IsAStrictWeakOrdering) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -318,4 +318,4 @@ TEST_F(ObjectiveOfTwoScenarios, DivergingScoresWorseThanAnyCompletedRollout) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -9,7 +9,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Two free gains, one per scale, and one that follows the first.
@@ -164,4 +164,4 @@ TEST_F(Parameters, BoundsThatAreAcceptedGiveFiniteGainsEverywhere) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

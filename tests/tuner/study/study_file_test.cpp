@@ -8,7 +8,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::ShortStudy;
@@ -494,4 +494,4 @@ TEST(StudyFile, ANameThatNoFileCouldBeCalledAfterIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::vector<double> kReferences = {1e-4, 0.3, 1.0, 250.0};
@@ -87,4 +87,4 @@ TEST(TermScore, WhereMoreIsBetterIsSmoothWhereItsTwoBranchesMeet) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

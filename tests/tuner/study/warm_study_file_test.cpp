@@ -6,7 +6,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/study/study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::ShortStudy;
@@ -151,4 +151,4 @@ TEST_F(WarmStudyFile, WhatCannotBeBegunAtIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/planning/solver/interior_point.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// A program of dense blocks, kept beside the matrices it was made from.
 struct DenseProgram {
@@ -55,4 +55,4 @@ struct DenseProgram {
   }
 };
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

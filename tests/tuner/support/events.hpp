@@ -4,7 +4,7 @@
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tuner/planning/yardstick/events.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Those of one kind.
 inline std::vector<Event> of_kind(std::vector<Event> events, EventKind kind) {
@@ -17,4 +17,4 @@ inline std::vector<Event> simulated(const Scenario& scenario, const Gains& gains
   return events_of(recording_of(scenario, gains, stride), scenario, gains.slerpAngularErrorThreshold);
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

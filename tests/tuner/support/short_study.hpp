@@ -7,7 +7,7 @@
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 inline const std::string kShortParameters =
     "parameters:\n"
@@ -56,4 +56,4 @@ class ShortStudy {
   TemporaryFolder folder_;
 };
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

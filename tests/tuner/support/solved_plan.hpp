@@ -9,7 +9,7 @@
 #include "tuner/planning/output/limit_use.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 struct Solved {
   PlanTask task;
@@ -50,4 +50,4 @@ inline const Solved& a_return() {
   return solved;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -14,7 +14,7 @@
 #include "tuner/evaluation/evaluations_file.hpp"
 #include "tuner/search/tune.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 struct Tuned {
   TuneResult result;
@@ -57,4 +57,4 @@ inline std::string without_times(const std::string& text) {
   return out;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 ParetoPoint point(double a, double b, bool feasible = true) {
@@ -52,4 +52,4 @@ TEST(Archive, FindsTheBestUnderLevelsAndWhereToBegin) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

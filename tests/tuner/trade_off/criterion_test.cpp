@@ -7,7 +7,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 Evaluation evaluation(const std::vector<double>& values, Metric metric) {
@@ -53,4 +53,4 @@ TEST(Criterion, WithoutADirectionIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

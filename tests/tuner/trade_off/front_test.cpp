@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::vector<Costs> random_points(std::size_t count, std::size_t criteria, unsigned seed) {
@@ -82,4 +82,4 @@ TEST(Hypervolume, CountsOnlyTheFront) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(LevelGrid, IsWalkedOnceInSingleSteps) {
@@ -47,4 +47,4 @@ TEST(LevelGrid, GroupsHoldEveryPlaceOnceAndNoNeighbours) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

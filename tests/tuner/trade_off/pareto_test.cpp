@@ -11,7 +11,7 @@
 #include "tests/tuner/support/short_study.hpp"
 #include "tuner/trade_off/pareto_file.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 const std::atomic<bool> kNever{false};
@@ -251,4 +251,4 @@ TEST_F(Pareto, ACriterionThatTheStartDoesNotGiveIsRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

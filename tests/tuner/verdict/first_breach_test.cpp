@@ -7,7 +7,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// What a watch of the arm's own limits sees first, of one kind.
@@ -110,4 +110,4 @@ TEST_F(FirstBreach, IsNoneWhereNothingBreaksOrNothingCanBeSaidWhileARolloutRuns)
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/study/corner.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST(BoundsNote, NamesTheGainsOnTheirBounds) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

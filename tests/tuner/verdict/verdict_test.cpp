@@ -11,7 +11,7 @@
 #include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -237,4 +237,4 @@ TEST(VerdictThresholds, ALoosenedOneIsNamedAndAStricterOneIsNot) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

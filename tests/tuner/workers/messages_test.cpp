@@ -11,7 +11,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/workers/bytes.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Every number another one, switches away from their defaults.
@@ -158,4 +158,4 @@ TEST(Messages, TheOthersComeBackAndAreToldApart) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

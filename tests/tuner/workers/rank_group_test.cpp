@@ -11,14 +11,14 @@
 #include <mutex>
 #include <thread>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/lanes/arm_lanes.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 #include "tuner/workers/messages.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
@@ -276,4 +276,4 @@ TEST(RankGroup, ThreadsBesideRanksAreRefused) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/workers/parallel.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(Workers, GiveEachCandidateItsRolloutsWhateverTheirNumber) {
@@ -204,4 +204,4 @@ TEST(ParallelFor, PassesOnTheExceptionAndStartsNoFurtherJob) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

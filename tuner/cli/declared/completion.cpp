@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// The words that an option or positional takes.
@@ -97,4 +97,4 @@ std::string completion(const DeclaredProgram& program, const std::string& shell)
   throw InputError(fmt::format("shell '{}': is not one of {}", shell, fmt::join(shell_names(), ", ")));
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

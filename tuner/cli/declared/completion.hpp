@@ -6,7 +6,7 @@
 
 #include "tuner/cli/declared/declared.hpp"
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 /// bash and zsh.
 const std::vector<std::string>& shell_names();
@@ -15,4 +15,4 @@ const std::vector<std::string>& shell_names();
 /// take are completed, else files. Throws InputError for another shell.
 std::string completion(const DeclaredProgram& program, const std::string& shell);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -4,7 +4,7 @@
 #include <map>
 #include <sstream>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// "TEXT:{a,b}" and "TEXT:INT in [1 - 9]": the type, and the words between the braces.
@@ -74,4 +74,4 @@ std::string bundled_kind(const DeclaredOption& option) {
   return {};
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

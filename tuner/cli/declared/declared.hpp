@@ -10,7 +10,7 @@ namespace CLI {
 class App;
 }
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 struct DeclaredOption {
   std::vector<std::string> names;    ///< "--out"; of a positional its one name, "STUDY"
@@ -42,4 +42,4 @@ DeclaredProgram declared(const CLI::App& app, const std::string& name);
 /// none.
 std::string bundled_kind(const DeclaredOption& option);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 /// Text for groff: its backslash, its hyphens (which it would else take for dashes), and dots and quotes that
@@ -86,4 +86,4 @@ std::string man_page(const DeclaredProgram& program, const std::string& version)
   return page + ".SH EXIT STATUS\n" + escaped(program.app.footer) + "\n";
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 namespace {
 
 constexpr const char* kPlainHeading = "Options";  ///< CLI11's, of an option that has no other
@@ -149,4 +149,4 @@ void group_options(CLI::App& app) {
   }
 }
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

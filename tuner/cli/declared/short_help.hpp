@@ -11,7 +11,7 @@ class App;
 class FormatterBase;
 }  // namespace CLI
 
-namespace armtune::cli {
+namespace armtune::internal::cli {
 
 struct OptionGroup {
   std::string heading;
@@ -36,4 +36,4 @@ std::shared_ptr<CLI::FormatterBase> help_formatter();
 /// Puts the options of every command that short_helps() names under their headings. Skips what was not built.
 void group_options(CLI::App& app);
 
-}  // namespace armtune::cli
+}  // namespace armtune::internal::cli

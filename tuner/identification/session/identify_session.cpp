@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -13,7 +13,7 @@
 #include "tuner/identification/theta_doubts.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr long kShownEvery = 20000;  ///< samples
@@ -106,4 +106,4 @@ void IdentifySession::write_files() {
   outcome_.files = {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.yaml"};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -10,7 +10,7 @@
 #include "tuner/session/observer.hpp"
 #include "tuner/session/session_context.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct IdentifySettings {
   std::string folder;                       ///< empty: nothing is written
@@ -37,7 +37,7 @@ class IdentifySession {
   IdentifySession(IdentifySettings settings, SessionContext context, SessionObserver& observer);
 
   /// Runs it; may be called once. Throws InputError if the folder is used or a log cannot be used;
-  /// std::runtime_error if a file cannot be written.
+  /// FailedError if a file cannot be written.
   IdentifyOutcome run();
 
  private:
@@ -49,4 +49,4 @@ class IdentifySession {
   IdentifyOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kActive = 1e-5;         // relative distance from a bound that counts as none
@@ -84,4 +84,4 @@ std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned) {
   return limits;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

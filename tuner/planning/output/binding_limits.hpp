@@ -3,7 +3,7 @@
 
 #include "tuner/planning/transcription/refining_solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A limit is active from its first to its last knot without a gap [s].
 struct Stretch {
@@ -29,4 +29,4 @@ struct BindingLimit {
 /// The limits that are active, the strongest first. What a task asks for (start, goal, path) is none.
 std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned);
 
-}  // namespace armtune
+}  // namespace armtune::internal

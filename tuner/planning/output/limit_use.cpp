@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr int kParts = 10;  // an interval is looked at in so many
@@ -177,4 +177,4 @@ WorstUse worst_between(const std::vector<LimitUse>& uses, const std::string& kin
   return worst;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

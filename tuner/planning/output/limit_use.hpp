@@ -7,7 +7,7 @@
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct LimitUse {
   std::string limit;  ///< "position", "velocity", "acceleration", "jerk", "torque", "tool path", "gaze",
@@ -37,4 +37,4 @@ struct WorstUse {
 };
 WorstUse worst_between(const std::vector<LimitUse>& uses, const std::string& kind);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
@@ -129,4 +129,4 @@ std::vector<Column> described(const std::vector<PlanColumn>& columns) {
   return found;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include "sim/rollout/columns.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct PlanColumn {
   std::string name;  ///< a tree with '/', no commas
@@ -22,4 +22,4 @@ std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& r
 /// Without their values, as columns.csv takes them.
 std::vector<Column> described(const std::vector<PlanColumn>& columns);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 
 #include "tuner/report/plan_recording.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// What the program holds at the knots only.
@@ -129,4 +129,4 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
   return entries;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "tuner/planning/output/limit_use.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// "0.136 s is the least time found within the limits", "10 s: tool at most 0.0021 mm off its path, ...".
 std::string plan_headline(const PlanTask& task, const PlanProblem& problem, const PlannedTrajectory& planned);
@@ -23,4 +23,4 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
                                                               const PlannedTrajectory& planned,
                                                               const std::vector<LimitUse>& uses);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include "core/common/message_text.hpp"
 #include "sim/csv/cell.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 std::string header(const std::vector<PlanColumn>& columns) {
@@ -90,4 +90,4 @@ std::vector<Column> limits_columns() {
           {"active_upper", "s", "stretches FROM:TO at the upper limit", {}}};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

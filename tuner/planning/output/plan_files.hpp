@@ -7,7 +7,7 @@
 #include "tuner/planning/output/limit_use.hpp"
 #include "tuner/planning/output/plan_columns.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Text of trajectory.csv: a row a knot, every limit's ratio beside its value.
 std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
@@ -20,4 +20,4 @@ std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const T
 std::string limits_csv(const std::vector<LimitUse>& uses);
 std::vector<Column> limits_columns();
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "core/trajectory/gaze.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 ToolDemands tool_demands(const PlanTask& task) {
   ToolDemands demands;
   demands.path = task.kind != PlanKind::kMove;
@@ -67,4 +67,4 @@ void PlanSampler::set(double time, const Eigen::VectorXd& position, const Eigen:
   to.clearance = clearance_at(robot.chain, to.poses, time, task_.scenario.obstacles);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "tuner/planning/tasks/plan_problem.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What a task says of the tool, beside the joints' limits.
 struct ToolDemands {
@@ -47,4 +47,4 @@ class PlanSampler {
   PlanSample sample_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

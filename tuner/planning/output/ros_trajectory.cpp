@@ -7,7 +7,7 @@
 #include "core/common/message_text.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kAtRest = 1e-6;  // of a joint's velocity limit
@@ -66,4 +66,4 @@ std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "core/robot/robot_model.hpp"
 #include "tuner/planning/transcription/trajectory.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class RosVersion { kRos1, kRos2 };
 
@@ -17,4 +17,4 @@ enum class RosVersion { kRos1, kRos2 };
 std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory, RosVersion version,
                            const std::vector<std::string>& header);
 
-}  // namespace armtune
+}  // namespace armtune::internal

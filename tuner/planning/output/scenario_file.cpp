@@ -5,7 +5,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string planned_scenario_name(const PlanTask& task) {
   return "planned_" + task.name + ".yaml";
@@ -20,4 +20,4 @@ std::string planned_scenario_yaml(const PlanTask& task) {
       yaml::quoted(fmt::format("the plan of {}, followed by the joint space law", task.name)));
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

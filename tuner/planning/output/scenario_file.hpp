@@ -5,7 +5,7 @@
 
 #include "tuner/planning/tasks/plan_task.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Name of the file in the plan's folder, which is the scenario's name in errors.csv and reports.
 std::string planned_scenario_name(const PlanTask& task);
@@ -14,4 +14,4 @@ std::string planned_scenario_name(const PlanTask& task);
 /// lasts, by a controller that knows the arm.
 std::string planned_scenario_yaml(const PlanTask& task);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/report/plan_recording.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 WorstViolation worst_violation(const PlannedTrajectory& planned) {
   TrajectoryProgram& program = *planned.program;
@@ -37,4 +37,4 @@ std::string sentence(const WorstViolation& worst) {
                      worst.time, worst.bound, unit);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tuner/planning/transcription/refining_solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The row that is violated most, in proportion to its limit.
 struct WorstViolation {
@@ -21,4 +21,4 @@ WorstViolation worst_violation(const PlannedTrajectory& planned);
 /// "torque of wrist_2_joint would be 31.2 N m at 0.31 s; its limit is 28 N m".
 std::string sentence(const WorstViolation& worst);
 
-}  // namespace armtune
+}  // namespace armtune::internal

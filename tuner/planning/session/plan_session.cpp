@@ -13,7 +13,7 @@
 #include "tuner/run/run_folder.hpp"
 #include "tuner/session/report_files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Beside the knots' own file: what is looked at, even in time and fine enough for smooth plots.
@@ -88,4 +88,4 @@ void PlanSession::write_files() {
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

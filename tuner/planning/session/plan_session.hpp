@@ -12,7 +12,7 @@
 #include "tuner/session/observer.hpp"
 #include "tuner/session/session_context.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct PlanSettings {
   std::string folder;  ///< empty: nothing is written
@@ -34,7 +34,7 @@ class PlanSession {
   PlanSession(PlanSettings settings, SessionContext context, SessionObserver& observer);
 
   /// Runs it; may be called once. Throws InputError if the folder is used or the task cannot be begun;
-  /// std::runtime_error if a file cannot be written.
+  /// FailedError if a file cannot be written.
   PlanOutcome run();
 
  private:
@@ -46,4 +46,4 @@ class PlanSession {
   PlanOutcome outcome_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "tuner/planning/solver/block_rows.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Row = Eigen::Map<const Eigen::VectorXd>;
@@ -79,4 +79,4 @@ void BlockRows::add_transposed(const Eigen::VectorXd& y, Eigen::VectorXd& result
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

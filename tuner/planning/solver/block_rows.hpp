@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A group of neighbouring rows that depend on the same columns.
 struct RowBlock {
@@ -44,4 +44,4 @@ class BlockRows {
   mutable Eigen::VectorXd gathered_;  ///< of one block
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::VectorXd;
@@ -99,4 +99,4 @@ void CondensedSystem::make_rows_exact(double within, LinearUnknowns& d) {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

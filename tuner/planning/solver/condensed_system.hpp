@@ -11,7 +11,7 @@
 #include "tuner/planning/solver/normal_matrix.hpp"
 #include "tuner/planning/solver/quadratic_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct LinearUnknowns {
   Eigen::VectorXd x;  ///< (variables)
@@ -68,4 +68,4 @@ class CondensedSystem {
   Eigen::VectorXd r1_, r2_, De_, Gx_, Rx_, Hx_, minus_y_, moved_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

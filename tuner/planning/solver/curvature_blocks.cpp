@@ -1,6 +1,6 @@
 #include "tuner/planning/solver/curvature_blocks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 int CurvatureBlocks::add(const std::vector<int>& columns) {
   Block block;
@@ -31,4 +31,4 @@ void CurvatureBlocks::add_product(const Eigen::VectorXd& x, Eigen::VectorXd& res
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

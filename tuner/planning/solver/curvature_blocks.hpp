@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 class CurvatureBlocks {
  public:
@@ -39,4 +39,4 @@ class CurvatureBlocks {
   mutable Eigen::VectorXd gathered_;  ///< of one block
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

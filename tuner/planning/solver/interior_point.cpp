@@ -5,7 +5,7 @@
 
 #include "tuner/planning/solver/interior_point_iteration.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 // Where rounding lets it come no nearer, a solution that is near enough will do.
@@ -54,4 +54,4 @@ InteriorPointResult InteriorPoint::solve(const QuadraticProgram& program, const 
   return result;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

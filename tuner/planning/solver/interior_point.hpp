@@ -11,7 +11,7 @@
 #include "tuner/planning/solver/normal_matrix.hpp"
 #include "tuner/planning/solver/quadratic_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct InteriorPointOptions {
   int max_iterations = 80;
@@ -48,4 +48,4 @@ class InteriorPoint {
   SparseCholesky cholesky_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

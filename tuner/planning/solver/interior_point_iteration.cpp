@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -211,4 +211,4 @@ double InteriorPointIteration::longest(const InteriorUnknowns& d) const {
   return alpha;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

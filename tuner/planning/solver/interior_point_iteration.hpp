@@ -7,7 +7,7 @@
 #include "tuner/planning/solver/condensed_system.hpp"
 #include "tuner/planning/solver/interior_point.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The unknowns, or one direction of them. y multiplies G x - w - over + under = 0; w lies between the
 /// bounds.
@@ -88,4 +88,4 @@ class InteriorPointIteration {
   double rows_wanted_ = 0.0;  ///< of the linear system's rows
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

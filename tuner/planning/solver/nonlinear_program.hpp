@@ -5,7 +5,7 @@
 
 #include "tuner/planning/solver/quadratic_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class NonlinearProgram {
  public:
@@ -38,4 +38,4 @@ class NonlinearProgram {
   NonlinearProgram& operator=(const NonlinearProgram&) = default;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The place of (row, column), row <= column, in a laid out matrix.
@@ -107,4 +107,4 @@ void NormalMatrix::assemble(const Eigen::VectorXd& diagonal,
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tuner/planning/solver/curvature_blocks.hpp"
 #include "tuner/planning/solver/sparse_cholesky.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 class NormalMatrix {
  public:
@@ -34,4 +34,4 @@ class NormalMatrix {
   std::vector<double> product_;  ///< one column of a block's
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

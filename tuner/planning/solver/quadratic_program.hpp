@@ -5,7 +5,7 @@
 #include "tuner/planning/solver/block_rows.hpp"
 #include "tuner/planning/solver/curvature_blocks.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct RowBounds {
   Eigen::VectorXd lower;    ///< -inf: none; equal to upper: an equation
@@ -23,4 +23,4 @@ struct QuadraticProgram {
   double scale = 1.0;       ///< typical curvature
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

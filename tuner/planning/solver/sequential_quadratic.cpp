@@ -6,7 +6,7 @@
 #include "tuner/planning/solver/step_filter.hpp"
 #include "tuner/planning/solver/violation_price.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -284,4 +284,4 @@ SequentialQuadraticResult solve(NonlinearProgram& program, VectorXd z, VectorXd 
   return Solver(program, options).run(std::move(z), std::move(multipliers), observer);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

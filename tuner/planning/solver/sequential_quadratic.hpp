@@ -9,7 +9,7 @@
 #include "tuner/planning/solver/interior_point.hpp"
 #include "tuner/planning/solver/nonlinear_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct SequentialQuadraticOptions {
   int max_iterations = 200;
@@ -47,4 +47,4 @@ using PlanObserver = std::function<bool(const SequentialQuadraticProgress&)>;
 SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Eigen::VectorXd multipliers,
                                 const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
-}  // namespace armtune
+}  // namespace armtune::internal

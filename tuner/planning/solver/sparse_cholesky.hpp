@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Upper triangle of a symmetric matrix, compressed by columns, rows ascending: what CHOLMOD factorises
 /// without transposing. The pattern stays as it is made.
@@ -20,7 +20,7 @@ struct SymmetricMatrix {
 /// Analysed once for a pattern, then factorised for as many values as wanted.
 class SparseCholesky {
  public:
-  /// Analyses the pattern; the columns keep their order. Throws std::runtime_error if memory runs out.
+  /// Analyses the pattern; the columns keep their order. Throws FailedError if memory runs out.
   explicit SparseCholesky(const SymmetricMatrix& pattern);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;
@@ -36,4 +36,4 @@ class SparseCholesky {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kAccept = 1e-4;           // least part of the predicted decrease
@@ -47,4 +47,4 @@ bool StepFilter::accepts(const Judged& before, const Judged& model, const Judged
   return true;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

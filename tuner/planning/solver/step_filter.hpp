@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Judged {
   double objective = 0.0;
@@ -28,4 +28,4 @@ class StepFilter {
   double largest_allowed_ = 0.0;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

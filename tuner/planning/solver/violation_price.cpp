@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -57,4 +57,4 @@ bool ViolationPrice::no_less_violated(int iteration, const VectorXd& row) {
   return iteration - least_at_ >= kPatience;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "tuner/planning/solver/quadratic_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// By how much a row's value is outside its bounds; infinite where it is no number.
 double violation(const RowBounds& bounds, Eigen::Index row, double value);
@@ -37,4 +37,4 @@ class ViolationPrice {
   double least_;          ///< sum of violations at this price
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

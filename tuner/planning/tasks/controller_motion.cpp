@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/state_machine.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/data_files.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kApart = 0.05;  // of a row from the task's start [s]
@@ -97,4 +97,4 @@ ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot
   return found;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/transcription/trajectory.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct ControllerMotion {
   Trajectory motion;              ///< from the plan's start to the rollout's end, a knot a row
@@ -16,4 +16,4 @@ struct ControllerMotion {
 /// From the rollout that the task starts from. Throws InputError if it does not have the task's start.
 ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/trajectory/quintic.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The joints on their `way`, a motion over the path coordinate, as that goes; and itself.
@@ -77,4 +77,4 @@ PlanProblem fastest_problem(const PlanCommon& common) {
   return problem;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,9 +4,9 @@
 #include "tuner/planning/tasks/plan_common.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Throws InputError if the path stands still.
 PlanProblem fastest_problem(const PlanCommon& common);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kRounding = 1e-9;  // of a limit
@@ -70,4 +70,4 @@ double clearance_at(const RobotModel& robot, const JointVector& q, double time,
   return clearance_at(robot.chain, poses, time, obstacles);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

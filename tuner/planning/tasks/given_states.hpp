@@ -3,7 +3,7 @@
 
 #include "tuner/planning/tasks/plan_common.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Throws InputError where the start is closer to an obstacle than the task allows, or where a joint cannot
 /// give the torque that the start or the goal takes.
@@ -14,4 +14,4 @@ void check_given_states(const PlanCommon& common);
 double clearance_at(const RobotModel& robot, const JointVector& q, double time,
                     const std::vector<MovingObstacle>& obstacles);
 
-}  // namespace armtune
+}  // namespace armtune::internal

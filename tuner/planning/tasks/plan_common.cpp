@@ -9,7 +9,7 @@
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kShortest = 2e-3;   // of a free duration [s]
@@ -102,4 +102,4 @@ double PlanCommon::likely_duration(const JointVector& way) const {
       (way.array().abs() / (0.5 * task.limits.velocity * robot->velocity_limits().array())).maxCoeff());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tuner/planning/tasks/plan_start.hpp"
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct PlanCommon {
   PlanTask task;
@@ -35,4 +35,4 @@ struct PlanCommon {
 /// From rest to the velocity limit, where no limit says how long it takes [s].
 inline constexpr double kAccelerationTime = 0.2;
 
-}  // namespace armtune
+}  // namespace armtune::internal

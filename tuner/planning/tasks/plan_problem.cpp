@@ -10,7 +10,7 @@
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kErrorWeight = 10.0;  // of squared errors beside the jerk: m and rad
@@ -228,4 +228,4 @@ PlanProblem plan_problem(const PlanTask& task) {
   return problem;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

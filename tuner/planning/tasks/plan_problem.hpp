@@ -7,7 +7,7 @@
 #include "tuner/planning/tasks/tool_motion.hpp"
 #include "tuner/planning/transcription/refining_solver.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct PlanProblem {
   std::shared_ptr<const RobotModel> robot;  ///< as it really is in the scenario
@@ -28,4 +28,4 @@ PlanProblem plan_problem(const PlanTask& task);
 /// The target the gaze is to be at in time.
 MovingPoint active_target(const Scenario& scenario);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "sim/scenario/data_files.hpp"
 #include "tuner/planning/tasks/tool_motion.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kLeadIn = 3.0;  // s on the path before the start: the inverse kinematics settles
@@ -70,4 +70,4 @@ JointVector acceleration_at_rest(const PlanTask& task) {
   return JointVector::Zero(task.limits.jerk.size());
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

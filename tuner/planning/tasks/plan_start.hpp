@@ -1,11 +1,11 @@
 #pragma once
 // The state a plan starts from.
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "tuner/planning/tasks/controller_motion.hpp"
 #include "tuner/planning/tasks/plan_task.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The arm cannot be where the task wants it.
 class OutOfReach : public InputError {
@@ -26,4 +26,4 @@ StartState start_state(const PlanTask& task, const RobotModel& robot, const Cont
 /// else empty: any.
 JointVector acceleration_at_rest(const PlanTask& task);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
 #include "sim/csv/cell.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -16,7 +16,7 @@
 #include "sim/yaml/map_reader.hpp"
 #include "sim/yaml/quoted.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -268,4 +268,4 @@ std::string plan_task_yaml(const PlanTask& task) {
   return text;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

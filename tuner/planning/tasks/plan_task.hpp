@@ -9,7 +9,7 @@
 
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class PlanKind {
   kMove,     ///< from one joint position to another
@@ -65,4 +65,4 @@ PlanTask load_plan_task(const std::string& name_or_path);
 /// Text of the task with every default written out.
 std::string plan_task_yaml(const PlanTask& task);
 
-}  // namespace armtune
+}  // namespace armtune::internal

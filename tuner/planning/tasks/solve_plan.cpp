@@ -1,6 +1,6 @@
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kRoomy = 1.25;  // times the least duration: no limit is near everywhere
@@ -82,4 +82,4 @@ PlannedTrajectory solve_plan(const PlanProblem& problem, const SequentialQuadrat
   return ended(planned) ? planned : tries.from_afar(problem);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "tuner/planning/tasks/plan_problem.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The best trajectory found. Where a duration is given that could be free, and it is near the least time or
 /// below it, the plan of the least time comes first: it is found more easily than one of a given duration,
@@ -11,4 +11,4 @@ namespace armtune {
 PlannedTrajectory solve_plan(const PlanProblem& problem, const SequentialQuadraticOptions& options = {},
                              const PlanObserver& observer = {});
 
-}  // namespace armtune
+}  // namespace armtune::internal

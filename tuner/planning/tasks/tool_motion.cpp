@@ -8,7 +8,7 @@
 #include "core/control/task_goal.hpp"
 #include "core/control/task_inverse.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kInnerStep = 1e-3;  // s, of the inverse kinematics along a path
@@ -80,4 +80,4 @@ Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid&
   return motion;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

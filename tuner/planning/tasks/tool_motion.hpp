@@ -9,7 +9,7 @@
 #include "core/trajectory/motion_point.hpp"
 #include "tuner/planning/transcription/trajectory.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A point that moves: position [m], velocity, acceleration at t [s].
 using MovingPoint = std::function<MotionPoint<Vec3>(double t)>;
@@ -32,4 +32,4 @@ std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
 Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid& grid,
                   const MovingPoint& tool, const MovingPoint& target);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "core/trajectory/path.hpp"
 #include "tuner/planning/transcription/knot_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct KnotRange {
   int first = 0;
@@ -50,4 +50,4 @@ using ToolCurve = std::function<MotionPoint<Vec3>(double s)>;
 /// Tool at curve(s) in x, y, z, s being the path coordinate.
 KnotTerm tool_on_curve(const RobotModel& robot, KnotRange knots, const ToolCurve& curve, double tolerance);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The origin of a first joint that turns stands still: nothing can be done about it.
@@ -64,4 +64,4 @@ double clearance_at(const Chain& chain, const Poses& poses, double time,
   return least;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// How the unit vector u along a line of this length changes with the line.
@@ -90,4 +90,4 @@ KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& targe
   return term;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// z axis and origin of a joint in the base frame, and whether it turns.
 struct JointAxis {
@@ -27,4 +27,4 @@ inline void put(double* rows, int columns, int column, const Vec3& d) {
   for (int i = 0; i < 3; ++i) rows[i * columns + column] = d[i];
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

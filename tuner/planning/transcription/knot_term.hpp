@@ -8,7 +8,7 @@
 
 #include "core/robot/kinematics.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The arm at one knot.
 struct Knot {
@@ -50,4 +50,4 @@ struct KnotTerm {
   std::function<double(std::size_t row, double value)> natural;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

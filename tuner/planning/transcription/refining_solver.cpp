@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr int kCoarsest = 24;  // intervals of the longest phase
@@ -199,4 +199,4 @@ PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, con
   return weighed_in(std::move(planned), task, grid, options, observer);
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tuner/planning/solver/sequential_quadratic.hpp"
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// The task on a grid; grids differ in their numbers of intervals only.
 using TaskOnGrid = std::function<TrajectoryTask(const TimeGrid&)>;
@@ -38,4 +38,4 @@ PlannedTrajectory solve_refining(const TaskOnGrid& task, const TimeGrid& grid, c
 PlannedTrajectory solve_beside(const TaskOnGrid& task, const TimeGrid& grid, const Trajectory& guess,
                                const SequentialQuadraticOptions& options, const PlanObserver& observer);
 
-}  // namespace armtune
+}  // namespace armtune::internal

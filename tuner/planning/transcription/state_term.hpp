@@ -3,7 +3,7 @@
 
 #include "tuner/planning/transcription/knot_term.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Position, velocity, acceleration of every coordinate [rad, m and per s, s^2]; empty: not given.
 struct GivenState {
@@ -58,4 +58,4 @@ inline KnotTerm path_coordinate_at(int knot, double s) {
   return term;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #include "tuner/planning/transcription/term_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 KnotTerm over(KnotRange knots, const std::string& name, const std::vector<std::string>& rows) {
   KnotTerm term;
@@ -30,4 +30,4 @@ void in_meters(double factor, KnotTerm& term) {
   term.natural = [factor](std::size_t, double value) { return value / factor; };
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

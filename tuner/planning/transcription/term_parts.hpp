@@ -3,7 +3,7 @@
 
 #include "tuner/planning/transcription/arm_terms.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// A term over these knots, a row for each name.
 KnotTerm over(KnotRange knots, const std::string& name, const std::vector<std::string>& rows);
@@ -14,4 +14,4 @@ std::vector<std::string> units_by_motion(const RobotModel& robot, const char* tu
 /// The rows' values are lengths [m] times `factor`.
 void in_meters(double factor, KnotTerm& term);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Phase {
   std::string name;
@@ -40,4 +40,4 @@ struct TimeGrid {
   }
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

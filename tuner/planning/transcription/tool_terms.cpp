@@ -7,7 +7,7 @@
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// Of the tool's distance from its path, so that `tolerance` is 1 where there is one.
@@ -122,4 +122,4 @@ KnotTerm tool_moves_with_path(const RobotModel& robot, int knot, const Path& pat
   return term;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

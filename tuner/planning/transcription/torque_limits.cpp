@@ -4,7 +4,7 @@
 #include "core/robot/inverse_dynamics_derivatives.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) {
   KnotTerm term = over(knots, "torque", joint_names(robot));
@@ -45,4 +45,4 @@ KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) 
   return term;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "core/trajectory/linear_acceleration.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 TrajectoryPoint point_at(const Trajectory& trajectory, double t) {
   const auto& time = trajectory.time;
@@ -92,4 +92,4 @@ void make_continuous(Trajectory& motion) {
     motion.velocity.col(k + 1) = motion.velocity.col(k) + h(k) * (a.col(k) + a.col(k + 1)) / 2.0;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/planning/transcription/time_grid.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct Trajectory {
   std::vector<double> time;                          ///< of the knots, ascending [s]
@@ -32,4 +32,4 @@ Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory);
 /// and ends with the velocities it has (de Boor, A Practical Guide to Splines, chapter IV): at least 2 knots.
 void make_continuous(Trajectory& motion);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -160,4 +160,4 @@ void TrajectoryProgram::curve_knots(const VectorXd& z, const VectorXd& residual,
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -185,4 +185,4 @@ std::vector<int> TrajectoryProgram::knot_columns(int knot, bool on_velocity, boo
   return columns;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

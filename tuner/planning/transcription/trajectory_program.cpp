@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -174,4 +174,4 @@ double TrajectoryProgram::natural(Index row, double value) const {
   }
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -21,7 +21,7 @@
 #include "tuner/planning/transcription/time_grid.hpp"
 #include "tuner/planning/transcription/trajectory.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// What a value between two bounds is divided by, so that a violation is relative to its limit: the larger of
 /// the finite ones, 1 without one.
@@ -162,4 +162,4 @@ class TrajectoryProgram : public NonlinearProgram {
   Eigen::VectorXd scratch_q_, scratch_qd_, scratch_qdd_, scratch_time_;
 };
 
-}  // namespace armtune
+}  // namespace armtune::internal

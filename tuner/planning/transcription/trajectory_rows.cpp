@@ -5,7 +5,7 @@
 
 #include "tuner/planning/transcription/trajectory_program.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using Eigen::Index;
@@ -198,4 +198,4 @@ Knot TrajectoryProgram::knot_at(const VectorXd& z, const std::vector<double>& du
   return knot;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

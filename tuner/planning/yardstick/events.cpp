@@ -6,7 +6,7 @@
 
 #include "tuner/planning/tasks/given_states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 /// The columns of a rollout that events are read from.
@@ -210,4 +210,4 @@ std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, 
   return events;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "sim/csv/csv_table.hpp"
 #include "sim/scenario/scenario.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 enum class EventKind {
   kSwitch,  ///< reached: s from the switch until the gaze is under its threshold and stays there
@@ -62,4 +62,4 @@ inline constexpr double kSwitchHold = 0.5;
 /// column is missing.
 std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -8,7 +8,7 @@
 #include "tuner/planning/tasks/plan_start.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kToleranceRoom = 1.05;     // beside the rollout's own largest distance from the path
@@ -192,4 +192,4 @@ double reacquisition_limit(const std::vector<Measure>& measures, const std::stri
   return slowest == nullptr ? NAN : slowest->limit;
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -6,7 +6,7 @@
 #include "tuner/planning/transcription/refining_solver.hpp"
 #include "tuner/planning/yardstick/events.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 struct YardstickOptions {
   double velocity = 1.0;  ///< shares of the arm's limits
@@ -62,4 +62,4 @@ Measure measure(const Event& event, const Scenario& scenario, const YardstickOpt
 /// of [s]. NaN where it has none, or where there is no switch.
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario);
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 
 #include "sim/csv/cell.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 std::string yardstick_csv(const std::vector<Measure>& measures) {
   std::string text;
@@ -58,4 +58,4 @@ std::vector<Column> yardstick_columns() {
        {}}};
 }
 
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -4,7 +4,7 @@
 #include "sim/rollout/columns.hpp"
 #include "tuner/planning/yardstick/yardstick.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 
 /// Text of yardstick.csv. Numbers read back to the same bits; what there is not is an empty cell.
 std::string yardstick_csv(const std::vector<Measure>& measures);
@@ -12,4 +12,4 @@ std::string yardstick_csv(const std::vector<Measure>& measures);
 /// Name, unit and meaning of its columns.
 std::vector<Column> yardstick_columns();
 
-}  // namespace armtune
+}  // namespace armtune::internal

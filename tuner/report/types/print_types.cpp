@@ -7,8 +7,8 @@
 #include "tuner/report/report_data.hpp"
 
 int main() {
-  armtune::record::TypePrinter printer;
-  printer.type_of<armtune::report::ReportData>();
+  armtune::internal::record::TypePrinter printer;
+  printer.type_of<armtune::internal::report::ReportData>();
   std::cout
       << "// Printed by print_types from tuner/report/report_data.hpp. A page has the data as one JSON object in\n"
          "// <script id=\"report-data\" type=\"application/json\">.\n\n"

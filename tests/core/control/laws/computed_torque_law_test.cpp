@@ -7,7 +7,7 @@
 #include "tests/core/support/law_period.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Period;
@@ -63,4 +63,4 @@ TEST(ComputedTorqueLaw, TracksJointsAsALinearSystemToo) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "core/common/error.hpp"
+#include "armtune/error.hpp"
 #include "core/control/laws/controller.hpp"
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/valid_gains.hpp"
@@ -13,7 +13,7 @@
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/law_period.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using testing::HasSubstr;
@@ -146,7 +146,7 @@ TEST(ControllerKind, OwnGainsAreFoundByNameAndCheckedLikeAnyOther) {
   Gains gains =
       controlled_by(controller_kind("joint_pd"), test::ur10_gains(), test::ur10(), test::Rig().goal().q);
   EXPECT_EQ(own(gains, "joint_pd_p").size(), 6);
-  EXPECT_THROW(own(gains, "impedance_k"), std::logic_error);
+  EXPECT_THROW(own(gains, "impedance_k"), InputError);
   own(gains, "joint_pd_p")[2] = -3.0;
   try {
     validate(gains, joint_names(test::ur10()), "gains.yaml");
@@ -180,4 +180,4 @@ TEST(ControllerKind, TheControllersTorqueIsThatOfTheLawTheGainsName) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -14,7 +14,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::obstacles_near;
@@ -250,4 +250,4 @@ TEST(ControllerOptions, TheBarrierDampsWithTheActiveKdAndFadesTheRepulsionThatPu
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

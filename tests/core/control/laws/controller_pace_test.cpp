@@ -13,7 +13,7 @@
 #include "tests/core/support/controller_rig.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 constexpr double kMargin = 0.85;
@@ -169,4 +169,4 @@ TEST(ControllerPace, LeaveSingularityWaitsForItsReference) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

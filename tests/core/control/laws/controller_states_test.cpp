@@ -10,7 +10,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -213,4 +213,4 @@ TEST(ControllerStates, ReportsManipulabilityAndWhetherTheInverseIsDamped) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

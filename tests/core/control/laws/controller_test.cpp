@@ -13,7 +13,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::WorstError;
@@ -248,4 +248,4 @@ TEST(Controller, StartsThetaWhereItIsTold) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

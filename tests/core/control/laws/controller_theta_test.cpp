@@ -12,7 +12,7 @@
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::obstacles_near;
@@ -125,4 +125,4 @@ TEST(ControllerOptions, ThetaAdaptsAlongTheFilteredMotion) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -7,7 +7,7 @@
 #include "tests/core/support/law_period.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Period;
@@ -78,4 +78,4 @@ TEST(ImpedanceLaw, TracksJointsWithTheJointSpaceLaw) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

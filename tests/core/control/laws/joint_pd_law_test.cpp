@@ -5,7 +5,7 @@
 #include "tests/core/support/law_period.hpp"
 #include "tests/core/support/worst_error.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 using test::Period;
@@ -53,4 +53,4 @@ TEST(JointPdLaw, ReferenceWaitsWhileAJointIsSaturatedAndYieldsToObstacles) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

@@ -11,7 +11,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 
-namespace armtune {
+namespace armtune::internal {
 namespace {
 
 TEST(StartingGains, DampEveryArmAtOneRate) {
@@ -48,4 +48,4 @@ TEST(StartingGains, TheWayToTheGoalKeepsToTheVelocityLimits) {
 }
 
 }  // namespace
-}  // namespace armtune
+}  // namespace armtune::internal

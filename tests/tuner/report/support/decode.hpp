@@ -9,7 +9,7 @@
 
 #include "sim/yaml/document.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// Bytes of base64 text, bit by bit.
 inline std::vector<unsigned char> base64_bytes(const std::string& text) {
@@ -65,4 +65,4 @@ inline std::string data_of(const std::string& page) {
   return page.substr(first, page.find("</script>", first) - first);
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -7,7 +7,7 @@
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/report/scene.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 struct Recorded {
   Scenario scenario;
@@ -57,4 +57,4 @@ inline std::vector<Eigen::Isometry3d> frames(const report::Arm& arm, const std::
   return found;
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -8,7 +8,7 @@
 #include "sim/rollout/error_report.hpp"
 #include "tuner/report/tables.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// A result with these metrics alone.
 inline ScenarioResult result_of(const std::string& scenario,
@@ -54,4 +54,4 @@ inline std::vector<report::Table> two_sets() {
   return report::tables_of({start, tuned});
 }
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -9,7 +9,7 @@
 #include "sim/rollout/error_report.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
 
-namespace armtune::test {
+namespace armtune::internal::test {
 
 /// A run folder of simulate: the recorded rollout under each name, `repeats` times one after the other.
 inline void write_run(const TemporaryFolder& folder, const std::vector<std::string>& names,
@@ -52,4 +52,4 @@ inline void write_run(const TemporaryFolder& folder, const std::vector<std::stri
 inline const std::vector<report::SceneSet> kTwoSets = {{"start", "start", "start/errors.csv"},
                                                        {"tuned", ".", "errors.csv"}};
 
-}  // namespace armtune::test
+}  // namespace armtune::internal::test

@@ -1,0 +1,21 @@
+#pragma once
+// All of armtune's interface. plan.hpp and identify.hpp need libraries of their own (see there), and
+// program.hpp too.
+
+#include "armtune/about.hpp"
+#include "armtune/controller.hpp"
+#include "armtune/error.hpp"
+#include "armtune/front.hpp"
+#include "armtune/gains.hpp"
+#include "armtune/identify.hpp"
+#include "armtune/plan.hpp"
+#include "armtune/program.hpp"
+#include "armtune/progress.hpp"
+#include "armtune/report.hpp"
+#include "armtune/robot.hpp"
+#include "armtune/robustness.hpp"
+#include "armtune/rollout.hpp"
+#include "armtune/scenario.hpp"
+#include "armtune/study.hpp"
+#include "armtune/tune.hpp"
+#include "armtune/verdict.hpp"

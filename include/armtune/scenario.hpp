@@ -1,0 +1,45 @@
+#pragma once
+// A task for an arm: the tool's path, gaze targets, obstacles, and how the real arm differs from the
+// controller's model.
+
+#include <memory>
+#include <string>
+
+#include "armtune/robot.hpp"
+
+namespace armtune {
+
+namespace internal {
+struct Scenario;
+}
+
+/// A value: a setter changes this object alone.
+class Scenario {
+ public:
+  /// Reads a bundled scenario by name, or a scenario file by path. Throws InputError.
+  static Scenario load(const std::string& name_or_path);
+
+  const std::string& name() const;
+  Robot robot() const;
+  double duration() const;        ///< simulated time [s]
+  double control_period() const;  ///< [s]
+
+  /// What its results are called by: letters, digits, '_', '-' and '.'. Two scenarios that are simulated
+  /// together need different names. Throws InputError.
+  void set_name(const std::string& name);
+  /// [s]; one control period at least. Throws InputError.
+  void set_duration(double seconds);
+  /// False once a setter was called: no file says what it is now, and it cannot be simulated into a run
+  /// folder.
+  bool as_in_file() const { return as_in_file_; }
+
+  /// For armtune itself.
+  explicit Scenario(internal::Scenario inside);
+  const internal::Scenario& inside() const { return *inside_; }
+
+ private:
+  std::shared_ptr<const internal::Scenario> inside_;
+  bool as_in_file_ = true;
+};
+
+}  // namespace armtune

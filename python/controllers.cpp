@@ -1,0 +1,175 @@
+// Controllers written in Python, for experiments: each control period calls Python.
+
+#include <fmt/format.h>
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include "armtune/controller.hpp"
+#include "armtune/error.hpp"
+#include "python/bindings.hpp"
+
+namespace py = pybind11;
+
+namespace armtune::internal::python {
+namespace {
+
+using armtune::ControllerKind;
+using armtune::Gains;
+using armtune::GainShape;
+using armtune::LawSetup;
+
+/// What Python sees of a control period, for as long as that lasts.
+struct Period {
+  const LawState* state;
+
+  const LawState& now() const {
+    if (state != nullptr) return *state;
+    throw std::runtime_error("the control period is over: copy what is to be kept");
+  }
+};
+
+using Vector = Eigen::VectorXd;
+
+Vector model_torque(const Period& period, const Vector& v, const Vector& a) {
+  Vector tau(period.now().position().size());
+  if (v.size() != tau.size() || a.size() != tau.size())
+    throw py::value_error(fmt::format("model_torque: vectors of {} numbers are needed", tau.size()));
+  period.now().model_torque(v, a, tau);
+  return tau;
+}
+
+/// Calls `function`, and tells what it raises as a failure of the run.
+template <class Function>
+auto told(const std::string& name, Function function) {
+  const py::gil_scoped_acquire lock;
+  try {
+    return function();
+  } catch (const py::error_already_set& error) {
+    throw FailedError(fmt::format("controller {}: {}", name, error.what()));
+  } catch (const py::cast_error&) {
+    throw FailedError(fmt::format("controller {}: what its function returned is no list of numbers", name));
+  }
+}
+
+class PythonLaw final : public Law {
+ public:
+  PythonLaw(std::string name, py::object function) : name_(std::move(name)), function_(std::move(function)) {}
+  ~PythonLaw() override {
+    const py::gil_scoped_acquire lock;
+    function_ = py::object();
+  }
+
+  void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) override {
+    const auto given = told(name_, [&] {
+      auto period = std::make_shared<Period>(Period{&state});
+      const std::shared_ptr<void> over(nullptr, [&](void*) { period->state = nullptr; });
+      return function_(period).cast<Vector>();
+    });
+    if (given.size() != tau.size())
+      throw FailedError(fmt::format("controller {}: {} torques were returned, the arm has {} joints", name_,
+                                    given.size(), tau.size()));
+    tau = given;
+  }
+
+ private:
+  std::string name_;
+  py::object function_;
+};
+
+GainShape shape_of(const std::string& word) {
+  if (word == "scalar") return GainShape::kScalar;
+  if (word == "task") return GainShape::kTask;
+  if (word == "joints") return GainShape::kJoints;
+  throw py::value_error(fmt::format("shape: {}, must be scalar, task or joints", word));
+}
+
+/// A gain's declaration from a dict with the names of GainDeclaration's fields.
+GainDeclaration declared(const py::dict& given) {
+  GainDeclaration gain;
+  for (const auto& [key, value] : given) {
+    const auto name = key.cast<std::string>();
+    if (name == "shape")
+      gain.shape = shape_of(value.cast<std::string>());
+    else if (name == "name")
+      gain.name = value.cast<std::string>();
+    else if (name == "unit")
+      gain.unit = value.cast<std::string>();
+    else if (name == "meaning")
+      gain.meaning = value.cast<std::string>();
+    else if (name == "otherwise")
+      gain.otherwise = value.cast<double>();
+    else if (name == "positive")
+      gain.positive = value.cast<bool>();
+    else if (name == "in_loop")
+      gain.in_loop = value.cast<bool>();
+    else if (name == "lower_factor")
+      gain.lower_factor = value.cast<double>();
+    else if (name == "upper_factor")
+      gain.upper_factor = value.cast<double>();
+    else
+      throw py::value_error(fmt::format("own: a gain has no '{}'", name));
+  }
+  return gain;
+}
+
+void register_python(const std::string& name, const py::function& make, const std::vector<py::dict>& own,
+                     const std::vector<std::string>& uses, const std::string& meaning,
+                     const py::object& start) {
+  // Kinds live until the process ends, when Python is gone already.
+  const auto* maker = new py::function(make);
+  ControllerKind kind;
+  kind.name = name;
+  kind.meaning = meaning;
+  kind.uses = uses;
+  for (const py::dict& gain : own) kind.own.push_back(declared(gain));
+  kind.make = [name, maker](const LawSetup& setup) -> std::unique_ptr<Law> {
+    return told(name, [&] {
+      return std::make_unique<PythonLaw>(name, (*maker)(setup.robot, setup.gains, setup.period));
+    });
+  };
+  if (!start.is_none()) {
+    const auto* starter = new py::object(start);
+    kind.start = [name, starter](const Robot& robot, std::span<const double> q, Gains& gains) {
+      told(name, [&] {
+        const py::object given = py::cast(gains);
+        (*starter)(robot, std::vector<double>(q.begin(), q.end()), given);
+        gains = given.cast<Gains>();
+        return 0;
+      });
+    };
+  }
+  register_controller(kind);
+}
+
+}  // namespace
+
+void bind_controllers(py::module_& module) {
+  const auto vector = [](auto member) {
+    return [member](const Period& self) { return Vector((self.now().*member)()); };
+  };
+  py::class_<Period, std::shared_ptr<Period>>(
+      module, "ControlPeriod", made_by_armtune(),
+      "One control period as a law sees it. It lasts for the call alone.")
+      .def_property_readonly("position", vector(&LawState::position), "q, measured (n) [rad, m]")
+      .def_property_readonly("velocity", vector(&LawState::velocity), "q', measured (n) [rad/s, m/s]")
+      .def_property_readonly("reference_velocity", vector(&LawState::reference_velocity), "qr' (n)")
+      .def_property_readonly("reference_acceleration", vector(&LawState::reference_acceleration), "qr'' (n)")
+      .def_property_readonly("sliding", vector(&LawState::sliding), "S = q' - qr' (n)")
+      .def_property_readonly("damping", vector(&LawState::damping), "Kd of the active state (n)")
+      .def_property_readonly(
+          "jacobian", [](const Period& self) { return Eigen::MatrixXd(self.now().jacobian()); },
+          "Of the tool (6 x n).")
+      .def_property_readonly("state", [](const Period& self) { return self.now().state(); })
+      .def("model_torque", &model_torque, py::arg("v"), py::arg("a"),
+           "M(q) a + C(q, q') v + g(q) + friction(q') (n) of the arm as the controller knows it.");
+  module.def(
+      "register_controller", &register_python, py::arg("name"), py::arg("make"), py::kw_only(),
+      py::arg("own") = std::vector<py::dict>(), py::arg("uses") = std::vector<std::string>(),
+      py::arg("meaning") = "", py::arg("start") = py::none(),
+      "Adds a kind of controller for this process. make(robot, gains, period) returns a function of a ControlPeriod that "
+      "returns the torques (n) [N m, N]. own: dicts with shape (scalar, task, joints), name, unit, meaning, otherwise. "
+      "start(robot, q, gains) sets own gains to begin with.");
+}
+
+}  // namespace armtune::internal::python

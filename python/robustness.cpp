@@ -1,0 +1,81 @@
+// How far gains hold away from what they were made for.
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "armtune/robustness.hpp"
+#include "core/common/utf8.hpp"
+#include "python/bindings.hpp"
+#include "python/watched.hpp"
+
+namespace py = pybind11;
+
+namespace armtune::internal::python {
+
+using armtune::Gains;
+using armtune::Margin;
+using armtune::Scenario;
+
+void bind_robustness(py::module_& module) {
+  py::class_<RobustnessSample>(module, "RobustnessSample", made_by_armtune(),
+                               "One random arm in every scenario.")
+      .def_readonly("number", &RobustnessSample::number)
+      .def_readonly("rollouts", &RobustnessSample::rollouts, "One for each scenario, without recordings.")
+      .def_readonly("broken", &RobustnessSample::broken,
+                    "The limit that was broken first in each scenario; empty: none.")
+      .def_property_readonly("keeps_all", &RobustnessSample::keeps_all);
+  py::class_<Robustness>(module, "Robustness", made_by_armtune(), "Gains on random arms.")
+      .def_readonly("samples", &Robustness::samples)
+      .def_property_readonly("yield_", &Robustness::yield,
+                             "Share of the samples that keep every limit; nan without samples.")
+      .def_readonly("verdict", &Robustness::verdict)
+      .def_readonly("files", &Robustness::files, "Names of those in the run's folder.");
+  module.def(
+      "robustness",
+      [](const std::vector<Scenario>& scenarios, const Gains& gains, std::uint64_t samples,
+         std::uint64_t seed, const std::map<std::string, double>& perturbation, const std::string& engine,
+         const MaybePath& folder, bool resume, int workers, py::object progress) {
+        RobustnessOptions options{text_of(folder),   resume,  samples, seed, perturbation,
+                                  engine_of(engine), workers, {}};
+        return watched(std::move(progress), [&, set = gains](const Watch& watch) {
+          options.watch = watch;
+          return armtune::robustness(scenarios, set, options);
+        });
+      },
+      py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("samples") = 1000, py::arg("seed") = 1,
+      py::arg("perturbation") = std::map<std::string, double>(), py::arg("engine") = "simbody",
+      py::arg("folder") = py::none(), py::arg("resume") = false, py::arg("workers") = 1,
+      py::arg("progress") = py::none(),
+      "Gains on arms that differ at random. perturbation: widths by the names of 'armtune robustness --help'.");
+
+  py::class_<Margin>(module, "Margin", made_by_armtune(),
+                     "How far one quantity can be pushed in one scenario.")
+      .def_readonly("kind", &Margin::kind)
+      .def_readonly("unit", &Margin::unit)
+      .def_readonly("scenario", &Margin::scenario)
+      .def_readonly("nominal", &Margin::nominal)
+      .def_readonly("stands", &Margin::stands, "The last value that stood; None: not even the nominal one.")
+      .def_readonly("fails", &Margin::fails,
+                    "Its neighbour that did not; None: everything that was tried stood.")
+      .def_readonly("reason", &Margin::reason)
+      .def("__repr__", [](const Margin& self) {
+        return as_utf8(fmt::format("<armtune.Margin {} in {}: {} {}>", self.kind, self.scenario,
+                                   self.stands ? fmt::format("{:.4g}", *self.stands) : "none", self.unit));
+      });
+  module.def(
+      "margins",
+      [](const std::vector<Scenario>& scenarios, const Gains& gains, const std::string& engine, int workers,
+         py::object progress) {
+        MarginsOptions options{engine_of(engine), workers, {}};
+        return watched(std::move(progress), [&, set = gains](const Watch& watch) {
+          options.watch = watch;
+          return armtune::margins(scenarios, set, options);
+        });
+      },
+      py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("engine") = "simbody",
+      py::arg("workers") = 1, py::arg("progress") = py::none(),
+      "How much delay, gain, slowness and noise the closed loop stands in each scenario.");
+}
+
+}  // namespace armtune::internal::python

@@ -1,0 +1,191 @@
+// Studies, their searches, and the verdicts on what was found.
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "armtune/error.hpp"
+#include "armtune/front.hpp"
+#include "armtune/tune.hpp"
+#include "core/common/utf8.hpp"
+#include "python/arrays.hpp"
+#include "python/bindings.hpp"
+#include "python/watched.hpp"
+
+namespace py = pybind11;
+
+namespace armtune::internal::python {
+namespace {
+
+using armtune::Gains;
+using armtune::Scenario;
+using armtune::Study;
+
+/// What a Python function raises ends the search and is told as it was raised.
+std::function<double(const std::vector<Rollout>&)> objective_of(py::object function) {
+  if (function.is_none()) return {};
+  // Copies are made and destroyed by threads without Python's lock.
+  const std::shared_ptr<py::object> kept(new py::object(std::move(function)), [](py::object* held) {
+    const py::gil_scoped_acquire lock;
+    delete held;
+  });
+  return [kept](const std::vector<Rollout>& rollouts) {
+    const py::gil_scoped_acquire lock;
+    try {
+      return (*kept)(rollouts).cast<double>();
+    } catch (const py::error_already_set& error) {
+      throw FailedError(std::string("objective: ") + error.what());
+    } catch (const py::cast_error&) {
+      throw FailedError("objective: what the function returned is no number");
+    }
+  };
+}
+
+Study make_study(const py::object& description, const std::optional<std::vector<Scenario>>& scenarios,
+                 const std::optional<Gains>& gains, py::object objective) {
+  StudyInputs inputs;
+  if (scenarios) inputs.scenarios = *scenarios;
+  inputs.start = gains;
+  inputs.objective = objective_of(std::move(objective));
+  // What JSON writes is YAML too.
+  const auto text = py::isinstance<py::str>(description)
+                        ? description.cast<std::string>()
+                        : py::module_::import("json").attr("dumps")(description).cast<std::string>();
+  return Study::parse(text, inputs);
+}
+
+py::array numbers_of(const std::vector<TunePoint>& points, double TunePoint::*member) {
+  std::vector<double> values;
+  for (const TunePoint& point : points) values.push_back(point.*member);
+  const auto rows = static_cast<py::ssize_t>(values.size());
+  return owning(std::move(values), {rows});
+}
+
+py::array coordinates(const Tuned& tuned) {
+  std::vector<double> values;
+  for (const TunePoint& point : tuned.evaluations)
+    values.insert(values.end(), point.x.begin(), point.x.end());
+  const auto rows = static_cast<py::ssize_t>(tuned.evaluations.size());
+  return owning(std::move(values), {rows, static_cast<py::ssize_t>(tuned.parameters.size())});
+}
+
+void bind_verdict(py::module_& module) {
+  py::class_<Check>(module, "Check", made_by_armtune(),
+                    "One simulation check that was made, with its worst place.")
+      .def_property_readonly("name", [](const Check& self) { return name(self.kind); })
+      .def_readonly("passed", &Check::passed)
+      .def_readonly("scenario", &Check::scenario)
+      .def_readonly("arm", &Check::arm)
+      .def_readonly("joint", &Check::joint)
+      .def_readonly("time", &Check::time, "[s]; nan where it says nothing")
+      .def_readonly("value", &Check::value)
+      .def_readonly("threshold", &Check::threshold)
+      .def_readonly("unit", &Check::unit)
+      .def("__str__", [](const Check& self) { return as_utf8(to_text(self)); });
+  py::class_<Verdict>(module, "Verdict", made_by_armtune(),
+                      "Which simulation checks passed, what was not checked, and what the checks assume.")
+      .def_property_readonly("passed", &Verdict::passed)
+      .def_readonly("checks", &Verdict::checks)
+      .def_readonly("not_checked", &Verdict::not_checked)
+      .def_readonly("assumes", &Verdict::assumes)
+      .def_readonly("notes", &Verdict::notes)
+      .def("__str__", [](const Verdict& self) { return as_utf8(to_text(self)); });
+}
+
+void bind_study(py::module_& module) {
+  py::class_<Study>(module, "Study", made_by_armtune(),
+                    "What is tuned, over which scenarios, for what, inside which limits.")
+      .def_property_readonly("name", [](const Study& self) { return as_utf8(self.name()); })
+      .def_property_readonly("scenarios", &Study::scenarios)
+      .def_property_readonly("start", &Study::start)
+      .def_property_readonly("parameters", &Study::parameters, "Names of the numbers that are tuned.")
+      .def_property("max_evaluations", &Study::max_evaluations, &Study::set_max_evaluations,
+                    "Budget, start and sweep included.")
+      .def_property(
+          "seed", &Study::seed,
+          [](Study& self, std::int64_t seed) {
+            if (seed < 0) throw py::value_error(fmt::format("seed: {}, must not be negative", seed));
+            self.set_seed(static_cast<std::uint64_t>(seed));
+          },
+          "Of algorithms that draw random numbers.");
+  module.def(
+      "load_study",
+      [](const std::filesystem::path& name, const std::string& controller) {
+        return Study::load(name.string(), controller);
+      },
+      py::arg("name"), py::arg("controller") = "",
+      "A bundled study by name, or a file by path; with another controller than its gains are for.");
+  module.def(
+      "make_study", &make_study, py::arg("description"), py::kw_only(), py::arg("scenarios") = py::none(),
+      py::arg("gains") = py::none(), py::arg("objective") = py::none(),
+      "A study of a dict (or text) with the keys of a study file. scenarios, gains: in place of those keys. "
+      "objective: a function of a list of rollouts, one for each scenario, that returns a number above zero; less is "
+      "better. It takes the place of the key 'objective'.");
+}
+
+}  // namespace
+
+void bind_searches(py::module_& module) {
+  bind_verdict(module);
+  bind_study(module);
+  py::class_<Tuned>(module, "Tuned", made_by_armtune(), "A search that is over.")
+      .def_readonly("start", &Tuned::start, "The gains it began with.")
+      .def_readonly("best", &Tuned::best, "The best gains: feasible, if any were.")
+      .def_readonly("objective", &Tuned::objective, "Of the best; the start scores 1.")
+      .def_readonly("feasible", &Tuned::feasible, "Whether the best keeps every limit of the study.")
+      .def_property_readonly(
+          "reason", [](const Tuned& self) { return as_utf8(self.reason); }, "Why the search ended.")
+      .def_property_readonly(
+          "objectives", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::objective); },
+          "Of every evaluation, in order.")
+      .def_property_readonly(
+          "violations", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::violation); },
+          "Sum of relative violations of the limits; 0: feasible.")
+      .def_readonly("parameters", &Tuned::parameters, "Names of a point's coordinates.")
+      .def_property_readonly("points", &coordinates,
+                             "Search coordinates, a row for each evaluation: 0 lower, 1 upper bound.")
+      .def_readonly("before", &Tuned::before, "Fresh rollouts of the start, without recordings.")
+      .def_readonly("after", &Tuned::after, "Fresh rollouts of the best, without recordings.")
+      .def_readonly("verdict", &Tuned::verdict, "Of the simulation checks.")
+      .def_readonly("files", &Tuned::files, "Names of those in the run's folder.");
+  module.def(
+      "tune",
+      [](const Study& study, const MaybePath& folder, bool resume, int workers, bool analysis,
+         py::object progress) {
+        TuneOptions options{text_of(folder), resume, workers, analysis, {}};
+        return watched(std::move(progress), [&, given = study](const Watch& watch) {
+          options.watch = watch;
+          return armtune::tune(given, options);
+        });
+      },
+      py::arg("study"), py::kw_only(), py::arg("folder") = py::none(), py::arg("resume") = false,
+      py::arg("workers") = 1, py::arg("analysis") = true, py::arg("progress") = py::none(),
+      "Runs a study; the same result for any number of workers. folder: a new one for all files of the run. analysis: margins, "
+      "sensitivity and the checks that take long.");
+
+  py::class_<FrontPoint>(module, "FrontPoint", made_by_armtune(), "Gains of a front.")
+      .def_readonly("gains", &FrontPoint::gains)
+      .def_readonly("values", &FrontPoint::values, "Of the criteria, in their units.");
+  py::class_<Front>(module, "Front", made_by_armtune(), "What less of one criterion costs in another.")
+      .def_readonly("points", &Front::points,
+                    "Feasible ones that no other dominates, ascending in the first criterion.")
+      .def_readonly("start", &Front::start)
+      .def_readonly("hypervolume", &Front::hypervolume, "Below the start.")
+      .def_readonly("files", &Front::files, "Names of those in the run's folder.");
+  module.def(
+      "front",
+      [](const Study& study, const std::vector<std::string>& criteria, const MaybePath& folder, bool resume,
+         int workers, std::size_t levels, long max_evaluations, py::object progress) {
+        FrontOptions options{text_of(folder), resume, workers, levels, max_evaluations, {}};
+        return watched(std::move(progress), [&, given = study](const Watch& watch) {
+          options.watch = watch;
+          return armtune::front(given, criteria, options);
+        });
+      },
+      py::arg("study"), py::arg("criteria"), py::kw_only(), py::arg("folder") = py::none(),
+      py::arg("resume") = false, py::arg("workers") = 1, py::arg("levels") = 0,
+      py::arg("max_evaluations") = 0, py::arg("progress") = py::none(),
+      "The trade-off of two or three criteria, each a metric's name or 'objective'. 0: levels and budget by default.");
+}
+
+}  // namespace armtune::internal::python

@@ -1,0 +1,37 @@
+#pragma once
+// Functions of the interface that work for long, as Python calls them.
+
+#include <string>
+#include <vector>
+
+#include "armtune/progress.hpp"
+#include "python/interruptible.hpp"
+
+namespace armtune::internal::python {
+
+/// Raises armtune.Interrupted, a KeyboardInterrupt whose `result` has what was found.
+[[noreturn]] void raise_interrupted(pybind11::object result);
+/// Issues each sentence as a Python warning.
+void issue_warnings(const std::vector<std::string>& sentences);
+
+/// Calls run(watch) without Python's lock. progress: a Python function of a Progress, or None. Ctrl-C ends it
+/// early, and raises Interrupted with what it returned.
+template <class Run>
+auto watched(pybind11::object progress, Run run) {
+  Work work;
+  Callback callback(std::move(progress));
+  std::vector<std::string> warnings;
+  const auto task = [&](const std::atomic<bool>& stop) {
+    Watch watch;
+    watch.stop = &stop;
+    watch.progress = [&](const Progress& at) { callback(at); };
+    watch.warning = [&](const std::string& sentence) { warnings.push_back(sentence); };
+    return run(watch);
+  };
+  auto result = interruptible(work, callback, task,
+                              [](auto so_far) { raise_interrupted(pybind11::cast(std::move(so_far))); });
+  issue_warnings(warnings);
+  return result;
+}
+
+}  // namespace armtune::internal::python

@@ -1,0 +1,228 @@
+// Studies and searches of the interface.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "armtune/error.hpp"
+#include "armtune/front.hpp"
+#include "armtune/robustness.hpp"
+#include "armtune/tune.hpp"
+#include "tests/tuner/support/short_study.hpp"
+#include "tests/tuner/support/tuned.hpp"
+
+namespace armtune {
+namespace {
+
+using internal::test::ShortStudy;
+
+/// The keys of a study but scenarios and gains, one scenario's objective in place of a term.
+const std::string kRest = internal::test::kShortParameters +
+                          "constraints:\n  - {metric: joint_velocity/max_ratio, at_most: 0.9}\n" +
+                          internal::test::kShortSearch;
+
+Scenario short_scenario() {
+  Scenario scenario = Scenario::load("moving_target");
+  scenario.set_duration(8.0);
+  scenario.set_name("short");
+  return scenario;
+}
+
+Gains quick(const Scenario& scenario) {
+  return {internal::test::quick_gains(scenario.inside()), scenario.robot().joints()};
+}
+
+TuneOptions brief() {
+  TuneOptions options;
+  options.analysis = false;
+  return options;
+}
+
+TEST(InterfaceOfTune, FindsWhatTheSearchFinds) {
+  const ShortStudy files;
+  const Study study = Study::load(files.path());
+  const internal::test::Tuned inside = internal::test::run(study.inside(), 1, files / "evaluations.csv");
+  std::vector<std::string> works;
+  TuneOptions options = brief();
+  options.workers = 2;
+  options.watch.progress = [&](const Progress& at) { works.push_back(at.work); };
+  const Tuned tuned = tune(study, options);
+  EXPECT_EQ(tuned.objective, inside.result.best.objective);
+  EXPECT_TRUE(tuned.feasible);
+  EXPECT_FALSE(tuned.interrupted);
+  EXPECT_EQ(tuned.best.text(), Gains(inside.result.best.gains, tuned.start.joints()).text());
+  EXPECT_EQ(tuned.parameters, (std::vector<std::string>{"task_space_gains_p/rx", "slerpDurationErrorGain"}));
+  ASSERT_EQ(tuned.evaluations.size(), inside.evaluations.size());
+  for (std::size_t i = 0; i < tuned.evaluations.size(); ++i) {
+    EXPECT_EQ(tuned.evaluations[i].x, inside.evaluations[i].x);
+    EXPECT_EQ(tuned.evaluations[i].objective, inside.evaluations[i].objective);
+    EXPECT_EQ(tuned.evaluations[i].violation, inside.evaluations[i].violation);
+  }
+  EXPECT_FALSE(tuned.verdict.checks.empty());
+  EXPECT_THAT(works, testing::Contains("start"));
+  EXPECT_TRUE(tuned.files.empty());
+}
+
+TEST(InterfaceOfTune, LeavesTheFilesOfARun) {
+  const ShortStudy files;
+  TuneOptions options = brief();
+  options.folder = files / "run";
+  const Tuned tuned = tune(Study::load(files.path()), options);
+  EXPECT_THAT(tuned.files, testing::IsSupersetOf({"gains.yaml", "errors.csv", "verdict.yaml"}));
+  for (const char* name : {"gains.yaml", "evaluations.csv", "journal.txt", "start/gains.yaml"}) {
+    EXPECT_TRUE(std::ifstream(options.folder + "/" + name).good()) << name;
+  }
+  EXPECT_EQ(Gains::load(options.folder + "/gains.yaml",
+                        tuned.start.joints().empty() ? Robot::load("ur10") : Robot::load("ur10"))
+                .text(),
+            tuned.best.text());
+  EXPECT_THROW(tune(Study::load(files.path()), options), InputError) << "the folder is used";
+  options.resume = true;
+  EXPECT_THROW(tune(Study::load(files.path()), options), InputError) << "the run has ended";
+}
+
+TEST(InterfaceOfStudy, ATextIsTheStudyOfItsFile) {
+  const ShortStudy files;
+  std::stringstream text;
+  text << std::ifstream(files.path()).rdbuf();
+  const Study of_file = Study::load(files.path());
+  StudyInputs inputs;
+  inputs.scenarios = of_file.scenarios();
+  inputs.start = of_file.start();
+  const Study of_text = Study::parse(text.str(), inputs);
+  const Tuned a = tune(of_file, brief()), b = tune(of_text, brief());
+  EXPECT_EQ(a.best.text(), b.best.text());
+  EXPECT_EQ(a.evaluations.size(), b.evaluations.size());
+  TuneOptions options = brief();
+  options.folder = files / "run";
+  EXPECT_THROW(tune(of_text, options), InputError) << "no file says what was simulated";
+  EXPECT_FALSE(std::ifstream(options.folder).good());
+}
+
+TEST(InterfaceOfStudy, AnOwnObjectiveIsWhatATermOfTheFileIs) {
+  const Scenario scenario = short_scenario();
+  StudyInputs inputs;
+  inputs.scenarios = {scenario};
+  inputs.start = quick(scenario);
+  const Tuned term =
+      tune(Study::parse("objective: [{metric: error/orientation/rms}]\n" + kRest, inputs), brief());
+  inputs.objective = [](const std::vector<Rollout>& rollouts) {
+    EXPECT_EQ(rollouts.size(), 1U);
+    EXPECT_EQ(rollouts[0].scenario(), "short");
+    return rollouts[0].metric("error/orientation/rms");
+  };
+  const Tuned own = tune(Study::parse(kRest, inputs), brief());
+  EXPECT_EQ(own.objective, term.objective);
+  EXPECT_EQ(own.best.text(), term.best.text());
+  EXPECT_NEAR(own.objective,
+              own.after[0].metric("error/orientation/rms") / own.before[0].metric("error/orientation/rms"),
+              1e-12);
+  EXPECT_LT(own.objective, 1.0);
+  EXPECT_THROW(Study::parse("objective: [{metric: error/orientation/rms}]\n" + kRest, inputs), InputError);
+  inputs.objective = [](const std::vector<Rollout>&) { return 0.0; };
+  EXPECT_THROW(tune(Study::parse(kRest, inputs), brief()), InputError) << "zero is no reference";
+}
+
+TEST(InterfaceOfStudy, PartsThatDoNotFitAreRefused) {
+  const Scenario scenario = short_scenario();
+  const std::string text = "objective: [{metric: error/orientation/rms}]\n" + kRest;
+  StudyInputs inputs;
+  inputs.scenarios = {scenario, scenario};
+  inputs.start = quick(scenario);
+  EXPECT_THROW(Study::parse(text, inputs), InputError) << "one name twice";
+  inputs.scenarios = {Scenario::load("panda_moving_target")};
+  EXPECT_THROW(Study::parse(text, inputs), InputError) << "gains of another arm";
+  inputs.scenarios = {};
+  EXPECT_THROW(Study::parse(text, inputs), InputError) << "no scenarios at all";
+}
+
+TEST(InterfaceOfStudy, SettersChangeOneStudyAlone) {
+  const ShortStudy files;
+  const Study study = Study::load(files.path());
+  Study other = study;
+  other.set_max_evaluations(3);
+  other.set_seed(7);
+  EXPECT_EQ(other.max_evaluations(), 3);
+  EXPECT_EQ(other.seed(), 7U);
+  EXPECT_EQ(study.max_evaluations(), 12);
+  EXPECT_THROW(other.set_max_evaluations(0), InputError);
+  EXPECT_EQ(tune(other, brief()).evaluations.size(), 3U);
+}
+
+TEST(InterfaceOfFront, NoPointDominatesAnother) {
+  const ShortStudy files;
+  FrontOptions options;
+  options.levels = 2;
+  options.max_evaluations = 20;
+  const Front found =
+      front(Study::load(files.path()), {"error/orientation/rms", "joint_velocity/max_ratio"}, options);
+  ASSERT_FALSE(found.points.empty());
+  EXPECT_EQ(found.start.values.size(), 2U);
+  for (const FrontPoint& a : found.points) {
+    for (const FrontPoint& b : found.points) {
+      EXPECT_FALSE(a.values != b.values && a.values[0] <= b.values[0] && a.values[1] <= b.values[1]);
+    }
+  }
+  EXPECT_THROW(front(Study::load(files.path()), {"no/metric", "objective"}, options), InputError);
+}
+
+TEST(InterfaceOfRobustness, TheYieldIsTheShareThatKeepsAll) {
+  const Scenario scenario = short_scenario();
+  RobustnessOptions options;
+  options.samples = 4;
+  options.engine = Engine::kNative;
+  const Robustness found = robustness({scenario}, quick(scenario), options);
+  ASSERT_EQ(found.samples.size(), 4U);
+  double kept = 0.0;
+  for (const RobustnessSample& sample : found.samples) kept += sample.keeps_all() ? 1.0 : 0.0;
+  EXPECT_EQ(found.yield(), kept / 4.0);
+  EXPECT_NE(found.samples[0].rollouts[0].metric("error/position/max"),
+            found.samples[1].rollouts[0].metric("error/position/max"));
+  options.perturbation = {{"no such width", 0.1}};
+  EXPECT_THROW(robustness({scenario}, quick(scenario), options), InputError);
+  options.perturbation = {};
+  options.folder = "run";
+  EXPECT_THROW(robustness({scenario}, quick(scenario), options), InputError) << "a scenario that was changed";
+}
+
+TEST(InterfaceOfRobustness, NothingDiffersWithWidthsOfZero) {
+  const Scenario scenario = short_scenario();
+  RobustnessOptions options;
+  options.samples = 2;
+  options.engine = Engine::kNative;
+  for (const char* width : {"mass", "center", "inertia", "rotor", "friction", "payload", "delay", "noise",
+                            "theta", "target_speed"}) {
+    options.perturbation[width] = 0.0;
+  }
+  const Robustness found = robustness({scenario}, quick(scenario), options);
+  SimulateOptions alone;
+  alone.engine = Engine::kNative;
+  const Rollout own = simulate({scenario}, quick(scenario), alone).front();
+  // Targets still begin anywhere on their path; the arm's own way along its path is what it was.
+  for (const RobustnessSample& sample : found.samples) {
+    EXPECT_NEAR(sample.rollouts[0].metric("error/position/max"), own.metric("error/position/max"),
+                0.5 * own.metric("error/position/max"));
+  }
+}
+
+TEST(InterfaceOfMargins, EveryMarginOfEveryScenario) {
+  const Scenario scenario = short_scenario();
+  MarginsOptions options;
+  options.engine = Engine::kNative;
+  options.workers = 2;
+  const std::vector<Margin> found = margins({scenario}, quick(scenario), options);
+  std::vector<std::string> kinds;
+  for (const Margin& margin : found) {
+    kinds.push_back(margin.kind);
+    EXPECT_EQ(margin.scenario, "short");
+    EXPECT_FALSE(margin.stands && margin.fails && *margin.stands == *margin.fails);
+  }
+  EXPECT_THAT(kinds,
+              testing::UnorderedElementsAre("torque_delay", "gain_factor", "control_rate", "velocity_noise"));
+}
+
+}  // namespace
+}  // namespace armtune

@@ -1,0 +1,64 @@
+#include "tuner/cli/export_origin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "armtune/error.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tuner/cli/gain_set.hpp"
+#include "tuner/gains/gains_origin.hpp"
+#include "tuner/run/file_hash.hpp"
+#include "tuner/run/run_file.hpp"
+
+namespace armtune::internal::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_folder(const std::string& set) {
+  std::error_code ignored;
+  return fs::is_directory(set, ignored);
+}
+
+}  // namespace
+
+std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std::string& run) {
+  if (!what.robot.empty()) return load_robot(what.robot);
+  if (!run.empty()) return scenarios_of(run, {}, {}).front().robot;
+  if (!is_folder(what.set)) return load_robot("ur10");
+  throw InputError(fmt::format(
+      "{}: no study.yaml in it says which arm the gains are for; name it with --robot", what.set));
+}
+
+std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& what, const std::string& path,
+                                                           const std::string& run, const std::string& robot) {
+  std::vector<std::string> files = {robot};
+  if (!what.robot.empty()) files.push_back(read_robot_file(what.robot).path);
+  const auto of_robot = origin_of_files(files);
+  if (run.empty() && !is_folder(what.set)) {
+    files.push_back(path);
+    return origin_of_files(files);
+  }
+  const std::string& folder = run.empty() ? what.set : run;
+  auto origin = origin_of_run(folder);
+  const auto is_known = [&origin](const auto& row) {
+    return !row.first.starts_with("input ") || std::find(origin.begin(), origin.end(), row) != origin.end();
+  };
+  const bool of_other_arm = !std::all_of(of_robot.begin(), of_robot.end(), is_known);
+  const auto own = find_run_file(folder, "gains.yaml");  // a front has none
+  const bool of_other_gains = !own || hash_of_input(path) != hash_of_input(*own);
+  if (!of_other_arm && !of_other_gains) return origin;
+  origin = origin_of_run(folder, false);
+  origin.insert(
+      origin.begin(),
+      {"warning", fmt::format("the figures of this run are not of these {}: simulate them",
+                              of_other_arm ? "gains on this arm" : "gains, which stand beside it")});
+  for (const auto& row : of_robot) {
+    if (!is_known(row)) origin.push_back(row);
+  }
+  return origin;
+}
+
+}  // namespace armtune::internal::cli

@@ -1,0 +1,126 @@
+#include "armtune/controller.hpp"
+
+#include <deque>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/first_gains.hpp"
+#include "core/control/state_machine.hpp"
+
+namespace armtune {
+namespace {
+
+/// The model, which outlives the object.
+Robot borrowed(const internal::RobotModel& model) {
+  return Robot(std::shared_ptr<const internal::RobotModel>(std::shared_ptr<void>(), &model));
+}
+
+LawState::Vector mapped(const internal::JointVector& values) {
+  return {values.data(), values.size()};
+}
+
+internal::JointVector joint_vector(std::span<const double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+/// A law of the interface, as the controller has laws.
+class LawInside final : public internal::TorqueLaw {
+ public:
+  LawInside(const internal::LawSetup& setup, std::unique_ptr<Law> law)
+      : TorqueLaw(setup), law_(std::move(law)), tau_(setup.model.n()) {}
+
+  void torque(const internal::LawInput& in, internal::JointVector& tau) override {
+    tau.resize(in.measured.q.size());
+    law_->torque(LawState(in, *this), Eigen::Map<Eigen::VectorXd>(tau.data(), tau.size()));
+  }
+
+  using TorqueLaw::model_torque;
+
+ private:
+  friend class LawState;
+  std::unique_ptr<Law> law_;
+  internal::JointVector v_, a_, tau_;
+};
+
+LawState::Vector LawState::position() const {
+  return mapped(in_.measured.q);
+}
+LawState::Vector LawState::velocity() const {
+  return mapped(in_.measured.qd);
+}
+LawState::Vector LawState::reference_velocity() const {
+  return mapped(in_.control.reference.velocity);
+}
+LawState::Vector LawState::reference_acceleration() const {
+  return mapped(in_.control.reference.acceleration);
+}
+LawState::Vector LawState::sliding() const {
+  return mapped(in_.control.S);
+}
+LawState::Vector LawState::damping() const {
+  return mapped(in_.Kd);
+}
+LawState::Jacobian LawState::jacobian() const {
+  return {in_.arm.J.data(), 6, in_.arm.J.cols()};
+}
+const char* LawState::state() const {
+  return internal::name(in_.control.state);
+}
+bool LawState::tracks_joints() const {
+  return internal::tracks_joints(in_.control.state);
+}
+
+void LawState::model_torque(const Eigen::Ref<const Eigen::VectorXd>& v,
+                            const Eigen::Ref<const Eigen::VectorXd>& a,
+                            Eigen::Ref<Eigen::VectorXd> tau) const {
+  law_.v_ = v;
+  law_.a_ = a;
+  law_.model_torque(in_.arm, in_.measured.qd, law_.v_, law_.a_, law_.tau_);
+  tau = law_.tau_;
+}
+
+void register_controller(const ControllerKind& kind) {
+  // Fields refer to their texts for as long as the program runs.
+  static std::deque<std::string> texts;
+  const auto kept = [](const std::string& text) { return texts.emplace_back(text).c_str(); };
+  internal::ControllerKind inside;
+  inside.name = kind.name;
+  inside.meaning = kind.meaning;
+  inside.uses = kind.uses;
+  for (const GainDeclaration& gain : kind.own) {
+    constexpr internal::GainShape kShapes[] = {internal::GainShape::kScalar, internal::GainShape::kTask,
+                                               internal::GainShape::kJoints};
+    internal::GainField field =
+        internal::own_gain(kShapes[static_cast<std::size_t>(gain.shape)], kept(gain.name), kept(gain.unit),
+                           kept(gain.meaning), gain.otherwise, gain.lower_factor, gain.upper_factor);
+    if (gain.positive) field = internal::positive(field);
+    if (!gain.in_loop) field = internal::not_in_loop(field);
+    inside.own.push_back(field);
+  }
+  inside.make = [make = kind.make](const internal::LawSetup& setup) {
+    return std::make_unique<LawInside>(
+        setup,
+        make({borrowed(setup.model), Gains(setup.gains, internal::joint_names(setup.model)), setup.period}));
+  };
+  if (kind.start) {
+    inside.start = [start = kind.start](const internal::RobotModel& robot, const internal::JointVector& q,
+                                        internal::Gains& gains) {
+      Gains given(gains, internal::joint_names(robot));
+      start(borrowed(robot), {q.data(), static_cast<std::size_t>(q.size())}, given);
+      gains = given.inside();
+    };
+  }
+  internal::register_controller(std::move(inside));
+}
+
+std::vector<double> joint_inertia(const Robot& robot, std::span<const double> q) {
+  const internal::JointVector inertia = internal::joint_inertia(*robot.model(), joint_vector(q));
+  return {inertia.data(), inertia.data() + inertia.size()};
+}
+
+double first_rate() {
+  return internal::kFirstRate;
+}
+
+}  // namespace armtune

@@ -1,0 +1,45 @@
+#include "armtune/front.hpp"
+
+#include "armtune/error.hpp"
+#include "tuner/interface/observing.hpp"
+#include "tuner/interface/rollout_maker.hpp"
+#include "tuner/session/front_session.hpp"
+
+namespace armtune {
+
+Front front(const Study& study, const std::vector<std::string>& criteria, const FrontOptions& options) {
+  require_workers(options.workers);
+  require_files(study, options.folder);
+  internal::FrontSettings settings;
+  settings.place = {options.folder, options.resume};
+  settings.criteria = criteria;
+  settings.levels = options.levels;
+  settings.max_evaluations = options.max_evaluations;
+  settings.workers = options.workers;
+  Observing<internal::FrontObserver> observer(options.watch);
+  internal::RankGroup alone(nullptr);
+  internal::FrontSession session(study.inside(), settings, {stop_of(options.watch)}, observer);
+  const internal::FrontOutcome outcome = session.run(alone).value();
+  if (outcome.was_finished)
+    throw InputError(options.folder + ": the run there has ended; there is nothing to resume");
+
+  const Gains start = study.start();
+  const auto point_of = [&](const internal::ParetoPoint& point) {
+    FrontPoint given{Gains(point.e.gains, start.joints()), {}};
+    for (const internal::Criterion& criterion : outcome.options.criteria) {
+      given.values.push_back(internal::value(criterion, point.e, study.inside().scenarios));
+    }
+    return given;
+  };
+  const internal::ParetoResult& result = outcome.result;
+  Front front{.start = {start, {}}};
+  front.interrupted = outcome.ending == internal::Ending::kInterrupted;
+  front.files = outcome.files;
+  if (result.evaluations == 0) return front;
+  front.start = point_of(result.start);
+  for (const internal::ParetoPoint& point : result.front) front.points.push_back(point_of(point));
+  front.hypervolume = result.hypervolume;
+  return front;
+}
+
+}  // namespace armtune

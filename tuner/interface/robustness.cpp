@@ -1,0 +1,102 @@
+#include "armtune/robustness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
+#include "tuner/interface/observing.hpp"
+#include "tuner/interface/rollout_maker.hpp"
+#include "tuner/robustness/margins.hpp"
+#include "tuner/session/monte_carlo_session.hpp"
+
+namespace armtune {
+namespace {
+
+internal::Perturbation perturbation_of(const std::map<std::string, double>& widths,
+                                       const std::vector<internal::Scenario>& scenarios) {
+  internal::Perturbation perturbation = internal::default_perturbation(scenarios);
+  for (const auto& [name, width] : widths) {
+    const auto fields = internal::perturbation_fields();
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    if (found == fields.end()) {
+      throw InputError(fmt::format("perturbation: {} is no quantity that can differ", internal::shown(name)));
+    }
+    perturbation.*found->width = width;
+  }
+  return perturbation;
+}
+
+}  // namespace
+
+bool RobustnessSample::keeps_all() const {
+  return std::all_of(broken.begin(), broken.end(), [](const std::string& limit) { return limit.empty(); });
+}
+
+double Robustness::yield() const {
+  if (samples.empty()) return NAN;
+  const auto kept =
+      std::count_if(samples.begin(), samples.end(), [](const auto& sample) { return sample.keeps_all(); });
+  return static_cast<double>(kept) / static_cast<double>(samples.size());
+}
+
+Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains,
+                      const RobustnessOptions& options) {
+  require_workers(options.workers);
+  require_fit(gains, scenarios);
+  require_files(scenarios, options.folder);
+  internal::MonteCarloSettings settings;
+  settings.place = {options.folder, options.resume};
+  settings.scenarios = internal_of(scenarios);
+  settings.gains = gains.inside();
+  settings.options.samples = options.samples;
+  settings.options.seed = options.seed;
+  settings.options.engine = internal_of(options.engine);
+  settings.options.workers = options.workers;
+  settings.options.perturbation = perturbation_of(options.perturbation, settings.scenarios);
+  Observing<internal::MonteCarloObserver> observer(options.watch);
+  internal::RankGroup alone(nullptr);
+  internal::MonteCarloSession session(std::move(settings), {stop_of(options.watch)}, observer);
+  const internal::MonteCarloOutcome outcome = session.run(alone).value();
+  if (outcome.was_finished)
+    throw InputError(options.folder + ": the run there has ended; there is nothing to resume");
+
+  Robustness found;
+  found.verdict = outcome.verdict;
+  found.interrupted = outcome.ending == internal::Ending::kInterrupted;
+  found.files = outcome.files;
+  for (const internal::MonteCarloSample& sample : outcome.samples) {
+    RobustnessSample& given = found.samples.emplace_back();
+    given.number = sample.number;
+    given.broken = sample.broken;
+    for (std::size_t s = 0; s < sample.results.size(); ++s) {
+      given.rollouts.push_back(RolloutMaker::made({scenarios[s].name(), sample.results[s]}));
+    }
+  }
+  return found;
+}
+
+std::vector<Margin> margins(const std::vector<Scenario>& scenarios, const Gains& gains,
+                            const MarginsOptions& options) {
+  require_workers(options.workers);
+  require_fit(gains, scenarios);
+  internal::MarginOptions how;
+  how.engine = internal_of(options.engine);
+  how.workers = options.workers;
+  how.progress = [&](std::size_t done, std::size_t all) {
+    if (options.watch.progress)
+      options.watch.progress({"margins", static_cast<long>(done), static_cast<long>(all)});
+  };
+  std::vector<Margin> found;
+  for (const internal::Margin& margin :
+       internal::margins(internal_of(scenarios), gains.inside(), how, stop_of(options.watch))) {
+    const internal::MarginField& field = internal::field(margin.kind);
+    found.push_back({field.name, field.unit, margin.scenario, margin.nominal, margin.stands, margin.fails,
+                     margin.reason});
+  }
+  return found;
+}
+
+}  // namespace armtune

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
+#include "core/control/laws/valid_gains.hpp"
+#include "sim/rollout/limit_watch.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tuner/interface/rollout_maker.hpp"
+#include "tuner/rollouts/simulate.hpp"
+#include "tuner/study/study.hpp"
+#include "tuner/workers/candidate_runner.hpp"
+
+namespace armtune {
+
+const std::atomic<bool> never_stopped{false};
+
+Rollout RolloutMaker::made(internal::ScenarioResult result, Rollout recording) {
+  Rollout rollout = std::move(recording);
+  rollout.scenario_ = result.scenario;
+  rollout.status_ = internal::name(result.result.status);
+  rollout.reason_ = result.result.reason;
+  for (const internal::Metric metric : internal::all_metrics()) {
+    rollout.metrics_[internal::name(metric)] = result.result.metrics[metric];
+  }
+  for (const internal::BrokenLimit& broken : result.broken) {
+    rollout.broken_limits_.push_back(internal::to_string(broken));
+  }
+  rollout.result_ = std::make_shared<const internal::ScenarioResult>(std::move(result));
+  return rollout;
+}
+
+void RolloutMaker::record(Rollout& rollout, internal::Recorder recorder, bool completed) {
+  for (const internal::Column& column : recorder.columns()) rollout.columns_.push_back(column.name);
+  rollout.values_ = std::move(recorder).rows(completed);
+}
+
+const internal::ScenarioResult& RolloutMaker::result_of(const Rollout& rollout) {
+  return *static_cast<const internal::ScenarioResult*>(rollout.result_.get());
+}
+
+internal::Engine internal_of(Engine engine) {
+  return engine == Engine::kNative ? internal::Engine::kNative : internal::Engine::kSimbody;
+}
+
+std::vector<internal::Scenario> internal_of(const std::vector<Scenario>& scenarios) {
+  std::vector<internal::Scenario> all;
+  all.reserve(scenarios.size());
+  for (const Scenario& scenario : scenarios) all.push_back(scenario.inside());
+  return all;
+}
+
+void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios) {
+  internal::validate(gains.inside(), gains.joints(), "gains");
+  for (const Scenario& scenario : scenarios) {
+    if (internal::joint_names(*scenario.inside().robot) != gains.joints()) {
+      throw InputError(fmt::format("{}: the gains are for an arm of other joints", scenario.name()));
+    }
+  }
+}
+
+void require_files(const Study& study, const std::string& folder) {
+  if (folder.empty() || !study.inside().source.empty()) return;
+  throw InputError(folder +
+                   ": only a study that was read from a file can leave a run folder; leave the folder out");
+}
+
+void require_files(const std::vector<Scenario>& scenarios, const std::string& folder) {
+  if (folder.empty()) return;
+  for (const Scenario& scenario : scenarios) {
+    if (!scenario.as_in_file()) {
+      throw InputError(
+          fmt::format("{}: the scenario {} was changed since it was read, so that no file says what it is; "
+                      "leave the folder out",
+                      folder, scenario.name()));
+    }
+  }
+}
+
+void require_workers(int workers) {
+  constexpr int kMost = 1024;
+  if (workers < 1 || workers > kMost) {
+    throw InputError(fmt::format("workers: {}, must lie between 1 and {}", workers, kMost));
+  }
+}
+
+double Rollout::metric(const std::string& name) const {
+  const auto found = metrics_.find(name);
+  if (found == metrics_.end()) {
+    throw InputError(fmt::format("{} is no metric; 'armtune metrics' lists them", internal::shown(name)));
+  }
+  return found->second;
+}
+
+std::vector<double> Rollout::column(const std::string& name) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), name);
+  if (found == columns_.end()) {
+    throw InputError(fmt::format("{}: {} has no such column", scenario_, internal::shown(name)));
+  }
+  std::vector<double> values;
+  values.reserve(rows());
+  const auto first = static_cast<std::size_t>(found - columns_.begin());
+  for (std::size_t at = first; at < values_.size(); at += columns_.size()) values.push_back(values_[at]);
+  return values;
+}
+
+std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
+                              const SimulateOptions& options) {
+  require_workers(options.workers);
+  require_fit(gains, scenarios);
+  if (options.record_every < 0) {
+    throw InputError(fmt::format("record_every: {}, must not be negative", options.record_every));
+  }
+  internal::SimulateOptions how;
+  how.workers = options.workers;
+  how.stepper = internal::stepper_from_name(options.stepper);
+  how.engine = internal_of(options.engine);
+  how.record_stride = std::max(1, options.record_every);
+  how.progress = [&](std::size_t done) {
+    if (options.watch.progress) {
+      options.watch.progress({"scenarios", static_cast<long>(done), static_cast<long>(scenarios.size())});
+    }
+  };
+  std::vector<Rollout> recordings(scenarios.size());
+  if (options.record_every > 0) {
+    how.recorded = [&](std::size_t i, internal::Recorder recorder, bool completed) {
+      RolloutMaker::record(recordings[i], std::move(recorder), completed);
+    };
+  }
+  auto results = internal::simulate(
+      internal_of(scenarios), [&](const internal::Scenario&) { return gains.inside(); }, how,
+      stop_of(options.watch));
+  std::vector<Rollout> rollouts;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    rollouts.push_back(RolloutMaker::made(std::move(results[i]), std::move(recordings[i])));
+  }
+  return rollouts;
+}
+
+std::vector<std::vector<Rollout>> simulate_sets(const std::vector<Scenario>& scenarios,
+                                                const std::vector<Gains>& sets,
+                                                const SimulateOptions& options) {
+  require_workers(options.workers);
+  std::vector<internal::Gains> candidates;
+  for (const Gains& gains : sets) {
+    require_fit(gains, scenarios);
+    candidates.push_back(gains.inside());
+  }
+  std::vector<std::vector<Rollout>> all(sets.size());
+  if (scenarios.empty()) return all;
+  internal::CandidateRunner runner(internal_of(scenarios), internal::stepper_from_name(options.stepper),
+                                   options.workers);
+  long done = 0;
+  const auto finished = [&](std::size_t set, const std::vector<internal::RolloutResult>& results) {
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+      all[set].push_back(RolloutMaker::made({scenarios[s].name(), results[s]}));
+    }
+    ++done;
+    if (options.watch.progress) options.watch.progress({"gain sets", done, static_cast<long>(sets.size())});
+  };
+  internal::Conditions conditions;
+  conditions.engine = internal_of(options.engine);
+  runner.run(candidates, stop_of(options.watch), finished, conditions);
+  return all;
+}
+
+std::string errors_csv(const std::vector<Rollout>& rollouts) {
+  std::vector<internal::ScenarioResult> results;
+  for (const Rollout& rollout : rollouts) results.push_back(RolloutMaker::result_of(rollout));
+  return internal::errors_csv(results);
+}
+
+}  // namespace armtune

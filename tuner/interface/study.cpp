@@ -1,0 +1,86 @@
+#include "armtune/study.hpp"
+
+#include <fmt/format.h>
+
+#include "armtune/error.hpp"
+#include "tuner/interface/rollout_maker.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune {
+namespace {
+
+template <class Change>
+std::shared_ptr<const internal::Study> changed(const internal::Study& study, Change change) {
+  internal::Study copy = study;
+  change(copy);
+  return std::make_shared<const internal::Study>(std::move(copy));
+}
+
+}  // namespace
+
+Study::Study(internal::Study inside) : inside_(std::make_shared<const internal::Study>(std::move(inside))) {}
+
+Study Study::load(const std::string& name_or_path, const std::string& controller) {
+  return Study(internal::load_study(name_or_path, controller));
+}
+
+Study Study::parse(const std::string& yaml, const StudyInputs& inputs) {
+  internal::StudyParts parts;
+  parts.scenarios = internal_of(inputs.scenarios);
+  if (inputs.start) {
+    require_fit(*inputs.start, {});
+    parts.start = inputs.start->inside();
+    parts.joints = inputs.start->joints();
+  }
+  const auto names = std::make_shared<std::vector<std::string>>();  // of the scenarios, once they are known
+  if (inputs.objective) {
+    parts.objective = [objective = inputs.objective,
+                       names](const std::vector<internal::RolloutResult>& results) {
+      std::vector<Rollout> rollouts;
+      for (std::size_t s = 0; s < results.size(); ++s)
+        rollouts.push_back(RolloutMaker::made({(*names)[s], results[s]}));
+      return objective(rollouts);
+    };
+  }
+  internal::Study study = internal::parse_study(yaml, parts);
+  for (const internal::Scenario& scenario : study.scenarios) names->push_back(scenario.name);
+  return Study(std::move(study));
+}
+
+const std::string& Study::name() const {
+  return inside_->name;
+}
+
+std::vector<Scenario> Study::scenarios() const {
+  std::vector<Scenario> all;
+  for (const internal::Scenario& scenario : inside_->scenarios) all.emplace_back(scenario);
+  return all;
+}
+
+Gains Study::start() const {
+  return {inside_->space.start, internal::joint_names(*inside_->scenarios.front().robot)};
+}
+
+std::vector<std::string> Study::parameters() const {
+  std::vector<std::string> names;
+  for (const internal::Parameter& parameter : inside_->space.free) names.push_back(parameter.entry.name);
+  return names;
+}
+
+long Study::max_evaluations() const {
+  return inside_->max_evaluations;
+}
+std::uint64_t Study::seed() const {
+  return inside_->solver.seed;
+}
+
+void Study::set_max_evaluations(long most) {
+  if (most < 1) throw InputError(fmt::format("max_evaluations: {}, must be 1 or more", most));
+  inside_ = changed(*inside_, [&](internal::Study& s) { s.max_evaluations = most; });
+}
+
+void Study::set_seed(std::uint64_t seed) {
+  inside_ = changed(*inside_, [&](internal::Study& s) { s.solver.seed = seed; });
+}
+
+}  // namespace armtune
