@@ -39,14 +39,12 @@ Vector model_torque(const Period& period, const Vector& v, const Vector& a) {
   return tau;
 }
 
-/// Calls `function`, and tells what it raises as a failure of the run.
+/// Calls `function`. What it raises ends the run, and is raised again where that was begun.
 template <class Function>
 auto told(const std::string& name, Function function) {
   const py::gil_scoped_acquire lock;
   try {
     return function();
-  } catch (const py::error_already_set& error) {
-    throw FailedError(fmt::format("controller {}: {}", name, error.what()));
   } catch (const py::cast_error&) {
     throw FailedError(fmt::format("controller {}: what its function returned is no list of numbers", name));
   }
@@ -161,6 +159,7 @@ void bind_controllers(py::module_& module) {
           "jacobian", [](const Period& self) { return Eigen::MatrixXd(self.now().jacobian()); },
           "Of the tool (6 x n).")
       .def_property_readonly("state", [](const Period& self) { return self.now().state(); })
+      .def_property_readonly("tracks_joints", [](const Period& self) { return self.now().tracks_joints(); })
       .def("model_torque", &model_torque, py::arg("v"), py::arg("a"),
            "M(q) a + C(q, q') v + g(q) + friction(q') (n) of the arm as the controller knows it.");
   module.def(

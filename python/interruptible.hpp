@@ -43,14 +43,6 @@ class Callback {
   std::optional<pybind11::error_already_set> raised_;
 };
 
-/// Throws ValueError.
-inline void check_workers(int workers) {
-  constexpr int kMost = 1024;
-  if (workers >= 1 && workers <= kMost) return;
-  throw pybind11::value_error("workers: " + std::to_string(workers) + ", must lie between 1 and " +
-                              std::to_string(kMost));
-}
-
 /// Runs task(stop) in a thread of its own and without Python's lock, while this one looks for signals. Ctrl-C
 /// sets `stop`, at which the task has to end soon, and is raised when it has. if_interrupted(what the task
 /// returned) may raise something else before. The end of the interpreter stops it like Ctrl-C.

@@ -26,6 +26,7 @@ void bind_plan(py::module_& module) {
       .def_readonly("limit", &PlanLimit::limit)
       .def_readonly("part", &PlanLimit::part, "The joint or axis.")
       .def_readonly("used", &PlanLimit::used, "Largest share of it at any time: 1 at the limit.")
+      .def_readonly("time", &PlanLimit::time, "Of that [s]; nan: at a knot.")
       .def_readonly("binds", &PlanLimit::binds, "It holds the motion back somewhere.");
   py::class_<Plan>(module, "Plan", made_by_armtune(), "A motion of n joints at N moments.")
       .def_readonly("solved", &Plan::solved)

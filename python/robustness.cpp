@@ -35,9 +35,9 @@ void bind_robustness(py::module_& module) {
       "robustness",
       [](const std::vector<Scenario>& scenarios, const Gains& gains, std::uint64_t samples,
          std::uint64_t seed, const std::map<std::string, double>& perturbation, const std::string& engine,
-         const MaybePath& folder, bool resume, int workers, py::object progress) {
-        RobustnessOptions options{text_of(folder),   resume,  samples, seed, perturbation,
-                                  engine_of(engine), workers, {}};
+         const MaybePath& folder, bool resume, int workers, double deadline, py::object progress) {
+        RobustnessOptions options{text_of(folder),   resume,  samples,  seed, perturbation,
+                                  engine_of(engine), workers, deadline, {}};
         return watched(std::move(progress), [&, set = gains](const Watch& watch) {
           options.watch = watch;
           return armtune::robustness(scenarios, set, options);
@@ -46,8 +46,8 @@ void bind_robustness(py::module_& module) {
       py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("samples") = 1000, py::arg("seed") = 1,
       py::arg("perturbation") = std::map<std::string, double>(), py::arg("engine") = "simbody",
       py::arg("folder") = py::none(), py::arg("resume") = false, py::arg("workers") = 1,
-      py::arg("progress") = py::none(),
-      "Gains on arms that differ at random. perturbation: widths by the names of 'armtune robustness --help'.");
+      py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
+      "Gains on arms that differ at random. perturbation: widths of mass, center, inertia, rotor, friction, payload, delay, noise, theta, target_speed.");
 
   py::class_<Margin>(module, "Margin", made_by_armtune(),
                      "How far one quantity can be pushed in one scenario.")
@@ -75,7 +75,7 @@ void bind_robustness(py::module_& module) {
       },
       py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("engine") = "simbody",
       py::arg("workers") = 1, py::arg("progress") = py::none(),
-      "How much delay, gain, slowness and noise the closed loop stands in each scenario.");
+      "The stability margins of the closed loop in each scenario: delay, gain, control rate, velocity noise.");
 }
 
 }  // namespace armtune::internal::python

@@ -47,19 +47,20 @@ std::string repr_of(const Rollout& rollout) {
 }
 
 SimulateOptions options_of(const std::string& engine, const std::string& stepper, int workers,
-                           int record_every) {
+                           int record_every, double deadline) {
   SimulateOptions options;
   options.engine = engine_of(engine);
   options.stepper = stepper;
   options.workers = workers;
   options.record_every = record_every;
+  options.deadline = deadline;
   return options;
 }
 
 py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object& gains,
                         const std::string& engine, int workers, int record_every, const std::string& stepper,
-                        py::object progress) {
-  SimulateOptions options = options_of(engine, stepper, workers, record_every);
+                        double deadline, py::object progress) {
+  SimulateOptions options = options_of(engine, stepper, workers, record_every, deadline);
   if (py::isinstance<Gains>(gains)) {
     const auto set = gains.cast<Gains>();  // a copy: the caller's may change meanwhile
     return py::cast(watched(std::move(progress), [&](const Watch& watch) {
@@ -67,7 +68,12 @@ py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object
       return armtune::simulate(scenarios, set, options);
     }));
   }
-  const auto sets = gains.cast<std::vector<Gains>>();
+  std::vector<Gains> sets;
+  try {
+    sets = gains.cast<std::vector<Gains>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("gains: must be Gains or a list of them");
+  }
   return py::cast(watched(std::move(progress), [&](const Watch& watch) {
     options.watch = watch;
     return simulate_sets(scenarios, sets, options);
@@ -130,8 +136,9 @@ void bind_rollouts(py::module_& module) {
           "When, where and why it ended; empty if completed.")
       .def_property_readonly("metrics", &Rollout::metrics,
                              "Every metric by name, SI units; nan where there is no value.")
-      .def_property_readonly("broken_limits", &Rollout::broken_limits,
-                             "The arm's own limits that were passed, the earliest first, in words.")
+      .def_property_readonly(
+          "broken_limits", &Rollout::broken_limits,
+          "The arm's own limits that were passed, each in a sentence; None where nobody looked: of several gain sets, random arms and own objectives.")
       .def_property_readonly(
           "columns", &columns,
           "All columns by name, as read-only NumPy arrays without a copy: pandas.DataFrame(rollout.columns).")
@@ -142,12 +149,14 @@ void bind_rollouts(py::module_& module) {
            [](const Rollout& self, const std::string& name) {
              return std::find(self.columns().begin(), self.columns().end(), name) != self.columns().end();
            })
+      .def("__iter__", [](const Rollout& self) { return py::iter(py::cast(self.columns())); })
       .def("__len__", &Rollout::rows, "Rows: recorded moments.")
+      .def("__bool__", [](const Rollout&) { return true; })
       .def("__repr__", [](const Rollout& self) { return as_utf8(repr_of(self)); });
   module.def(
       "simulate", &simulate_any, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
       py::arg("engine") = "simbody", py::arg("workers") = 1, py::arg("record_every") = 5,
-      py::arg("stepper") = "midpoint", py::arg("progress") = py::none(),
+      py::arg("stepper") = "midpoint", py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
       "Scenarios under gains, in parallel: a list of rollouts. With a list of gains a list of such lists, without "
       "recordings; in the native engine several of them share a processor's vector registers.");
   module.def(

@@ -21,7 +21,7 @@ using armtune::Gains;
 using armtune::Scenario;
 using armtune::Study;
 
-/// What a Python function raises ends the search and is told as it was raised.
+/// What the function raises ends the search, and is raised again where it was begun.
 std::function<double(const std::vector<Rollout>&)> objective_of(py::object function) {
   if (function.is_none()) return {};
   // Copies are made and destroyed by threads without Python's lock.
@@ -33,8 +33,6 @@ std::function<double(const std::vector<Rollout>&)> objective_of(py::object funct
     const py::gil_scoped_acquire lock;
     try {
       return (*kept)(rollouts).cast<double>();
-    } catch (const py::error_already_set& error) {
-      throw FailedError(std::string("objective: ") + error.what());
     } catch (const py::cast_error&) {
       throw FailedError("objective: what the function returned is no number");
     }
@@ -81,6 +79,7 @@ void bind_verdict(py::module_& module) {
       .def_readonly("value", &Check::value)
       .def_readonly("threshold", &Check::threshold)
       .def_readonly("unit", &Check::unit)
+      .def_readonly("detail", &Check::detail, "One clause, such as the constraint's name.")
       .def("__str__", [](const Check& self) { return as_utf8(to_text(self)); });
   py::class_<Verdict>(module, "Verdict", made_by_armtune(),
                       "Which simulation checks passed, what was not checked, and what the checks assume.")
@@ -141,6 +140,15 @@ void bind_searches(py::module_& module) {
       .def_property_readonly(
           "violations", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::violation); },
           "Sum of relative violations of the limits; 0: feasible.")
+      .def_property_readonly(
+          "engines",
+          [](const Tuned& self) {
+            std::vector<std::string> engines;
+            for (const TunePoint& point : self.evaluations)
+              engines.emplace_back(point.engine == armtune::Engine::kNative ? "native" : "simbody");
+            return engines;
+          },
+          "That gave them: of a study that searches in the native engine, the objective is Simbody's.")
       .def_readonly("parameters", &Tuned::parameters, "Names of a point's coordinates.")
       .def_property_readonly("points", &coordinates,
                              "Search coordinates, a row for each evaluation: 0 lower, 1 upper bound.")
@@ -151,15 +159,16 @@ void bind_searches(py::module_& module) {
   module.def(
       "tune",
       [](const Study& study, const MaybePath& folder, bool resume, int workers, bool analysis,
-         py::object progress) {
-        TuneOptions options{text_of(folder), resume, workers, analysis, {}};
+         double deadline, py::object progress) {
+        TuneOptions options{text_of(folder), resume, workers, analysis, deadline, {}};
         return watched(std::move(progress), [&, given = study](const Watch& watch) {
           options.watch = watch;
           return armtune::tune(given, options);
         });
       },
       py::arg("study"), py::kw_only(), py::arg("folder") = py::none(), py::arg("resume") = false,
-      py::arg("workers") = 1, py::arg("analysis") = true, py::arg("progress") = py::none(),
+      py::arg("workers") = 1, py::arg("analysis") = true, py::arg("deadline") = 0.0,
+      py::arg("progress") = py::none(),
       "Runs a study; the same result for any number of workers. folder: a new one for all files of the run. analysis: margins, "
       "sensitivity and the checks that take long.");
 
@@ -175,8 +184,8 @@ void bind_searches(py::module_& module) {
   module.def(
       "front",
       [](const Study& study, const std::vector<std::string>& criteria, const MaybePath& folder, bool resume,
-         int workers, std::size_t levels, long max_evaluations, py::object progress) {
-        FrontOptions options{text_of(folder), resume, workers, levels, max_evaluations, {}};
+         int workers, std::size_t levels, long max_evaluations, double deadline, py::object progress) {
+        FrontOptions options{text_of(folder), resume, workers, levels, max_evaluations, deadline, {}};
         return watched(std::move(progress), [&, given = study](const Watch& watch) {
           options.watch = watch;
           return armtune::front(given, criteria, options);
@@ -184,7 +193,7 @@ void bind_searches(py::module_& module) {
       },
       py::arg("study"), py::arg("criteria"), py::kw_only(), py::arg("folder") = py::none(),
       py::arg("resume") = false, py::arg("workers") = 1, py::arg("levels") = 0,
-      py::arg("max_evaluations") = 0, py::arg("progress") = py::none(),
+      py::arg("max_evaluations") = 0, py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
       "The trade-off of two or three criteria, each a metric's name or 'objective'. 0: levels and budget by default.");
 }
 

@@ -28,10 +28,18 @@ auto watched(pybind11::object progress, Run run) {
     watch.warning = [&](const std::string& sentence) { warnings.push_back(sentence); };
     return run(watch);
   };
-  auto result = interruptible(work, callback, task,
-                              [](auto so_far) { raise_interrupted(pybind11::cast(std::move(so_far))); });
-  issue_warnings(warnings);
-  return result;
+  try {
+    auto result = interruptible(work, callback, task,
+                                [](auto so_far) { raise_interrupted(pybind11::cast(std::move(so_far))); });
+    issue_warnings(warnings);
+    return result;
+  } catch (const pybind11::error_already_set&) {
+    try {
+      issue_warnings(warnings);
+    } catch (const pybind11::error_already_set&) {  // the first one counts
+    }
+    throw;
+  }
 }
 
 }  // namespace armtune::internal::python

@@ -59,6 +59,10 @@ class Law {
   /// Sets the torques (n) [N m, N] before repulsion, velocity barrier and effort limits. Called once in every
   /// control period; nothing in it may allocate.
   virtual void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) = 0;
+  /// The period is over. learning: no joint was saturated, and adaptation is wanted.
+  virtual void conclude(bool /*learning*/) {}
+  /// True if every torque contains -Kd S, with the Kd of LawState::damping.
+  virtual bool contains_damping() const { return false; }
 };
 
 /// How many numbers a gain has.
@@ -81,11 +85,13 @@ struct GainDeclaration {
   double upper_factor = 5.0;  ///< ... to there times its start, unless a study says otherwise
 };
 
-/// What a law is made from. It lives for the call alone.
+/// What a law is made from.
 struct LawSetup {
   Robot robot;  ///< as the controller knows it
   Gains gains;
   double period;  ///< of control [s]
+  std::vector<double>
+      theta;  ///< what the controller takes the arm for: 13 numbers for each joint (docs/theory.md)
 };
 
 /// A kind of controller, as gains files name it: "controller: NAME".
@@ -96,13 +102,14 @@ struct ControllerKind {
   std::vector<std::string> uses = {};
   std::vector<GainDeclaration> own = {};
   std::function<std::unique_ptr<Law>(const LawSetup&)> make = {};
+  bool learns = false;  ///< it finds out about an arm of which it is told nothing
   /// Sets own gains to begin with, on an arm without any that is at q (n) on its task; empty: they are as
   /// declared.
   std::function<void(const Robot&, std::span<const double> q, Gains&)> start = {};
 };
 
-/// Adds a kind, before anything is loaded. Throws InputError if its name or that of a gain is taken, or
-/// `uses` names a gain that is none of a law.
+/// Adds a kind, before anything is loaded and while nothing is simulated. Throws InputError if its name or
+/// that of a gain is taken, or `uses` names a gain that is none of a law.
 void register_controller(const ControllerKind& kind);
 
 /// What each joint feels at q (n) with the others free, 1 / (M^-1)_ii [kg m^2, kg]: first gains follow it.

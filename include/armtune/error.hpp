@@ -10,7 +10,7 @@ namespace armtune {
 /// what() is one line: where (file, line or key), the value, the limit, and what to do.
 class Error : public std::runtime_error {
  public:
-  /// Control characters in the message are shown as escapes, and line breaks as blanks.
+  /// Line breaks and other control characters in the message are shown as escapes.
   explicit Error(const std::string& message);
 };
 

@@ -15,6 +15,7 @@ struct FrontOptions {
   int workers = 1;           ///< threads; results do not depend on it
   std::size_t levels = 0;    ///< of each criterion but the first; 0: 12, with three criteria 4
   long max_evaluations = 0;  ///< 0: four times the study's
+  double deadline = 0.0;     ///< of one rollout, wall clock [s]; 0: 20 s and twice the simulated duration
   Watch watch = {};
 };
 

@@ -39,14 +39,18 @@ class Gains {
   std::vector<std::string> names() const;
 
   /// The numbers of a gain, to be read and written in place: one, six (x y z rx ry rz) or one for each joint.
-  /// They live as long as these gains and are not moved. Throws InputError if there is no such gain, or if it
-  /// has no numbers.
+  /// They stay where they are until other gains are assigned to these. Throws InputError if there is no such
+  /// gain, or if it has no numbers.
   std::span<double> numbers(const std::string& name);
   std::span<const double> numbers(const std::string& name) const;
   /// Sets all numbers of a gain. One value stands for all of them. Throws InputError if their count does not
   /// fit.
   void set(const std::string& name, const std::vector<double>& values);
   void set(const std::string& name, double value) { set(name, std::vector<double>{value}); }
+  /// A switch ("true", "false") or a word, as it stands in a gains file. Throws InputError if there is no
+  /// such gain, if it has numbers, or if the word is none of its own.
+  std::string word(const std::string& name) const;
+  void set_word(const std::string& name, const std::string& word);
 
   /// The gains as a file. Throws InputError where a number is outside its limits.
   std::string text(GainsFormat format = GainsFormat::kYaml) const;

@@ -17,11 +17,12 @@ struct RobustnessOptions {
   bool resume = false;      ///< continue the run in that folder
   std::uint64_t samples = 1000;
   std::uint64_t seed = 1;
-  /// Widths of what differs at random, by the names that `armtune robustness --help` lists; the rest as it is
-  /// by default.
+  /// Widths of what differs at random; the rest as it is by default. Names: mass, center, inertia, rotor,
+  /// friction, payload, delay, noise, theta, target_speed; `armtune robustness --help` says what they mean.
   std::map<std::string, double> perturbation = {};
   Engine engine = Engine::kSimbody;
-  int workers = 1;  ///< threads; results do not depend on it
+  int workers = 1;        ///< threads; results do not depend on it
+  double deadline = 0.0;  ///< of one rollout, wall clock [s]; 0: 20 s and twice the simulated duration
   Watch watch = {};
 };
 

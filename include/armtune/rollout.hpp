@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct SimulateOptions {
   std::string stepper = "midpoint";  ///< midpoint, semi_implicit_euler, rk4 or reference
   int workers = 1;                   ///< threads; results do not depend on it
   int record_every = 5;              ///< control periods per row of the recording; 0: nothing is recorded
+  double deadline = 0.0;  ///< of one rollout, wall clock [s]. 0: none; in simulate_sets 20 s and twice the
+                          ///< simulated duration
   Watch watch = {};
 };
 
@@ -41,8 +44,10 @@ class Rollout {
   const std::map<std::string, double>& metrics() const { return metrics_; }
   /// Throws InputError if there is no such metric.
   double metric(const std::string& name) const;
-  /// The arm's own limits that were passed, the earliest first, as "effort, elbow_joint, 2.000 s".
-  const std::vector<std::string>& broken_limits() const { return broken_limits_; }
+  /// The arm's own limits that were passed, each in one sentence, the earliest first. No value where nobody
+  /// looked: of simulate_sets, random arms, and objectives of one's own, where the metrics have the largest
+  /// ratios.
+  const std::optional<std::vector<std::string>>& broken_limits() const { return broken_limits_; }
 
   /// Names of the recorded columns, `time` first; empty where nothing was recorded.
   const std::vector<std::string>& columns() const { return columns_; }
@@ -56,7 +61,7 @@ class Rollout {
   friend struct RolloutMaker;
   std::string scenario_, status_, reason_;
   std::map<std::string, double> metrics_;
-  std::vector<std::string> broken_limits_;
+  std::optional<std::vector<std::string>> broken_limits_;
   std::vector<std::string> columns_;
   std::vector<double> values_;
   std::shared_ptr<const void> result_;  ///< what errors_csv writes

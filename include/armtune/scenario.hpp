@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "armtune/robot.hpp"
 
@@ -12,6 +14,9 @@ namespace armtune {
 namespace internal {
 struct Scenario;
 }
+
+/// Files that were read: path, and the hash of what was in it.
+using InputFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// A value: a setter changes this object alone.
 class Scenario {
@@ -31,15 +36,16 @@ class Scenario {
   void set_duration(double seconds);
   /// False once a setter was called: no file says what it is now, and it cannot be simulated into a run
   /// folder.
-  bool as_in_file() const { return as_in_file_; }
+  bool as_in_file() const { return files_ != nullptr; }
 
-  /// For armtune itself.
-  explicit Scenario(internal::Scenario inside);
+  /// For armtune itself. files: null where no file says what it is.
+  Scenario(internal::Scenario inside, std::shared_ptr<const InputFiles> files);
   const internal::Scenario& inside() const { return *inside_; }
+  const std::shared_ptr<const InputFiles>& files() const { return files_; }
 
  private:
   std::shared_ptr<const internal::Scenario> inside_;
-  bool as_in_file_ = true;
+  std::shared_ptr<const InputFiles> files_;
 };
 
 }  // namespace armtune

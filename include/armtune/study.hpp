@@ -18,13 +18,15 @@ namespace internal {
 struct Study;
 }
 
-/// What takes the place of what a study's text says under `scenarios`, `gains` and `objective`.
+/// Parts of a study in place of what its text says under `scenarios`, `gains` and `objective`, or of keys
+/// that it lacks.
 struct StudyInputs {
   std::vector<Scenario> scenarios = {};
   std::optional<Gains> start = std::nullopt;
   /// From one rollout for each scenario, all of them completed and without recordings: a number above zero,
-  /// less is better. The search sees it relative to that of the start. It is called from any thread, one call
-  /// at a time.
+  /// less is better, and the same for the same rollouts. The search sees it relative to that of the start,
+  /// and up to ten times that. It is called from any thread, one call at a time; what it throws ends the
+  /// search. Where the study is `robust`, each rollout has the measure over the arms for its metrics.
   std::function<double(const std::vector<Rollout>&)> objective = {};
 };
 
@@ -39,8 +41,8 @@ class Study {
   static Study parse(const std::string& yaml, const StudyInputs& inputs = {});
 
   const std::string& name() const;
-  std::vector<Scenario> scenarios() const;
-  Gains start() const;
+  const std::vector<Scenario>& scenarios() const { return scenarios_; }
+  Gains start() const;  ///< a copy
   /// Names of the numbers that are tuned, such as "task_space_gains_p/x": the order of a point's coordinates.
   std::vector<std::string> parameters() const;
   long max_evaluations() const;  ///< start and sweep included
@@ -49,12 +51,15 @@ class Study {
   void set_max_evaluations(long most);
   void set_seed(std::uint64_t seed);
 
-  /// For armtune itself.
-  explicit Study(internal::Study inside);
+  /// For armtune itself. files: null where no file says what it is.
+  Study(internal::Study inside, std::vector<Scenario> scenarios, std::shared_ptr<const InputFiles> files);
   const internal::Study& inside() const { return *inside_; }
+  const std::shared_ptr<const InputFiles>& files() const { return files_; }
 
  private:
   std::shared_ptr<const internal::Study> inside_;
+  std::vector<Scenario> scenarios_;
+  std::shared_ptr<const InputFiles> files_;
 };
 
 }  // namespace armtune

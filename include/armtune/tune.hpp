@@ -17,6 +17,7 @@ struct TuneOptions {
   bool resume = false;      ///< continue the run in that folder
   int workers = 1;          ///< threads; results do not depend on it
   bool analysis = true;     ///< margins, sensitivity, and the checks that take long
+  double deadline = 0.0;    ///< of one rollout, wall clock [s]; 0: 20 s and twice the simulated duration
   Watch watch = {};
 };
 
@@ -24,8 +25,9 @@ struct TuneOptions {
 struct TunePoint {
   std::vector<double>
       x;  ///< coordinates, one for each of Study::parameters: 0 at the lower, 1 at the upper bound
-  double objective = 0.0;  ///< the start scores 1
-  double violation = 0.0;  ///< sum of the relative violations of the constraints; 0: feasible
+  double objective = 0.0;            ///< the start scores 1
+  double violation = 0.0;            ///< sum of the relative violations of the constraints; 0: feasible
+  Engine engine = Engine::kSimbody;  ///< that gave them
 };
 
 struct Tuned {

@@ -83,6 +83,9 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   const auto folder = cut(words, kResume);
   if (!folder) return words;
   const RunHeader begun = read_run_header(journal_in(*folder));
+  if (begun.arguments.empty()) {
+    throw InputError(*folder + ": was begun by a program, through armtune's interface; resume it there");
+  }
   std::vector<std::string> all = {words.front()};
   all.insert(all.end(), begun.arguments.begin(), begun.arguments.end());
   all.insert(all.end(), {kResume, absolute_path(*folder)});
@@ -90,10 +93,10 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
     if (const auto value = cut(words, option)) all.insert(all.end(), {option, *value});
   }
   if (std::erase(words, kLive) > 0) all.emplace_back(kLive);
-  if (words.size() < 2 || begun.arguments.empty() || words[1] != begun.arguments.front()) {
+  if (words.size() < 2 || words[1] != begun.arguments.front()) {
     throw InputError(fmt::format("{} was begun by 'armtune {}'; resume it with: {} {} --resume {}", *folder,
-                                 fmt::join(begun.arguments, " "), program_name(),
-                                 begun.arguments.empty() ? "" : begun.arguments.front(), *folder));
+                                 fmt::join(begun.arguments, " "), program_name(), begun.arguments.front(),
+                                 *folder));
   }
   if (words.size() > 2) {
     throw InputError(

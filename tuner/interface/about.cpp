@@ -1,5 +1,12 @@
 #include "armtune/about.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/run/run_folder.hpp"
 
@@ -10,6 +17,11 @@ std::vector<std::pair<std::string, std::string>> versions() {
 }
 
 std::vector<std::string> bundled(const std::string& folder) {
+  const std::vector<std::string> folders = {"robots", "scenarios", "gains", "studies", "tasks", "theta"};
+  if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
+    throw InputError(
+        fmt::format("folder: {}, must be one of {}", internal::shown(folder), fmt::join(folders, ", ")));
+  }
   return internal::bundled_names(folder);
 }
 

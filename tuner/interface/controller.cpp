@@ -9,9 +9,9 @@
 namespace armtune {
 namespace {
 
-/// The model, which outlives the object.
-Robot borrowed(const internal::RobotModel& model) {
-  return Robot(std::shared_ptr<const internal::RobotModel>(std::shared_ptr<void>(), &model));
+/// A copy, since whoever is given it may keep it.
+Robot copied(const internal::RobotModel& model) {
+  return Robot(std::make_shared<const internal::RobotModel>(model));
 }
 
 LawState::Vector mapped(const internal::JointVector& values) {
@@ -34,6 +34,9 @@ class LawInside final : public internal::TorqueLaw {
     tau.resize(in.measured.q.size());
     law_->torque(LawState(in, *this), Eigen::Map<Eigen::VectorXd>(tau.data(), tau.size()));
   }
+
+  void conclude(bool learning) override { law_->conclude(learning); }
+  bool contains_Kd() const override { return law_->contains_damping(); }
 
   using TorqueLaw::model_torque;
 
@@ -88,6 +91,7 @@ void register_controller(const ControllerKind& kind) {
   inside.name = kind.name;
   inside.meaning = kind.meaning;
   inside.uses = kind.uses;
+  inside.learns = kind.learns;
   for (const GainDeclaration& gain : kind.own) {
     constexpr internal::GainShape kShapes[] = {internal::GainShape::kScalar, internal::GainShape::kTask,
                                                internal::GainShape::kJoints};
@@ -99,15 +103,17 @@ void register_controller(const ControllerKind& kind) {
     inside.own.push_back(field);
   }
   inside.make = [make = kind.make](const internal::LawSetup& setup) {
-    return std::make_unique<LawInside>(
-        setup,
-        make({borrowed(setup.model), Gains(setup.gains, internal::joint_names(setup.model)), setup.period}));
+    return std::make_unique<LawInside>(setup,
+                                       make({copied(setup.model),
+                                             Gains(setup.gains, internal::joint_names(setup.model)),
+                                             setup.period,
+                                             {setup.theta.data(), setup.theta.data() + setup.theta.size()}}));
   };
   if (kind.start) {
     inside.start = [start = kind.start](const internal::RobotModel& robot, const internal::JointVector& q,
                                         internal::Gains& gains) {
       Gains given(gains, internal::joint_names(robot));
-      start(borrowed(robot), {q.data(), static_cast<std::size_t>(q.size())}, given);
+      start(copied(robot), {q.data(), static_cast<std::size_t>(q.size())}, given);
       gains = given.inside();
     };
   }

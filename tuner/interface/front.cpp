@@ -1,6 +1,7 @@
 #include "armtune/front.hpp"
 
 #include "armtune/error.hpp"
+#include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
 #include "tuner/session/front_session.hpp"
@@ -9,16 +10,18 @@ namespace armtune {
 
 Front front(const Study& study, const std::vector<std::string>& criteria, const FrontOptions& options) {
   require_workers(options.workers);
-  require_files(study, options.folder);
+  if (options.max_evaluations < 0) throw InputError("max_evaluations: must not be negative");
+  const KeptInputs inputs(options.folder, files_of(study), "the study " + study.name());
   internal::FrontSettings settings;
   settings.place = {options.folder, options.resume};
   settings.criteria = criteria;
   settings.levels = options.levels;
   settings.max_evaluations = options.max_evaluations;
   settings.workers = options.workers;
+  settings.deadline = options.deadline;
   Observing<internal::FrontObserver> observer(options.watch);
   internal::RankGroup alone(nullptr);
-  internal::FrontSession session(study.inside(), settings, {stop_of(options.watch)}, observer);
+  internal::FrontSession session(study.inside(), settings, context_of(options.watch), observer);
   const internal::FrontOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
     throw InputError(options.folder + ": the run there has ended; there is nothing to resume");

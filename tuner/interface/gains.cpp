@@ -1,11 +1,11 @@
 #include "armtune/gains.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
 #include "sim/csv/text_file.hpp"
@@ -15,13 +15,15 @@
 namespace armtune {
 namespace {
 
-const internal::GainField& numeric_field(const internal::Gains& gains, const std::string& name) {
+const internal::GainField& field_of(const internal::Gains& gains, const std::string& name, bool numeric) {
   for (const internal::GainField& field : internal::fields_of(gains)) {
     if (field.name != name) continue;
-    if (field.is_number()) return field;
-    throw InputError(fmt::format("{}: is a switch or a word, not numbers", name));
+    if (field.is_number() == numeric) return field;
+    throw InputError(
+        fmt::format("{}: {}", name, numeric ? "is a switch or a word, not numbers" : "has numbers, no word"));
   }
-  throw InputError(fmt::format("{}: the controller {} has no such gain", name, gains.controller));
+  throw InputError(
+      fmt::format("{}: the controller {} has no such gain", internal::shown(name), gains.controller));
 }
 
 }  // namespace
@@ -53,10 +55,10 @@ std::vector<std::string> Gains::names() const {
 }
 
 std::span<double> Gains::numbers(const std::string& name) {
-  return internal::numbers(*inside_, numeric_field(*inside_, name));
+  return internal::numbers(*inside_, field_of(*inside_, name, true));
 }
 std::span<const double> Gains::numbers(const std::string& name) const {
-  return internal::numbers(std::as_const(*inside_), numeric_field(*inside_, name));
+  return internal::numbers(std::as_const(*inside_), field_of(*inside_, name, true));
 }
 
 void Gains::set(const std::string& name, const std::vector<double>& values) {
@@ -67,6 +69,27 @@ void Gains::set(const std::string& name, const std::vector<double>& values) {
     std::copy(values.begin(), values.end(), target.begin());
   } else {
     throw InputError(fmt::format("{}: {} numbers are given, it has {}", name, values.size(), target.size()));
+  }
+}
+
+std::string Gains::word(const std::string& name) const {
+  return internal::field_text(*inside_, field_of(*inside_, name, false));
+}
+
+void Gains::set_word(const std::string& name, const std::string& word) {
+  const internal::GainField& field = field_of(*inside_, name, false);
+  const auto* flag = std::get_if<bool internal::Gains::*>(&field.member);
+  const std::vector<std::string> words = flag != nullptr ? std::vector<std::string>{"false", "true"}
+                                                         : std::vector<std::string>{"start", "current"};
+  if (word != words[0] && word != words[1]) {
+    throw InputError(
+        fmt::format("{}: {}, must be {} or {}", name, internal::shown(word), words[0], words[1]));
+  }
+  if (flag != nullptr) {
+    (*inside_).** flag = word == "true";
+  } else {
+    (*inside_).*std::get<internal::SlerpReference internal::Gains::*>(field.member) =
+        word == "start" ? internal::SlerpReference::kStart : internal::SlerpReference::kCurrent;
   }
 }
 

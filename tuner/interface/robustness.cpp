@@ -1,11 +1,13 @@
 #include "armtune/robustness.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
+#include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
 #include "tuner/robustness/margins.hpp"
@@ -22,7 +24,10 @@ internal::Perturbation perturbation_of(const std::map<std::string, double>& widt
     const auto found =
         std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
     if (found == fields.end()) {
-      throw InputError(fmt::format("perturbation: {} is no quantity that can differ", internal::shown(name)));
+      std::vector<std::string> known;
+      for (const auto& field : fields) known.emplace_back(field.name);
+      throw InputError(fmt::format("perturbation: {} is no quantity that can differ; there are: {}",
+                                   internal::shown(name), fmt::join(known, ", ")));
     }
     perturbation.*found->width = width;
   }
@@ -46,11 +51,16 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
                       const RobustnessOptions& options) {
   require_workers(options.workers);
   require_fit(gains, scenarios);
-  require_files(scenarios, options.folder);
+  constexpr std::uint64_t kMost = 1'000'000;
+  if (options.samples < 1 || options.samples > kMost) {
+    throw InputError(fmt::format("samples: {}, must lie between 1 and {}", options.samples, kMost));
+  }
+  const KeptInputs inputs(options.folder, files_of(scenarios), "a scenario that was changed");
   internal::MonteCarloSettings settings;
   settings.place = {options.folder, options.resume};
   settings.scenarios = internal_of(scenarios);
   settings.gains = gains.inside();
+  settings.deadline = options.deadline;
   settings.options.samples = options.samples;
   settings.options.seed = options.seed;
   settings.options.engine = internal_of(options.engine);
@@ -58,7 +68,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   settings.options.perturbation = perturbation_of(options.perturbation, settings.scenarios);
   Observing<internal::MonteCarloObserver> observer(options.watch);
   internal::RankGroup alone(nullptr);
-  internal::MonteCarloSession session(std::move(settings), {stop_of(options.watch)}, observer);
+  internal::MonteCarloSession session(std::move(settings), context_of(options.watch), observer);
   const internal::MonteCarloOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
     throw InputError(options.folder + ": the run there has ended; there is nothing to resume");

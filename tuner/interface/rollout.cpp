@@ -14,8 +14,6 @@
 
 namespace armtune {
 
-const std::atomic<bool> never_stopped{false};
-
 Rollout RolloutMaker::made(internal::ScenarioResult result, Rollout recording) {
   Rollout rollout = std::move(recording);
   rollout.scenario_ = result.scenario;
@@ -24,10 +22,15 @@ Rollout RolloutMaker::made(internal::ScenarioResult result, Rollout recording) {
   for (const internal::Metric metric : internal::all_metrics()) {
     rollout.metrics_[internal::name(metric)] = result.result.metrics[metric];
   }
-  for (const internal::BrokenLimit& broken : result.broken) {
-    rollout.broken_limits_.push_back(internal::to_string(broken));
-  }
   rollout.result_ = std::make_shared<const internal::ScenarioResult>(std::move(result));
+  return rollout;
+}
+
+Rollout RolloutMaker::watched(internal::ScenarioResult result, Rollout recording) {
+  std::vector<std::string> broken;
+  for (const internal::BrokenLimit& limit : result.broken) broken.push_back(internal::to_string(limit));
+  Rollout rollout = made(std::move(result), std::move(recording));
+  rollout.broken_limits_ = std::move(broken);
   return rollout;
 }
 
@@ -37,6 +40,7 @@ void RolloutMaker::record(Rollout& rollout, internal::Recorder recorder, bool co
 }
 
 const internal::ScenarioResult& RolloutMaker::result_of(const Rollout& rollout) {
+  if (rollout.result_ == nullptr) throw InputError("a Rollout is given that nothing was simulated for");
   return *static_cast<const internal::ScenarioResult*>(rollout.result_.get());
 }
 
@@ -52,6 +56,7 @@ std::vector<internal::Scenario> internal_of(const std::vector<Scenario>& scenari
 }
 
 void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios) {
+  if (scenarios.empty()) throw InputError("scenarios: none are given; give one at least");
   internal::validate(gains.inside(), gains.joints(), "gains");
   for (const Scenario& scenario : scenarios) {
     if (internal::joint_names(*scenario.inside().robot) != gains.joints()) {
@@ -60,28 +65,21 @@ void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios) {
   }
 }
 
-void require_files(const Study& study, const std::string& folder) {
-  if (folder.empty() || !study.inside().source.empty()) return;
-  throw InputError(folder +
-                   ": only a study that was read from a file can leave a run folder; leave the folder out");
-}
-
-void require_files(const std::vector<Scenario>& scenarios, const std::string& folder) {
-  if (folder.empty()) return;
-  for (const Scenario& scenario : scenarios) {
-    if (!scenario.as_in_file()) {
-      throw InputError(
-          fmt::format("{}: the scenario {} was changed since it was read, so that no file says what it is; "
-                      "leave the folder out",
-                      folder, scenario.name()));
-    }
-  }
-}
-
 void require_workers(int workers) {
   constexpr int kMost = 1024;
   if (workers < 1 || workers > kMost) {
     throw InputError(fmt::format("workers: {}, must lie between 1 and {}", workers, kMost));
+  }
+}
+
+/// As internal::simulate refuses them.
+static void require_names(const std::vector<Scenario>& scenarios) {
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scenarios[i].name() == scenarios[k].name()) {
+        throw InputError(fmt::format("{}: two scenarios have this name; rename one", scenarios[i].name()));
+      }
+    }
   }
 }
 
@@ -116,6 +114,7 @@ std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gain
   how.workers = options.workers;
   how.stepper = internal::stepper_from_name(options.stepper);
   how.engine = internal_of(options.engine);
+  if (options.deadline > 0.0) how.deadline = options.deadline;
   how.record_stride = std::max(1, options.record_every);
   how.progress = [&](std::size_t done) {
     if (options.watch.progress) {
@@ -133,7 +132,7 @@ std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gain
       stop_of(options.watch));
   std::vector<Rollout> rollouts;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    rollouts.push_back(RolloutMaker::made(std::move(results[i]), std::move(recordings[i])));
+    rollouts.push_back(RolloutMaker::watched(std::move(results[i]), std::move(recordings[i])));
   }
   return rollouts;
 }
@@ -142,15 +141,18 @@ std::vector<std::vector<Rollout>> simulate_sets(const std::vector<Scenario>& sce
                                                 const std::vector<Gains>& sets,
                                                 const SimulateOptions& options) {
   require_workers(options.workers);
+  require_names(scenarios);
   std::vector<internal::Gains> candidates;
   for (const Gains& gains : sets) {
     require_fit(gains, scenarios);
     candidates.push_back(gains.inside());
   }
   std::vector<std::vector<Rollout>> all(sets.size());
-  if (scenarios.empty()) return all;
-  internal::CandidateRunner runner(internal_of(scenarios), internal::stepper_from_name(options.stepper),
-                                   options.workers);
+  internal::RolloutPlan plan =
+      internal::plan_of(internal_of(scenarios), internal::stepper_from_name(options.stepper), {});
+  plan.deadline = options.deadline;
+  internal::CandidateRunner runner(std::make_unique<internal::RolloutPool>(std::move(plan), options.workers),
+                                   {});
   long done = 0;
   const auto finished = [&](std::size_t set, const std::vector<internal::RolloutResult>& results) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {

@@ -8,6 +8,7 @@
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "tuner/interface/kept_inputs.hpp"
 
 namespace armtune {
 namespace {
@@ -23,11 +24,13 @@ std::shared_ptr<const internal::Scenario> changed(const internal::Scenario& scen
 
 }  // namespace
 
-Scenario::Scenario(internal::Scenario inside)
-    : inside_(std::make_shared<const internal::Scenario>(std::move(inside))) {}
+Scenario::Scenario(internal::Scenario inside, std::shared_ptr<const InputFiles> files)
+    : inside_(std::make_shared<const internal::Scenario>(std::move(inside))), files_(std::move(files)) {}
 
 Scenario Scenario::load(const std::string& name_or_path) {
-  return Scenario(internal::load_scenario(name_or_path));
+  internal::Scenario scenario = internal::load_scenario(name_or_path);
+  auto files = std::make_shared<const InputFiles>(input_files(scenario.inputs));
+  return {std::move(scenario), std::move(files)};
 }
 
 const std::string& Scenario::name() const {
@@ -52,7 +55,7 @@ void Scenario::set_name(const std::string& name) {
         fmt::format("name: {}; give one of letters, digits, '_', '-' and '.'", internal::shown(name)));
   }
   inside_ = changed(*inside_, [&](internal::Scenario& s) { s.name = name; });
-  as_in_file_ = false;
+  files_.reset();
 }
 
 void Scenario::set_duration(double seconds) {
@@ -62,7 +65,7 @@ void Scenario::set_duration(double seconds) {
                                  seconds, kMostPeriods, period));
   }
   inside_ = changed(*inside_, [&](internal::Scenario& s) { s.duration = seconds; });
-  as_in_file_ = false;
+  files_.reset();
 }
 
 }  // namespace armtune

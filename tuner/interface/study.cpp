@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include "armtune/error.hpp"
+#include "core/control/laws/valid_gains.hpp"
+#include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/rollout_maker.hpp"
+#include "tuner/session/study_files.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune {
@@ -16,19 +19,34 @@ std::shared_ptr<const internal::Study> changed(const internal::Study& study, Cha
   return std::make_shared<const internal::Study>(std::move(copy));
 }
 
+/// Scenarios as the files have them that the study was just read from.
+std::vector<Scenario> read_scenarios(const internal::Study& study) {
+  std::vector<Scenario> scenarios;
+  for (const internal::Scenario& scenario : study.scenarios) {
+    scenarios.emplace_back(scenario, std::make_shared<const InputFiles>(input_files(scenario.inputs)));
+  }
+  return scenarios;
+}
+
 }  // namespace
 
-Study::Study(internal::Study inside) : inside_(std::make_shared<const internal::Study>(std::move(inside))) {}
+Study::Study(internal::Study inside, std::vector<Scenario> scenarios, std::shared_ptr<const InputFiles> files)
+    : inside_(std::make_shared<const internal::Study>(std::move(inside))),
+      scenarios_(std::move(scenarios)),
+      files_(std::move(files)) {}
 
 Study Study::load(const std::string& name_or_path, const std::string& controller) {
-  return Study(internal::load_study(name_or_path, controller));
+  internal::Study study = internal::load_study(name_or_path, controller);
+  auto scenarios = read_scenarios(study);
+  auto files = std::make_shared<const InputFiles>(input_files(internal::files_of(study)));
+  return {std::move(study), std::move(scenarios), std::move(files)};
 }
 
 Study Study::parse(const std::string& yaml, const StudyInputs& inputs) {
   internal::StudyParts parts;
   parts.scenarios = internal_of(inputs.scenarios);
   if (inputs.start) {
-    require_fit(*inputs.start, {});
+    internal::validate(inputs.start->inside(), inputs.start->joints(), "gains");
     parts.start = inputs.start->inside();
     parts.joints = inputs.start->joints();
   }
@@ -44,17 +62,12 @@ Study Study::parse(const std::string& yaml, const StudyInputs& inputs) {
   }
   internal::Study study = internal::parse_study(yaml, parts);
   for (const internal::Scenario& scenario : study.scenarios) names->push_back(scenario.name);
-  return Study(std::move(study));
+  auto scenarios = inputs.scenarios.empty() ? read_scenarios(study) : inputs.scenarios;
+  return {std::move(study), std::move(scenarios), nullptr};
 }
 
 const std::string& Study::name() const {
   return inside_->name;
-}
-
-std::vector<Scenario> Study::scenarios() const {
-  std::vector<Scenario> all;
-  for (const internal::Scenario& scenario : inside_->scenarios) all.emplace_back(scenario);
-  return all;
 }
 
 Gains Study::start() const {

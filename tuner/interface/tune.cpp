@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armtune/error.hpp"
+#include "tuner/interface/kept_inputs.hpp"
 #include "tuner/interface/observing.hpp"
 #include "tuner/interface/rollout_maker.hpp"
 #include "tuner/session/tune_session.hpp"
@@ -15,7 +16,8 @@ class Keeping : public Observing<internal::TuneObserver> {
  public:
   using Observing::Observing;
   void evaluated(const internal::Evaluation& e) override {
-    points.push_back({e.x, e.objective, e.violation});
+    points.push_back({e.x, e.objective, e.violation,
+                      e.engine == internal::Engine::kNative ? Engine::kNative : Engine::kSimbody});
   }
 
   std::vector<TunePoint> points;
@@ -31,14 +33,15 @@ std::vector<Rollout> rollouts_of(const internal::ComparedSet& set) {
 
 Tuned tune(const Study& study, const TuneOptions& options) {
   require_workers(options.workers);
-  require_files(study, options.folder);
+  const KeptInputs inputs(options.folder, files_of(study), "the study " + study.name());
   internal::TuneSettings settings;
   settings.place = {options.folder, options.resume};
   settings.workers = options.workers;
   settings.analysis = options.analysis;
+  settings.deadline = options.deadline;
   Keeping observer(options.watch);
   internal::RankGroup alone(nullptr);
-  internal::TuneSession session(study.inside(), settings, {stop_of(options.watch)}, observer);
+  internal::TuneSession session(study.inside(), settings, context_of(options.watch), observer);
   const internal::TuneOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
     throw InputError(options.folder + ": the run there has ended; there is nothing to resume");
@@ -59,7 +62,7 @@ Tuned tune(const Study& study, const TuneOptions& options) {
     tuned.before = rollouts_of(outcome.sets[0]);
     tuned.after = rollouts_of(outcome.sets[1]);
   }
-  tuned.verdict = outcome.verdict;
+  if (!tuned.interrupted) tuned.verdict = outcome.verdict;
   tuned.files = outcome.files;
   return tuned;
 }

@@ -79,6 +79,11 @@ std::optional<FrontOutcome> FrontSession::run(RankGroup& ranks) {
 }
 
 ParetoOptions FrontSession::options() const {
+  constexpr std::size_t kLeast = 2, kMost = 3;
+  if (settings_.criteria.size() < kLeast || settings_.criteria.size() > kMost) {
+    throw InputError(fmt::format("criteria: {} are given, must be two or three", settings_.criteria.size()));
+  }
+  if (settings_.levels == 1) throw InputError("levels: 1 of each criterion, must be 2 or more");
   ParetoOptions options;
   for (const std::string& name : settings_.criteria) {
     options.criteria.push_back(criterion_from_name(name));

@@ -1,5 +1,6 @@
 #include "tuner/session/journalled_run.hpp"
 
+#include <dlfcn.h>
 #include <filesystem>
 
 #include "core/common/file_path.hpp"
@@ -67,6 +68,15 @@ std::string journal_in(const std::string& folder) {
   return find_run_file(folder, kJournal).value_or(folder + "/" + kJournal);
 }
 
+/// Where this code was loaded from: the program, or a library such as the Python module.
+static std::string code_path() {
+  Dl_info info{};
+  const bool known =
+      ::dladdr(reinterpret_cast<const void*>(&journal_in), &info) != 0 && info.dli_fname != nullptr;
+  const std::string path = known ? info.dli_fname : "";
+  return path.find(".so") != std::string::npos ? path : "/proc/self/exe";
+}
+
 RunHeader run_header(const Invocation& invocation, std::vector<std::pair<std::string, std::string>> identity,
                      const std::vector<std::string>& inputs) {
   RunHeader header;
@@ -75,7 +85,7 @@ RunHeader run_header(const Invocation& invocation, std::vector<std::pair<std::st
   header.identity = std::move(identity);
   for (auto& version : versions()) header.identity.push_back(std::move(version));
   header.identity.emplace_back("arithmetic", arithmetic().fingerprint);
-  header.identity.emplace_back(RunHeader::kProgram, hash_of_file("/proc/self/exe"));
+  header.identity.emplace_back(RunHeader::kProgram, hash_of_file(code_path()));
   for (auto& input : hashes(inputs)) header.identity.push_back(std::move(input));
   return header;
 }

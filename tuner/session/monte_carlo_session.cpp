@@ -69,15 +69,16 @@ RunHeader MonteCarloSession::header() const {
   for (const Scenario& scenario : settings_.scenarios) names += scenario.name + '\n';
   std::string limits;
   for (const MetricLimit& limit : options.limits) limits += to_string(limit) + '\n';
-  return run_header(context_.invocation,
-                    {{"seed", fmt::format("{}", options.seed)},
-                     {"samples", fmt::format("{}", options.samples)},
-                     {"scenarios", names},
-                     {"uncertainty", uncertainty},
-                     {"limits", limits},
-                     {"stepper", name(options.stepper)},
-                     {"gains", gains_yaml(settings_.gains, {})}},
-                    files);
+  std::vector<std::pair<std::string, std::string>> identity = {
+      {"seed", fmt::format("{}", options.seed)},
+      {"samples", fmt::format("{}", options.samples)},
+      {"scenarios", names},
+      {"uncertainty", uncertainty},
+      {"limits", limits},
+      {"stepper", name(options.stepper)},
+      {"gains", gains_yaml(settings_.gains, {})}};
+  if (options.engine != Engine::kSimbody) identity.emplace_back("engine", name(options.engine));
+  return run_header(context_.invocation, std::move(identity), files);
 }
 
 void MonteCarloSession::begin() {
@@ -144,6 +145,11 @@ void MonteCarloSession::write_results(int workers) {
   p.extra = {{"samples", fmt::format("{}", outcome_.samples.size())},
              {"stepper", name(options.stepper)},
              {"limits", fmt::format("{}", fmt::join(limits, "; "))}};
+  if (options.engine != Engine::kSimbody) {
+    p.extra.emplace_back("engine",
+                         fmt::format("{}; an arm that breaks a limit there is simulated again in simbody",
+                                     name(options.engine)));
+  }
   write_provenance(folder(), p);
   outcome_.files = {"samples.csv", "summary.csv", "run.yaml", "inputs/"};
   if (!outcome_.verdict.checks.empty()) {

@@ -178,8 +178,12 @@ double Objective::own_score(const Evaluation& e) const {
   const bool completed = std::all_of(results.begin(), results.end(), [](const RolloutResult& result) {
     return result.status == RolloutStatus::kCompleted;
   });
-  const double value = completed ? own_(results) / own_start_ : HUGE_VAL;
-  return std::isfinite(value) ? std::min(value, kLargestRatio) : kIncompletePenalty;
+  if (!completed) return kIncompletePenalty;
+  const double value = own_(results);
+  if (!(std::isfinite(value) && value > 0.0)) {
+    throw FailedError(fmt::format("the objective of a candidate is {}, must be a number above zero", value));
+  }
+  return std::min(value / own_start_, kLargestRatio);
 }
 
 void Objective::judge(Evaluation& e) const {

@@ -246,10 +246,10 @@ Study read_study(const yaml::Node& root, const std::string& source, const std::s
   }
   study.space.start = study.space.gains_at(study.space.start_point());  // links included: it is what scores 1
   study.own_objective = parts.objective;
-  if (!parts.objective) {
+  if (parts.objective) {
+    map.optional("objective");
+  } else {
     study.terms = read_objective(map.required("objective"), study.scenarios);
-  } else if (const yaml::Node* node = map.optional("objective")) {
-    node->fail("stands here, and a function of one's own is given; leave one of them out");
   }
   if (const yaml::Node* node = map.optional("constraints")) {
     study.constraints = read_constraints(*node, study.scenarios);

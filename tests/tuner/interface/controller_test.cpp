@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "armtune/error.hpp"
 #include "armtune/rollout.hpp"
 #include "core/control/laws/controller_kind.hpp"
@@ -13,17 +15,26 @@
 namespace armtune {
 namespace {
 
+std::optional<Robot> kept;  ///< by a law that is gone
+int periods = 0;
+
 /// tau = Y theta - stiffness S.
 class Outside final : public Law {
  public:
   explicit Outside(const LawSetup& setup) : stiffness_(setup.gains.numbers("outside_stiffness")[0]) {
     EXPECT_EQ(setup.robot.joints(), setup.gains.joints());
     EXPECT_GT(setup.period, 0.0);
+    EXPECT_EQ(setup.theta.size(), 13 * setup.robot.joints().size());
+    kept = setup.robot;
   }
   void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) override {
     state.model_torque(state.reference_velocity(), state.reference_acceleration(), tau);
     tau -= stiffness_ * state.sliding();
+    EXPECT_EQ(state.sliding(), state.velocity() - state.reference_velocity());
+    EXPECT_EQ(state.jacobian().cols(), state.position().size());
+    EXPECT_EQ(state.tracks_joints(), std::string(state.state()) == "leaveSingularity");
   }
+  void conclude(bool) override { ++periods; }
 
  private:
   double stiffness_;
@@ -84,6 +95,8 @@ TEST(InterfaceOfControllers, ALawGivesTheRolloutOfTheSameLawInside) {
   EXPECT_EQ(outside.metrics[internal::Metric::kPositionMax], inside.metrics[internal::Metric::kPositionMax]);
   EXPECT_EQ(outside.metrics[internal::Metric::kEffortRateRms],
             inside.metrics[internal::Metric::kEffortRateRms]);
+  EXPECT_EQ(periods, scenario.periods());
+  EXPECT_EQ(kept->joints(), internal::joint_names(*scenario.robot)) << "whoever is given a robot may keep it";
   internal::own(gains, "inside_stiffness")[0] = 40.0;
   EXPECT_NE(internal::Rollout(scenario, internal::Stepper::kMidpoint)
                 .run(gains)

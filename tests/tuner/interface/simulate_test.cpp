@@ -89,6 +89,26 @@ TEST(InterfaceOfSimulate, SeveralSetsAreEachAlone) {
   }
 }
 
+TEST(InterfaceOfSimulate, BrokenLimitsAreToldWhereSomebodyLooked) {
+  const Scenario scenario = Scenario::load("moving_target");
+  const Gains gains = Gains::load("published", scenario.robot());
+  SimulateOptions options;
+  options.engine = Engine::kNative;
+  const auto alone = simulate({scenario}, gains, options).front().broken_limits();
+  ASSERT_TRUE(alone.has_value());
+  EXPECT_THAT(*alone, testing::Contains(testing::HasSubstr("elbow_joint")))
+      << "the published gains saturate the elbow";
+  EXPECT_FALSE(simulate_sets({scenario}, {gains}, options)[0][0].broken_limits().has_value());
+}
+
+TEST(InterfaceOfSimulate, TwoScenariosNeedTwoNames) {
+  const Scenario scenario = short_scenario();
+  EXPECT_THROW(simulate({scenario, scenario}, quick(scenario)), InputError);
+  EXPECT_THROW(simulate_sets({scenario, scenario}, {quick(scenario)}), InputError);
+  EXPECT_THROW(simulate({}, quick(scenario)), InputError);
+  EXPECT_THROW(errors_csv({Rollout()}), InputError);
+}
+
 TEST(InterfaceOfSimulate, TellsProgressAndStops) {
   const Scenario scenario = short_scenario();
   std::vector<long> done;
@@ -120,6 +140,13 @@ TEST(InterfaceOfGains, NumbersAreInPlaceAndCopiesApart) {
   EXPECT_THROW(gains.set("task_space_gains_i", std::vector<double>{1.0, 2.0}), InputError);
   EXPECT_THROW(gains.numbers("task_space_gains_q"), InputError);
   EXPECT_THROW(gains.numbers("gaze_feedforward"), InputError);
+  gains.set_word("gaze_feedforward", "true");
+  EXPECT_TRUE(gains.inside().gaze_feedforward);
+  EXPECT_EQ(gains.word("gaze_feedforward"), "true");
+  gains.set_word("slerp_reference", "current");
+  EXPECT_EQ(gains.word("slerp_reference"), "current");
+  EXPECT_THROW(gains.set_word("gaze_feedforward", "yes"), InputError);
+  EXPECT_THROW(gains.word("task_space_gains_p"), InputError);
   gains.set("task_space_gains_p", -1.0);
   EXPECT_THROW(gains.text(), InputError);
   EXPECT_THROW(simulate({scenario}, gains), InputError);

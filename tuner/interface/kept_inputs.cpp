@@ -1,0 +1,58 @@
+#include "tuner/interface/kept_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include "armtune/error.hpp"
+#include "tuner/run/file_hash.hpp"
+
+namespace armtune {
+namespace {
+
+std::mutex one_at_a_time;
+
+}  // namespace
+
+InputFiles input_files(const std::vector<std::string>& paths) {
+  InputFiles files;
+  for (const std::string& path : paths) {
+    if (!path.empty()) files.emplace_back(path, internal::hash_of_file(path));
+  }
+  return files;
+}
+
+std::vector<std::shared_ptr<const InputFiles>> files_of(const std::vector<Scenario>& scenarios) {
+  std::vector<std::shared_ptr<const InputFiles>> files;
+  for (const Scenario& scenario : scenarios) files.push_back(scenario.files());
+  return files;
+}
+
+std::vector<std::shared_ptr<const InputFiles>> files_of(const Study& study) {
+  auto files = files_of(study.scenarios());
+  files.push_back(study.files());
+  return files;
+}
+
+KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_ptr<const InputFiles>>& files,
+                       const std::string& what) {
+  if (folder.empty()) return;
+  for (const auto& some : files) {
+    if (some == nullptr) {
+      throw InputError(fmt::format(
+          "{}: {} is not what any file says, so that the folder could not tell what was simulated; leave the folder out",
+          folder, what));
+    }
+  }
+  alone_ = std::unique_lock(one_at_a_time);
+  record_.emplace();
+  for (const auto& some : files) {
+    for (const auto& [path, hash] : *some) {
+      internal::read_input_file(path, std::size_t{1} << 30U, "an input");
+      if (internal::hash_of_input(path) != hash) {
+        throw InputError(
+            fmt::format("{}: has changed since it was read; read it again, and begin anew", path));
+      }
+    }
+  }
+}
+
+}  // namespace armtune
