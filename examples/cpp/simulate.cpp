@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
                 << "largest position error: " << rollout.metric("error/position/max") << " m\n"
                 << "largest share of a velocity limit: " << rollout.metric("joint_velocity/max_ratio")
                 << "\n";
-      for (const std::string& limit : rollout.broken_limits()) std::cout << limit << "\n";
+      for (const std::string& limit : *rollout.broken_limits()) std::cout << limit << "\n";
     }
   } catch (const armtune::Error& error) {
     std::cerr << error.what() << "\n";

@@ -1,4 +1,4 @@
-"""The published figures of one scenario, and errors.csv with the program's own bytes: `armtune simulate moving_target`."""
+"""The published figures of one scenario, and the errors.csv of `armtune simulate moving_target`."""
 
 import sys
 

@@ -1,5 +1,5 @@
 #pragma once
-// What this armtune is, and what it brings along.
+// The version of armtune, and the names of its bundled data.
 
 #include <string>
 #include <utility>
