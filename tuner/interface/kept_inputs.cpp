@@ -8,7 +8,10 @@
 namespace armtune {
 namespace {
 
-std::mutex one_at_a_time;
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 }  // namespace
 
@@ -22,6 +25,7 @@ InputFiles input_files(const std::vector<std::string>& paths) {
 
 std::vector<std::shared_ptr<const InputFiles>> files_of(const std::vector<Scenario>& scenarios) {
   std::vector<std::shared_ptr<const InputFiles>> files;
+  files.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios) files.push_back(scenario.files());
   return files;
 }
@@ -42,7 +46,7 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
           folder, what));
     }
   }
-  alone_ = std::unique_lock(one_at_a_time);
+  alone_ = std::unique_lock(one_at_a_time());
   record_.emplace();
   for (const auto& some : files) {
     for (const auto& [path, hash] : *some) {

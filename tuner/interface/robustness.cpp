@@ -19,17 +19,17 @@ namespace {
 internal::Perturbation perturbation_of(const std::map<std::string, double>& widths,
                                        const std::vector<internal::Scenario>& scenarios) {
   internal::Perturbation perturbation = internal::default_perturbation(scenarios);
-  for (const auto& [name, width] : widths) {
+  for (const auto& given : widths) {
     const auto fields = internal::perturbation_fields();
-    const auto found =
-        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const auto& field) { return field.name == given.first; });
     if (found == fields.end()) {
       std::vector<std::string> known;
       for (const auto& field : fields) known.emplace_back(field.name);
       throw InputError(fmt::format("perturbation: {} is no quantity that can differ; there are: {}",
-                                   internal::shown(name), fmt::join(known, ", ")));
+                                   internal::shown(given.first), fmt::join(known, ", ")));
     }
-    perturbation.*found->width = width;
+    perturbation.*found->width = given.second;
   }
   return perturbation;
 }

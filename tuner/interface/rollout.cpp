@@ -169,6 +169,7 @@ std::vector<std::vector<Rollout>> simulate_sets(const std::vector<Scenario>& sce
 
 std::string errors_csv(const std::vector<Rollout>& rollouts) {
   std::vector<internal::ScenarioResult> results;
+  results.reserve(rollouts.size());
   for (const Rollout& rollout : rollouts) results.push_back(RolloutMaker::result_of(rollout));
   return internal::errors_csv(results);
 }
