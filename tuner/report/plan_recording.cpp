@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "armtune/error.hpp"
+#include "tuner/record/words.hpp"
 #include "tuner/report/run_builder.hpp"
 
 namespace armtune::internal::report {
@@ -21,7 +22,7 @@ constexpr Quantity kQuantities[] = {{"position", "rad", "m"},
                                     {"velocity", "rad/s", "m/s"},
                                     {"acceleration", "rad/s^2", "m/s^2"},
                                     {"jerk", "rad/s^3", "m/s^3"},
-                                    {"torque", "N m", "N"}};
+                                    {kept_words::kTorque, "N m", "N"}};
 
 /// "joint_torque", "slide_torque": units differ, and so plots do.
 std::string joint_group(bool slides, const std::string& quantity) {
@@ -37,13 +38,13 @@ bool slides(const Arm* arm, const std::string& joint) {
 
 /// Plot and column in which a limit is drawn.
 void place(PlanLimit& limit, const Arm* arm) {
-  if (limit.limit == "tool path") {
+  if (limit.limit == kept_words::kToolPath) {
     limit.group = "position_error";
     limit.column = "error/position/" + limit.part;
-  } else if (limit.limit == "gaze") {
+  } else if (limit.limit == kept_words::kGaze) {
     limit.group = "gaze";
     limit.column = "gaze/angle";
-  } else if (limit.limit.starts_with("distance to ")) {
+  } else if (limit.limit.starts_with(kept_words::kDistanceTo)) {
     limit.group = "clearance";
     limit.column = "obstacle/distance";
   } else {
@@ -74,8 +75,9 @@ std::vector<std::pair<double, double>> stretches(const std::string& text, double
 }  // namespace
 
 std::string limit_words(const std::string& limit, const std::string& part) {
-  if (part.empty() || limit == "gaze" || limit == "path coordinate") return limit;  // there is one only
-  return limit + (limit == "tool path" ? " along " : " of ") + part;
+  if (part.empty() || limit == kept_words::kGaze || limit == kept_words::kPathCoordinate)
+    return limit;  // there is one only
+  return limit + (limit == kept_words::kToolPath ? " along " : " of ") + part;
 }
 
 Run plan_run_of(const NumberTable& motion, const SceneScenario* scenario, const Arm* arm,

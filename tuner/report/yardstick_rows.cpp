@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tuner/record/words.hpp"
+
 namespace armtune::internal::report {
 namespace {
 
@@ -38,7 +40,7 @@ std::string figure(double value, const std::string& unit) {
 
 std::string reached_words(const YardstickRow& row) {
   const KindWords& kind = words_of(row.event);
-  if (row.outcome == "already there") return "the next target is in view already";
+  if (row.outcome == kept_words::kAlreadyThere) return "the next target is in view already";
   if (!std::isnan(row.reached)) {
     return kind.reached + figure(row.reached, row.unit) + (row.unit == "rad" ? " rms" : "");
   }
@@ -46,17 +48,17 @@ std::string reached_words(const YardstickRow& row) {
 }
 
 std::string limit_words(const YardstickRow& row) {
-  if (row.outcome == "already there") return {};
+  if (row.outcome == kept_words::kAlreadyThere) return {};
   const std::string by = row.held_back_by.empty() ? std::string() : fmt::format(" ({})", row.held_back_by);
-  if (row.status == "there at once")
+  if (row.status == kept_words::kThereAtOnce)
     return row.event == "return" ? "; the tool is on the path to begin with"
                                  : "; the gaze is on target to begin with";
   if (std::isnan(row.limit)) {
-    return row.status == "infeasible" ? "; nothing within the limits does it from there" + by
-                                      : fmt::format("; no limit was found: {}", row.status);
+    return row.status == kept_words::kInfeasible ? "; nothing within the limits does it from there" + by
+                                                 : fmt::format("; no limit was found: {}", row.status);
   }
   return fmt::format("; the joint limits allow {}{}{}", figure(row.limit, row.unit),
-                     row.status == "solved" ? "" : ", " + row.status, by);
+                     row.status == kept_words::kSolved ? "" : ", " + row.status, by);
 }
 
 const YardstickRow* worst_of(const std::vector<YardstickRow>& rows, std::size_t set, const char* event) {

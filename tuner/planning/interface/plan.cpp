@@ -6,6 +6,7 @@
 #include "tuner/planning/output/plan_facts.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
 #include "tuner/planning/session/plan_session.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune {
 namespace {
@@ -17,9 +18,9 @@ std::vector<double> numbers_of(const internal::JointVector& values) {
 std::string name(internal::PlanStatus status) {
   switch (status) {
     case internal::PlanStatus::kSolved:
-      return "solved";
+      return internal::kept_words::kSolved;
     case internal::PlanStatus::kInfeasible:
-      return "infeasible";
+      return internal::kept_words::kInfeasible;
     case internal::PlanStatus::kStalled:
       return "stalled";
     case internal::PlanStatus::kInterrupted:

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/record/words.hpp"
+
 namespace armtune::internal {
 namespace {
 
 constexpr int kParts = 10;  // an interval is looked at in so many
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr const char* kDistance = "distance to ";
 
 /// A limit with what is measured against it.
 struct Measured {
@@ -82,26 +83,26 @@ class Limits {
   void add_term(const KnotTerm& term) {
     for (std::size_t row = 0; row < term.rows.size(); ++row) {
       const std::string& part = term.rows[row];
-      if (term.name == "torque") {
+      if (term.name == kept_words::kTorque) {
         const auto i = static_cast<int>(row);
         const double limit = task_.limits.effort * robot_.joints[row].limits.effort;
         add(term.name, part, turns(i) ? "N m" : "N", -limit, limit, term.first_knot, term.last_knot,
             [i](const PlanSample& at) { return at.tau[i]; });
-      } else if (term.name == "tool path") {
+      } else if (term.name == kept_words::kToolPath) {
         const auto axis = static_cast<Eigen::Index>(row);
         add(term.name, part, "m", -task_.path_tolerance, task_.path_tolerance, term.first_knot,
             term.last_knot, [axis](const PlanSample& at) { return at.poses.p_0T[axis] - at.desired[axis]; });
-      } else if (term.name == "gaze") {
+      } else if (term.name == kept_words::kGaze) {
         add(term.name, part, "rad", -kInfinity, task_.gaze_threshold, term.first_knot, term.last_knot,
             [](const PlanSample& at) { return at.gaze; });
-      } else if (term.name.starts_with(kDistance)) {
+      } else if (term.name.starts_with(kept_words::kDistanceTo)) {
         add_distance(term, part);
       }
     }
   }
 
   void add_distance(const KnotTerm& term, const std::string& part) {
-    const std::string name = term.name.substr(std::string(kDistance).size());
+    const std::string name = term.name.substr(std::string(kept_words::kDistanceTo).size());
     const auto& obstacles = task_.scenario.obstacles;
     const auto obstacle = std::find_if(obstacles.begin(), obstacles.end(),
                                        [&](const MovingObstacle& o) { return o.name == name; });

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tuner/record/words.hpp"
 #include "tuner/report/plan_recording.hpp"
 
 namespace armtune::internal {
 namespace {
 
 /// What the program holds at the knots only.
-constexpr const char* kBetween[] = {"torque", "tool path", "gaze", "distance"};
+constexpr const char* kBetween[] = {kept_words::kTorque, kept_words::kToolPath, kept_words::kGaze,
+                                    "distance"};
 
 constexpr double kTellingSmoothness = 1e-3;  // of the duration
 constexpr double kSwitchRoom = 1e-6;         // s

@@ -4,6 +4,7 @@
 
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -41,7 +42,7 @@ void gaze_error(const Chain& chain, const Knot& knot, const MotionPoint<Vec3>& t
 }  // namespace
 
 KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target, double weight) {
-  KnotTerm term = over(knots, "gaze", {"about y", "about x"});
+  KnotTerm term = over(knots, kept_words::kGaze, {"about y", "about x"});
   term.on_time = true;
   term.cost = true;
   const double factor = std::sqrt(weight);
@@ -59,7 +60,7 @@ KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target,
 }
 
 KnotTerm gaze_within(const RobotModel& robot, KnotRange knots, const Path& target, double angle) {
-  KnotTerm term = over(knots, "gaze", {"angle"});
+  KnotTerm term = over(knots, kept_words::kGaze, {"angle"});
   term.on_time = true;
   term.upper = 1.0;
   const double half = std::sin(0.5 * angle);

@@ -2,6 +2,7 @@
 // A motion that is given at one knot.
 
 #include "tuner/planning/transcription/knot_term.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 
@@ -45,7 +46,7 @@ inline KnotTerm given_state(const std::string& name, const std::vector<std::stri
 /// The path coordinate has the value `s` at the knot.
 inline KnotTerm path_coordinate_at(int knot, double s) {
   KnotTerm term;
-  term.name = "path coordinate";
+  term.name = kept_words::kPathCoordinate;
   term.rows = {"s"};
   term.units = {"s"};
   term.first_knot = term.last_knot = knot;

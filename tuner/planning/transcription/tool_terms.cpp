@@ -6,6 +6,7 @@
 #include "core/robot/chain_cast.hpp"
 #include "tuner/planning/transcription/joint_axis.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -16,7 +17,7 @@ double path_factor(double tolerance) {
 }
 
 KnotTerm path_term(KnotRange knots, double tolerance) {
-  KnotTerm term = over(knots, "tool path", {"x", "y", "z"});
+  KnotTerm term = over(knots, kept_words::kToolPath, {"x", "y", "z"});
   term.lower = tolerance > 0.0 ? -1.0 : 0.0;
   term.upper = -term.lower;
   in_meters(path_factor(tolerance), term);

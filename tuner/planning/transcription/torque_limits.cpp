@@ -3,11 +3,12 @@
 #include "core/robot/dynamics.hpp"
 #include "core/robot/inverse_dynamics_derivatives.hpp"
 #include "tuner/planning/transcription/term_parts.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 
 KnotTerm torque_limits(const RobotModel& robot, KnotRange knots, double margin) {
-  KnotTerm term = over(knots, "torque", joint_names(robot));
+  KnotTerm term = over(knots, kept_words::kTorque, joint_names(robot));
   term.on_velocity = term.on_acceleration = true;
   term.lower = -1.0;
   term.upper = 1.0;

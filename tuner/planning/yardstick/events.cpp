@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tuner/planning/tasks/given_states.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -187,7 +188,7 @@ std::string words(EventOutcome outcome) {
     case EventOutcome::kReached:
       return "reached";
     case EventOutcome::kAlreadyThere:
-      return "already there";
+      return kept_words::kAlreadyThere;
     case EventOutcome::kNotReached:
       return "not before the next switch";
     case EventOutcome::kCutByEnd:

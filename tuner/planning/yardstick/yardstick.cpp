@@ -7,6 +7,7 @@
 #include "tuner/planning/output/binding_limits.hpp"
 #include "tuner/planning/tasks/plan_start.hpp"
 #include "tuner/planning/tasks/solve_plan.hpp"
+#include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -27,7 +28,8 @@ double lap_interval(const Event& event, const Scenario& scenario) {
 std::string strongest_limit(const PlannedTrajectory& planned) {
   const std::vector<BindingLimit> limits = binding_limits(planned);
   for (const BindingLimit& limit : limits) {
-    if (limit.limit == "gaze" || limit.limit == "tool path") continue;  // what was asked for
+    if (limit.limit == kept_words::kGaze || limit.limit == kept_words::kToolPath)
+      continue;  // what was asked for
     return limit.limit + " of " + limit.part;
   }
   return {};
@@ -86,15 +88,15 @@ Measure planned_measure(const PlanTask& task, const Event& event, const PlanObse
 std::string words(MeasureStatus status) {
   switch (status) {
     case MeasureStatus::kSolved:
-      return "solved";
+      return kept_words::kSolved;
     case MeasureStatus::kWithoutClearance:
       return "solved without obstacles";
     case MeasureStatus::kPastNextSwitch:
       return "past the next switch";
     case MeasureStatus::kThereAtOnce:
-      return "there at once";
+      return kept_words::kThereAtOnce;
     case MeasureStatus::kInfeasible:
-      return "infeasible";
+      return kept_words::kInfeasible;
     case MeasureStatus::kNotSolved:
       return "not solved";
     case MeasureStatus::kInterrupted:

@@ -1,0 +1,19 @@
+#pragma once
+// Words that one part of armtune writes into a CSV file and another reads there. Each is declared here alone.
+
+namespace armtune::internal::kept_words {
+
+/// Kinds of limits of a plan, in limits.csv.
+inline constexpr const char* kTorque = "torque";
+inline constexpr const char* kToolPath = "tool path";
+inline constexpr const char* kGaze = "gaze";
+inline constexpr const char* kPathCoordinate = "path coordinate";
+inline constexpr const char* kDistanceTo = "distance to ";  ///< an obstacle's name follows
+
+/// What became of an event, and of the plan that it is held against, in yardstick.csv.
+inline constexpr const char* kAlreadyThere = "already there";
+inline constexpr const char* kThereAtOnce = "there at once";
+inline constexpr const char* kInfeasible = "infeasible";
+inline constexpr const char* kSolved = "solved";
+
+}  // namespace armtune::internal::kept_words
