@@ -3,24 +3,40 @@
 // are put into lanes and taken out of them one arm at a time, and the steps between are done for all lanes at
 // once. Every lane's numbers are, to the bit, those of core's kernels for that arm alone.
 //
-// A control period: put_measured, measure, [put_task_reference and resolve | put_joint_reference], torque,
-// adapt, observe, step. An arm's first: put_chains, put_control, put_centering, put_theta, put_state.
+// An arm's first is start(). A control period: sense, measure, seen, follow_task or follow_joints, resolve,
+// torque, adapt, observe, observed, push, step, moved. What is put and taken are structs of pointers, since
+// what is compiled for one kind of processor must share no inline function with the rest
+// (scripts/check-lanes).
 
 #include <memory>
 
 #include "core/control/inverse_damping.hpp"
+#include "core/control/laws/adaptive_arms.hpp"
 #include "sim/lanes/lane_kind.hpp"
 #include "sim/lanes/processor.hpp"
 
 namespace armtune::internal {
 
-/// What a lane's controller wants to be put in once.
-struct LaneControl {
+/// An arm that begins in a lane.
+struct LaneStart {
+  const double* control_chain;  ///< every number of the controller's chain (numbers_of)
+  const double* plant_chain;
   InverseDamping damping;
-  double adaptation_gain = 0.0;     ///< gamma
-  double adaptation_leakage = 0.0;  ///< [1/s]
-  double inertia_leakage = 0.0;     ///< the same in addition, of inertias
-  double filter_share = 0.0;        ///< of the adaptation's filter; 0: none
+  AdaptiveRates rates;
+  const double* centering_middle;  ///< n
+  const double* centering_rate;    ///< n
+  const double* theta_start;       ///< 13 n, as the next
+  const double* theta_true;
+  const double* q;  ///< n, of the plant
+  const double* qd;
+};
+
+/// Where an arm is measured to be, and the obstacles around it.
+struct LaneSensed {
+  const double* q;  ///< n
+  const double* qd;
+  const double* obstacles;  ///< 4 numbers each (center, radius)
+  std::size_t obstacle_count;
 };
 
 /// Where a tool's pose (9 numbers of R, column by column, and 3) and (v, w) are to go; base frame.
@@ -28,6 +44,27 @@ struct LaneTool {
   double* R_0T;
   double* p_0T;
   double* twist;
+};
+
+/// What an ArmView shows.
+struct LaneSeen {
+  LaneTool tool;
+  double* manipulability;
+  bool* damped;
+  double* obstacle_distance;
+};
+
+/// References of the task (6: xr', xr'') or of the joints (n: qr', qr'').
+struct LaneReference {
+  const double* velocity;
+  const double* acceleration;
+};
+
+/// The true state at the end of a period. The tool is written only if it is not what was measured.
+struct LaneObserved {
+  LaneTool tool;
+  double* clearance;
+  double* compensation_error;
 };
 
 class ArmLanes {
@@ -39,49 +76,40 @@ class ArmLanes {
 
   virtual int lanes() const = 0;
 
-  /// Every number of the controller's chain and of the plant's (numbers_of).
-  virtual void put_chains(int lane, const double* control, const double* plant) = 0;
-  virtual void put_control(int lane, const LaneControl& control) = 0;
-  /// n each.
-  virtual void put_centering(int lane, const double* middle, const double* rate) = 0;
-  virtual void put_theta(int lane, const double* start, const double* truth) = 0;  ///< 13 n each
-  virtual void put_state(int lane, const double* q, const double* qd) = 0;         ///< of the plant
-  virtual void get_state(int lane, double* q, double* qd) const = 0;
+  virtual void start(int lane, const LaneStart& arm) = 0;
+  /// Puts the plant elsewhere (n each).
+  virtual void place(int lane, const double* q, const double* qd) = 0;
 
-  /// Where the arm is measured to be; obstacles: 4 numbers for each of `count` (center, radius).
-  virtual void put_measured(int lane, const double* q, const double* qd, const double* obstacles,
-                            std::size_t count) = 0;
+  virtual void sense(int lane, const LaneSensed& sensed) = 0;
   virtual void measure() = 0;
-  /// What an ArmView shows.
-  virtual void get_measured(int lane, const LaneTool& tool, double& manipulability, bool& damped,
-                            double& obstacle_distance) const = 0;
+  virtual void seen(int lane, const LaneSeen& seen) const = 0;
 
-  /// Six each: xr', xr''. This lane's joint reference is to come from them.
-  virtual void put_task_reference(int lane, const double* rate, const double* acceleration) = 0;
-  /// For the lanes that were put a task reference since the last measure().
+  /// This lane's joint reference is to come from the task's. Kd: n.
+  virtual void follow_task(int lane, const LaneReference& task, const double* Kd) = 0;
+  virtual void follow_joints(int lane, const LaneReference& joints, const double* Kd) = 0;
+  /// For the lanes that follow a task since the last measure().
   virtual void resolve() = 0;
-  virtual void get_joint_reference(int lane, double* velocity, double* acceleration) const = 0;
-  virtual void put_joint_reference(int lane, const double* velocity, const double* acceleration) = 0;
+  /// The joint reference (n each), and another one in its place.
+  virtual void reference(int lane, double* velocity, double* acceleration) const = 0;
+  virtual void replace_reference(int lane, const LaneReference& joints) = 0;
 
-  virtual void put_Kd(int lane, const double* Kd) = 0;
   /// Y theta - Kd S.
   virtual void torque() = 0;
-  virtual void get_commanded(int lane, double* torque) const = 0;
+  virtual void commanded(int lane, double* torque) const = 0;
 
-  /// theta goes on in the lanes of which `adapting` is true.
+  /// theta learns in the lanes of which `adapting` is true.
   virtual void adapt(const bool* adapting) = 0;
-  virtual void get_theta(int lane, double* theta) const = 0;
+  virtual void theta(int lane, double* theta) const = 0;
   virtual void replace_theta(int lane, const double* theta) = 0;
 
   /// The true state; exact: what was measured was exact in every lane, and need not be computed again.
   virtual void observe(bool exact) = 0;
-  /// The tool only if it is not what was measured.
-  virtual void get_observed(int lane, const LaneTool& tool, double& clearance,
-                            double& compensation_error) const = 0;
+  virtual void observed(int lane, const LaneObserved& observed) const = 0;
 
-  virtual void put_torque(int lane, const double* torque) = 0;
+  virtual void push(int lane, const double* torque) = 0;
   /// The plants move by one control period.
   virtual void step() = 0;
+  virtual void moved(int lane, double* q, double* qd) const = 0;
 };
 
 /// As many lanes as are asked for, 1 at least and most_lanes() at most: the next larger number of 2, 4 or 8.

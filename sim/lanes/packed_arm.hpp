@@ -4,8 +4,6 @@
 // (scripts/check-lanes).
 
 #include "core/common/pack.hpp"
-#include "core/control/adaptation.hpp"
-#include "core/control/adaptation_filter.hpp"
 #include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/robot/forward_dynamics.hpp"
@@ -18,7 +16,10 @@ template <int W>
 class PackedArm final : public ArmLanes {
  public:
   explicit PackedArm(const LaneKind& kind)
-      : period_(kind.control_period), stepper_(kind.stepper), mask_(kind.mask) {
+      : period_(kind.control_period),
+        stepper_(kind.stepper),
+        mask_(kind.mask),
+        law_(kind.n, ParameterVectorT<T>::Zero((kLinkParameters + kJointParameters) * kind.n)) {
     for (ChainT<T>* chain : {&chain_, &plant_}) {
       chain->n = kind.n;
       chain->motion = kind.motion;
@@ -32,54 +33,45 @@ class PackedArm final : public ArmLanes {
           &centering_.middle, &centering_.rate, &Kd_, &commanded_, &torque_}) {
       joints->setZero(kind.n);
     }
-    adaptation_ = AdaptationT<T>(ParameterVectorT<T>::Zero(parameter_count(chain_)));
-    theta_true_ = adaptation_.theta();
-    filter_.start(kind.n);
+    theta_true_ = law_.adaptation().theta();
     obstacle_count_ = kind.most_obstacles;
     obstacles_ = std::make_unique<ObstacleT<T>[]>(obstacle_count_);
   }
 
   int lanes() const override { return W; }
 
-  void put_chains(int lane, const double* control, const double* plant) override {
+  void start(int lane, const LaneStart& arm) override {
+    const double* control = arm.control_chain;
+    const double* plant = arm.plant_chain;
     for_each_number(chain_, [&](T& x) { x.set(lane, *control++); });
     for_each_number(plant_, [&](T& x) { x.set(lane, *plant++); });
+    damping_.threshold.set(lane, arm.damping.threshold);
+    damping_.psi.set(lane, arm.damping.psi);
+    damping_.growing.set(lane, arm.damping.growing);
+    AdaptiveRatesT<T> rates = law_.rates();
+    rates.gamma.set(lane, arm.rates.gamma);
+    rates.leakage.set(lane, arm.rates.leakage);
+    rates.inertia_leakage.set(lane, arm.rates.inertia_leakage);
+    rates.filter_share.set(lane, arm.rates.filter_share);
+    law_.set_rates(rates);
+    law_.filter().rest(lane);
+    put(lane, arm.centering_middle, centering_.middle);
+    put(lane, arm.centering_rate, centering_.rate);
+    put(lane, arm.theta_start, law_.adaptation().start());
+    put(lane, arm.theta_start, law_.adaptation().theta());
+    put(lane, arm.theta_true, theta_true_);
+    place(lane, arm.q, arm.qd);
   }
-  void put_control(int lane, const LaneControl& control) override {
-    damping_.threshold.set(lane, control.damping.threshold);
-    damping_.psi.set(lane, control.damping.psi);
-    damping_.growing.set(lane, control.damping.growing);
-    gamma_.set(lane, control.adaptation_gain);
-    leakage_.set(lane, control.adaptation_leakage);
-    inertia_leakage_.set(lane, control.inertia_leakage);
-    leaks_ = any(leakage_ + inertia_leakage_ > T(0));
-    filter_share_.set(lane, control.filter_share);
-    filters_ = filter_share_ > T(0);
-    filter_.rest(lane);
-  }
-  void put_centering(int lane, const double* middle, const double* rate) override {
-    put(lane, middle, centering_.middle);
-    put(lane, rate, centering_.rate);
-  }
-  void put_theta(int lane, const double* start, const double* truth) override {
-    put(lane, start, adaptation_.start());
-    put(lane, start, adaptation_.theta());
-    put(lane, truth, theta_true_);
-  }
-  void put_state(int lane, const double* q, const double* qd) override {
+  void place(int lane, const double* q, const double* qd) override {
     put(lane, q, q_);
     put(lane, qd, qd_);
   }
-  void get_state(int lane, double* q, double* qd) const override {
-    get(lane, q_, q);
-    get(lane, qd_, qd);
-  }
 
-  void put_measured(int lane, const double* q, const double* qd, const double* obstacles,
-                    std::size_t count) override {
-    put(lane, q, measured_q_);
-    put(lane, qd, measured_qd_);
-    for (std::size_t i = 0; i < count; ++i) put_obstacle(lane, obstacles + 4 * i, obstacles_[i]);
+  void sense(int lane, const LaneSensed& sensed) override {
+    put(lane, sensed.q, measured_q_);
+    put(lane, sensed.qd, measured_qd_);
+    const std::size_t count = sensed.obstacle_count;
+    for (std::size_t i = 0; i < count; ++i) put_obstacle(lane, sensed.obstacles + 4 * i, obstacles_[i]);
     // Those that only other arms have are infinitely far away.
     for (std::size_t i = count; i < obstacle_count_; ++i) put_obstacle(lane, kNowhere, obstacles_[i]);
   }
@@ -88,18 +80,22 @@ class PackedArm final : public ArmLanes {
     obstacle_distance_ = obstacle_distance<T>(chain_, arm_.poses, {obstacles_.get(), obstacle_count_});
     tasks_ = typename T::Mask{};
   }
-  void get_measured(int lane, const LaneTool& tool, double& manipulability, bool& damped,
-                    double& distance) const override {
-    get_tool(lane, arm_.poses, arm_.twist, tool);
-    manipulability = arm_.inverse.manipulability()[lane];
-    damped = arm_.inverse.damped()[lane] != 0;
-    distance = obstacle_distance_[lane];
+  void seen(int lane, const LaneSeen& seen) const override {
+    get_tool(lane, arm_.poses, arm_.twist, seen.tool);
+    *seen.manipulability = arm_.inverse.manipulability()[lane];
+    *seen.damped = arm_.inverse.damped()[lane] != 0;
+    *seen.obstacle_distance = obstacle_distance_[lane];
   }
 
-  void put_task_reference(int lane, const double* rate, const double* acceleration) override {
-    put(lane, rate, task_.rate);
-    put(lane, acceleration, task_.acceleration);
+  void follow_task(int lane, const LaneReference& task, const double* Kd) override {
+    put(lane, task.velocity, task_.rate);
+    put(lane, task.acceleration, task_.acceleration);
+    put(lane, Kd, Kd_);
     tasks_[lane] = -1;
+  }
+  void follow_joints(int lane, const LaneReference& joints, const double* Kd) override {
+    replace_reference(lane, joints);
+    put(lane, Kd, Kd_);
   }
   void resolve() override {
     if (!any(tasks_)) return;
@@ -110,44 +106,25 @@ class PackedArm final : public ArmLanes {
       reference_.acceleration[i] = select(tasks_, resolved_.acceleration[i], reference_.acceleration[i]);
     }
   }
-  void get_joint_reference(int lane, double* velocity, double* acceleration) const override {
+  void reference(int lane, double* velocity, double* acceleration) const override {
     get(lane, reference_.velocity, velocity);
     get(lane, reference_.acceleration, acceleration);
   }
-  void put_joint_reference(int lane, const double* velocity, const double* acceleration) override {
-    put(lane, velocity, reference_.velocity);
-    put(lane, acceleration, reference_.acceleration);
+  void replace_reference(int lane, const LaneReference& joints) override {
+    put(lane, joints.velocity, reference_.velocity);
+    put(lane, joints.acceleration, reference_.acceleration);
   }
 
-  void put_Kd(int lane, const double* Kd) override { put(lane, Kd, Kd_); }
-  void torque() override {
-    slotine_li_forward(chain_, arm_.poses, measured_qd_, reference_.velocity, reference_.acceleration,
-                       motion_);
-    slotine_li_torque(chain_, arm_.poses, motion_, adaptation_.theta(), commanded_);
-    for (Eigen::Index i = 0; i < chain_.n; ++i) {
-      commanded_[i] -= Kd_[i] * (measured_qd_[i] - reference_.velocity[i]);
-    }
-    if (any(filters_)) {
-      filter_.take(filter_share_, measured_qd_, reference_.velocity, reference_.acceleration);
-    }
-  }
-  void get_commanded(int lane, double* torque) const override { get(lane, commanded_, torque); }
+  void torque() override { law_.torque(chain_, arm_.poses, measured_qd_, reference_, Kd_, commanded_); }
+  void commanded(int lane, double* torque) const override { get(lane, commanded_, torque); }
 
   void adapt(const bool* adapting) override {
     typename T::Mask where{};
     for (int lane = 0; lane < W; ++lane) where[lane] = adapting[lane] ? -1 : 0;
-    if (!any(where)) return;
-    const typename T::Mask filtered = where & filters_;
-    if (any(filtered)) {
-      filter_.motion(chain_, arm_.poses, smoothed_);
-      adaptation_.step(smoothed_, motion_, gamma_, T(period_), filtered);
-    }
-    const typename T::Mask unfiltered = where & ~filters_;
-    if (any(unfiltered)) adaptation_.step(motion_, motion_, gamma_, T(period_), unfiltered);
-    if (leaks_) adaptation_.leak(leakage_, inertia_leakage_, T(period_), where);
+    law_.adapt(chain_, arm_.poses, T(period_), where);
   }
-  void get_theta(int lane, double* theta) const override { get(lane, adaptation_.theta(), theta); }
-  void replace_theta(int lane, const double* theta) override { put(lane, theta, adaptation_.theta()); }
+  void theta(int lane, double* theta) const override { get(lane, law_.adaptation().theta(), theta); }
+  void replace_theta(int lane, const double* theta) override { put(lane, theta, law_.adaptation().theta()); }
 
   void observe(bool exact) override {
     exact_ = exact;
@@ -157,22 +134,22 @@ class PackedArm final : public ArmLanes {
       forward_kinematics(chain_, q_, true_poses_);
       tool_jacobian(chain_, true_poses_, true_J_);
       true_twist_ = times(true_J_, qd_);
-      slotine_li_forward(chain_, true_poses_, qd_, reference_.velocity, reference_.acceleration, motion_);
+      slotine_li_forward(chain_, true_poses_, qd_, reference_.velocity, reference_.acceleration,
+                         true_motion_);
     }
-    theta_error_ = adaptation_.theta() - theta_true_;
-    slotine_li_torque(chain_, poses, motion_, theta_error_, torque_error_);
+    theta_error_ = law_.adaptation().theta() - theta_true_;
+    slotine_li_torque(chain_, poses, exact ? law_.motion() : true_motion_, theta_error_, torque_error_);
     compensation_error_ = norm(torque_error_);
     const T of_joints = exact ? obstacle_distance_ : obstacle_distance<T>(chain_, poses, obstacles);
     clearance_ = clearance<T>(chain_, poses, obstacles, of_joints);
   }
-  void get_observed(int lane, const LaneTool& tool, double& clearance,
-                    double& compensation_error) const override {
-    if (!exact_) get_tool(lane, true_poses_, true_twist_, tool);
-    clearance = clearance_[lane];
-    compensation_error = compensation_error_[lane];
+  void observed(int lane, const LaneObserved& observed) const override {
+    if (!exact_) get_tool(lane, true_poses_, true_twist_, observed.tool);
+    *observed.clearance = clearance_[lane];
+    *observed.compensation_error = compensation_error_[lane];
   }
 
-  void put_torque(int lane, const double* torque) override { put(lane, torque, torque_); }
+  void push(int lane, const double* torque) override { put(lane, torque, torque_); }
   void step() override {
     const PosesT<T>* poses = exact_ ? &arm_.poses : &true_poses_;
     const FrictionStep<T> friction(T(period_), qd_);  // integrate() writes qd_ after the last evaluation
@@ -185,6 +162,10 @@ class PackedArm final : public ArmLanes {
           poses = nullptr;  // only the first stage is where the step starts
         },
         q_, qd_, work_);
+  }
+  void moved(int lane, double* q, double* qd) const override {
+    get(lane, q_, q);
+    get(lane, qd_, qd);
   }
 
  private:
@@ -216,11 +197,6 @@ class PackedArm final : public ArmLanes {
   TaskMask mask_;
   InverseDampingT<T> damping_;
   JointCenteringT<T> centering_;
-  T gamma_{0.0}, leakage_{0.0}, inertia_leakage_{0.0};
-  bool leaks_ = false;
-  T filter_share_{0.0};
-  typename T::Mask filters_{};
-  AdaptationFilterT<T> filter_;
   Joints q_, qd_;
   Joints measured_q_, measured_qd_;
   std::unique_ptr<ObstacleT<T>[]> obstacles_;
@@ -231,9 +207,9 @@ class PackedArm final : public ArmLanes {
   TaskReferenceT<T> task_;
   JointReferenceT<T> reference_, resolved_;
   Joints Kd_, commanded_;
-  SlotineLiT<T> motion_, smoothed_;
-  AdaptationT<T> adaptation_;
+  AdaptiveArmsT<T> law_;
   bool exact_ = true;
+  SlotineLiT<T> true_motion_;
   PosesT<T> true_poses_;
   JacobianT<T> true_J_;
   Vec6T<T> true_twist_;

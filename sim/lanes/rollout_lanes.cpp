@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "armtune/error.hpp"
-#include "core/control/adaptation_filter.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 #include "sim/plant/flush_denormals.hpp"
@@ -111,19 +110,20 @@ void RolloutLanes::start(int lane, LaneJob job) {
   const PreparedScenario& scenario = *place->job.scenario;
   const auto control = numbers_of(scenario.scenario.robot->chain);
   const auto plant = numbers_of(scenario.plant.chain);
-  const Gains& gains = place->logic.gains();
   // Lanes without a rollout go through the same arithmetic: they begin as an arm, not as nothing.
   for (int l = 0; l < lanes(); ++l) {
     if (l != lane && !(first && !is_busy(l))) continue;
-    arms_->put_chains(l, control.data(), plant.data());
-    const double share =
-        gains.adaptation_filter > 0.0 ? filter_share(gains.adaptation_filter, kind_.control_period) : 0.0;
-    arms_->put_control(l, {place->logic.damping(), gains.adaptation_gain, gains.adaptation_leakage,
-                           gains.adaptation_inertia_leakage, share});
     const JointCentering& centering = place->logic.centering();
-    arms_->put_centering(l, centering.middle.data(), centering.rate.data());
-    arms_->put_theta(l, scenario.theta_start.data(), scenario.theta_true.data());
-    arms_->put_state(l, place->q.data(), place->qd.data());
+    arms_->start(l, {.control_chain = control.data(),
+                     .plant_chain = plant.data(),
+                     .damping = place->logic.damping(),
+                     .rates = adaptive_rates(place->logic.gains(), kind_.control_period),
+                     .centering_middle = centering.middle.data(),
+                     .centering_rate = centering.rate.data(),
+                     .theta_start = scenario.theta_start.data(),
+                     .theta_true = scenario.theta_true.data(),
+                     .q = place->q.data(),
+                     .qd = place->qd.data()});
   }
 }
 
@@ -152,7 +152,7 @@ void RolloutLanes::sense() {
     lane->running.sense(lane->q, lane->qd, world_of(l));
     const JointState& measured = lane->running.measured();
     const std::span<const Obstacle> obstacles = lane->running.scene().obstacles;
-    arms_->put_measured(l, measured.q.data(), measured.qd.data(), numbers_of(obstacles), obstacles.size());
+    arms_->sense(l, {measured.q.data(), measured.qd.data(), numbers_of(obstacles), obstacles.size()});
     exact_ = exact_ && lane->running.measures_exactly();
   }
   if (some == nullptr || busy_ == lanes()) return;
@@ -160,8 +160,8 @@ void RolloutLanes::sense() {
   for (int l = 0; l < lanes(); ++l) {
     if (is_busy(l)) continue;
     const JointState& measured = some->running.measured();
-    arms_->put_measured(l, measured.q.data(), measured.qd.data(), nullptr, 0);
-    arms_->put_state(l, some->q.data(), some->qd.data());
+    arms_->sense(l, {measured.q.data(), measured.qd.data(), nullptr, 0});
+    arms_->place(l, some->q.data(), some->qd.data());
   }
 }
 
@@ -172,17 +172,19 @@ void RolloutLanes::control() {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
     ArmView& view = lane->view;
-    arms_->get_measured(l, {view.R_0T.data(), view.p_0T.data(), view.twist.data()}, view.manipulability,
-                        view.damped, view.obstacle_distance);
+    arms_->seen(l, {{view.R_0T.data(), view.p_0T.data(), view.twist.data()},
+                    &view.manipulability,
+                    &view.damped,
+                    &view.obstacle_distance});
     const RunningRollout& running = lane->running;
     if (lane->logic.decide(running.measured(), view, running.scene(), running.time())) {
       const TaskReference& task = lane->logic.task_reference();
-      arms_->put_task_reference(l, task.rate.data(), task.acceleration.data());
+      arms_->follow_task(l, {task.rate.data(), task.acceleration.data()}, lane->logic.Kd().data());
     } else {
       const JointReference& reference = lane->logic.output().reference;
-      arms_->put_joint_reference(l, reference.velocity.data(), reference.acceleration.data());
+      arms_->follow_joints(l, {reference.velocity.data(), reference.acceleration.data()},
+                           lane->logic.Kd().data());
     }
-    arms_->put_Kd(l, lane->logic.Kd().data());
     some_keep_pace = some_keep_pace || lane->logic.keeps_pace();
   }
   arms_->resolve();
@@ -190,9 +192,9 @@ void RolloutLanes::control() {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr || !lane->logic.keeps_pace()) continue;
     JointReference& reference = lane->logic.output().reference;
-    arms_->get_joint_reference(l, reference.velocity.data(), reference.acceleration.data());
+    arms_->reference(l, reference.velocity.data(), reference.acceleration.data());
     lane->logic.keep_pace(lane->running.scene(), lane->running.time());
-    arms_->put_joint_reference(l, reference.velocity.data(), reference.acceleration.data());
+    arms_->replace_reference(l, {reference.velocity.data(), reference.acceleration.data()});
   }
   arms_->torque();
 }
@@ -202,7 +204,7 @@ void RolloutLanes::act() {
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
-    arms_->get_commanded(l, lane->logic.output().commanded.data());
+    arms_->commanded(l, lane->logic.output().commanded.data());
     lane->logic.limit_torque(lane->running.measured(), lane->view, lane->running.scene());
     adapting[static_cast<std::size_t>(l)] = lane->logic.conclude();
   }
@@ -211,7 +213,7 @@ void RolloutLanes::act() {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr || !adapting[static_cast<std::size_t>(l)]) continue;
     if (!lane->logic.gains().adaptation_projection) continue;
-    arms_->get_theta(l, lane->theta.data());
+    arms_->theta(l, lane->theta.data());
     project_to_physical(lane->theta);
     arms_->replace_theta(l, lane->theta.data());
   }
@@ -230,12 +232,12 @@ void RolloutLanes::move() {
       pose.p_0T = lane->view.p_0T;
       o.twist = lane->view.twist;
     }
-    arms_->get_observed(l, {pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, o.clearance,
-                        o.compensation_error);
+    arms_->observed(
+        l, {{pose.R_0T.data(), pose.p_0T.data(), o.twist.data()}, &o.clearance, &o.compensation_error});
     o.poses = &pose;
     see_errors(lane->running.sees_exactly(), o);
     if (lane->running.judge({})) {
-      arms_->put_torque(l, o.applied->data());
+      arms_->push(l, o.applied->data());
       moving[static_cast<std::size_t>(l)] = true;
     }
   }
@@ -244,7 +246,7 @@ void RolloutLanes::move() {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
     if (moving[static_cast<std::size_t>(l)]) {
-      arms_->get_state(l, lane->q.data(), lane->qd.data());
+      arms_->moved(l, lane->q.data(), lane->qd.data());
       lane->running.moved(lane->q, lane->qd, {});
     }
   }

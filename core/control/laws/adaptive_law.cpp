@@ -1,7 +1,6 @@
 #include "core/control/laws/adaptive_law.hpp"
 
-#include "core/control/adaptation.hpp"
-#include "core/control/adaptation_filter.hpp"
+#include "core/control/laws/adaptive_arms.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -10,46 +9,31 @@ class AdaptiveLaw final : public TorqueLaw {
  public:
   explicit AdaptiveLaw(const LawSetup& setup)
       : TorqueLaw(setup),
-        gains_(setup.gains),
         period_(setup.period),
-        filters_(setup.gains.adaptation_filter > 0.0),
-        share_(filter_share(setup.gains.adaptation_filter, setup.period)),
-        adaptation_(setup.theta) {
-    filter_.start(setup.model.n());
+        projects_(setup.gains.adaptation_projection),
+        arm_(setup.model.n(), setup.theta) {
+    arm_.set_rates(adaptive_rates(setup.gains, setup.period));
   }
 
   void torque(const LawInput& in, JointVector& tau) override {
-    const JointReference& reference = in.control.reference;
-    slotine_li_forward(chain_, in.arm.poses, in.measured.qd, reference.velocity, reference.acceleration,
-                       motion_);
-    slotine_li_torque(chain_, in.arm.poses, motion_, adaptation_.theta(), tau);
-    tau -= in.Kd.cwiseProduct(in.control.S);
-    if (!filters_) return;
-    filter_.take(share_, in.measured.qd, reference.velocity, reference.acceleration);
-    filter_.motion(chain_, in.arm.poses, smoothed_);
+    poses_ = &in.arm.poses;
+    arm_.torque(chain_, *poses_, in.measured.qd, in.control.reference, in.Kd, tau);
   }
 
   void conclude(bool learning) override {
-    if (!learning) return;
-    adaptation_.step(filters_ ? smoothed_ : motion_, motion_, gains_.adaptation_gain, period_);
-    if (gains_.adaptation_leakage > 0.0 || gains_.adaptation_inertia_leakage > 0.0) {
-      adaptation_.leak(gains_.adaptation_leakage, gains_.adaptation_inertia_leakage, period_);
-    }
-    if (gains_.adaptation_projection) adaptation_.project();
+    arm_.adapt(chain_, *poses_, period_, learning);
+    if (learning && projects_) arm_.adaptation().project();
   }
 
-  const ParameterVector& theta() const override { return adaptation_.theta(); }
+  const ParameterVector& theta() const override { return arm_.adaptation().theta(); }
   bool contains_Kd() const override { return true; }
-  const SlotineLi* references_motion() const override { return &motion_; }
+  const SlotineLi* references_motion() const override { return &arm_.motion(); }
 
  private:
-  const Gains& gains_;
   double period_;
-  bool filters_;
-  double share_;  ///< of the filter
-  AdaptationFilter filter_;
-  SlotineLi smoothed_;
-  Adaptation adaptation_;
+  bool projects_;
+  AdaptiveArm arm_;
+  const Poses* poses_ = nullptr;  ///< of the period
 };
 
 }  // namespace
