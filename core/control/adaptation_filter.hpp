@@ -6,6 +6,7 @@
 // 1 - exp(-2 pi f T), 0.06 at 5 Hz and 2 ms.
 
 #include <cmath>
+#include <type_traits>
 
 #include "core/robot/slotine_li.hpp"
 
@@ -40,9 +41,15 @@ class AdaptationFilterT {
   }
 
   /// Lets one lane among several start at rest.
-  void rest(int lane) {
+  void rest([[maybe_unused]] int lane) {
     for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) {
-      for (Eigen::Index i = 0; i < x->size(); ++i) (*x)[i].set(lane, 0.0);
+      for (Eigen::Index i = 0; i < x->size(); ++i) {
+        if constexpr (std::is_same_v<T, double>) {
+          (*x)[i] = 0.0;
+        } else {
+          (*x)[i].set(lane, 0.0);
+        }
+      }
     }
   }
 

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "core/control/inverse_damping.hpp"
-#include "core/control/laws/adaptive_arms.hpp"
+#include "core/control/laws/arm_law.hpp"
 #include "sim/lanes/lane_kind.hpp"
 #include "sim/lanes/processor.hpp"
 
@@ -22,12 +22,11 @@ struct LaneStart {
   const double* control_chain;  ///< every number of the controller's chain (numbers_of)
   const double* plant_chain;
   InverseDamping damping;
-  AdaptiveRates rates;
+  LawNumbers law;
   const double* centering_middle;  ///< n
   const double* centering_rate;    ///< n
-  const double* theta_start;       ///< 13 n, as the next
-  const double* theta_true;
-  const double* q;  ///< n, of the plant
+  const double* theta_true;        ///< 13 n
+  const double* q;                 ///< n, of the plant
   const double* qd;
 };
 
@@ -54,10 +53,17 @@ struct LaneSeen {
   double* obstacle_distance;
 };
 
-/// References of the task (6: xr', xr'') or of the joints (n: qr', qr'').
+/// References of the task (6 each: xr', xr'') or of the joints (n each: qr', qr'').
 struct LaneReference {
   const double* velocity;
   const double* acceleration;
+};
+
+/// The task's references (6 each), and what a law wants to know beside.
+struct LaneTask {
+  LaneReference reference;
+  const double* pose_error;  ///< 6
+  bool yields;               ///< to an obstacle's repulsion
 };
 
 /// The true state at the end of a period. The tool is written only if it is not what was measured.
@@ -85,7 +91,7 @@ class ArmLanes {
   virtual void seen(int lane, const LaneSeen& seen) const = 0;
 
   /// This lane's joint reference is to come from the task's. Kd: n.
-  virtual void follow_task(int lane, const LaneReference& task, const double* Kd) = 0;
+  virtual void follow_task(int lane, const LaneTask& task, const double* Kd) = 0;
   virtual void follow_joints(int lane, const LaneReference& joints, const double* Kd) = 0;
   /// For the lanes that follow a task since the last measure().
   virtual void resolve() = 0;
@@ -93,7 +99,7 @@ class ArmLanes {
   virtual void reference(int lane, double* velocity, double* acceleration) const = 0;
   virtual void replace_reference(int lane, const LaneReference& joints) = 0;
 
-  /// Y theta - Kd S.
+  /// The law's torques.
   virtual void torque() = 0;
   virtual void commanded(int lane, double* torque) const = 0;
 

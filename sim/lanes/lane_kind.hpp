@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/control/laws/arm_law.hpp"
 #include "core/control/task_mask.hpp"
 #include "core/robot/chain.hpp"
 #include "sim/plant/stepper.hpp"
@@ -18,6 +19,7 @@ struct LaneKind {
   bool link_surfaces = false;   ///< obstacles are kept away from links, not from joint origins
   double control_period = 0.0;  ///< [s]
   Stepper stepper = Stepper::kMidpoint;
+  ArmLawKind law = ArmLawKind::kAdaptive;
 
   bool operator==(const LaneKind&) const = default;
 };

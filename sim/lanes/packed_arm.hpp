@@ -4,6 +4,7 @@
 // (scripts/check-lanes).
 
 #include "core/common/pack.hpp"
+#include "core/control/laws/make_arm_law.hpp"
 #include "core/control/obstacle_distance.hpp"
 #include "core/control/task_resolution.hpp"
 #include "core/robot/forward_dynamics.hpp"
@@ -19,7 +20,7 @@ class PackedArm final : public ArmLanes {
       : period_(kind.control_period),
         stepper_(kind.stepper),
         mask_(kind.mask),
-        law_(kind.n, ParameterVectorT<T>::Zero((kLinkParameters + kJointParameters) * kind.n)) {
+        law_(make_arm_law<T>(kind.law, kind.n)) {
     for (ChainT<T>* chain : {&chain_, &plant_}) {
       chain->n = kind.n;
       chain->motion = kind.motion;
@@ -33,7 +34,7 @@ class PackedArm final : public ArmLanes {
           &centering_.middle, &centering_.rate, &Kd_, &commanded_, &torque_}) {
       joints->setZero(kind.n);
     }
-    theta_true_ = law_.adaptation().theta();
+    theta_true_ = law_->theta();
     obstacle_count_ = kind.most_obstacles;
     obstacles_ = std::make_unique<ObstacleT<T>[]>(obstacle_count_);
   }
@@ -48,17 +49,9 @@ class PackedArm final : public ArmLanes {
     damping_.threshold.set(lane, arm.damping.threshold);
     damping_.psi.set(lane, arm.damping.psi);
     damping_.growing.set(lane, arm.damping.growing);
-    AdaptiveRatesT<T> rates = law_.rates();
-    rates.gamma.set(lane, arm.rates.gamma);
-    rates.leakage.set(lane, arm.rates.leakage);
-    rates.inertia_leakage.set(lane, arm.rates.inertia_leakage);
-    rates.filter_share.set(lane, arm.rates.filter_share);
-    law_.set_rates(rates);
-    law_.filter().rest(lane);
+    law_->start(lane, arm.law);
     put(lane, arm.centering_middle, centering_.middle);
     put(lane, arm.centering_rate, centering_.rate);
-    put(lane, arm.theta_start, law_.adaptation().start());
-    put(lane, arm.theta_start, law_.adaptation().theta());
     put(lane, arm.theta_true, theta_true_);
     place(lane, arm.q, arm.qd);
   }
@@ -79,6 +72,7 @@ class PackedArm final : public ArmLanes {
     arm_.measure(chain_, measured_q_, measured_qd_, damping_, mask_);
     obstacle_distance_ = obstacle_distance<T>(chain_, arm_.poses, {obstacles_.get(), obstacle_count_});
     tasks_ = typename T::Mask{};
+    yields_ = typename T::Mask{};
   }
   void seen(int lane, const LaneSeen& seen) const override {
     get_tool(lane, arm_.poses, arm_.twist, seen.tool);
@@ -87,11 +81,13 @@ class PackedArm final : public ArmLanes {
     *seen.obstacle_distance = obstacle_distance_[lane];
   }
 
-  void follow_task(int lane, const LaneReference& task, const double* Kd) override {
-    put(lane, task.velocity, task_.rate);
-    put(lane, task.acceleration, task_.acceleration);
+  void follow_task(int lane, const LaneTask& task, const double* Kd) override {
+    put(lane, task.reference.velocity, task_.rate);
+    put(lane, task.reference.acceleration, task_.acceleration);
+    put(lane, task.pose_error, pose_error_);
     put(lane, Kd, Kd_);
     tasks_[lane] = -1;
+    yields_[lane] = task.yields ? -1 : 0;
   }
   void follow_joints(int lane, const LaneReference& joints, const double* Kd) override {
     replace_reference(lane, joints);
@@ -115,16 +111,19 @@ class PackedArm final : public ArmLanes {
     put(lane, joints.acceleration, reference_.acceleration);
   }
 
-  void torque() override { law_.torque(chain_, arm_.poses, measured_qd_, reference_, Kd_, commanded_); }
+  void torque() override {
+    S_ = measured_qd_ - reference_.velocity;
+    law_->torque(period(), commanded_);
+  }
   void commanded(int lane, double* torque) const override { get(lane, commanded_, torque); }
 
   void adapt(const bool* adapting) override {
     typename T::Mask where{};
     for (int lane = 0; lane < W; ++lane) where[lane] = adapting[lane] ? -1 : 0;
-    law_.adapt(chain_, arm_.poses, T(period_), where);
+    law_->conclude(period(), where);
   }
-  void theta(int lane, double* theta) const override { get(lane, law_.adaptation().theta(), theta); }
-  void replace_theta(int lane, const double* theta) override { put(lane, theta, law_.adaptation().theta()); }
+  void theta(int lane, double* theta) const override { get(lane, law_->theta(), theta); }
+  void replace_theta(int lane, const double* theta) override { put(lane, theta, law_->theta()); }
 
   void observe(bool exact) override {
     exact_ = exact;
@@ -134,11 +133,14 @@ class PackedArm final : public ArmLanes {
       forward_kinematics(chain_, q_, true_poses_);
       tool_jacobian(chain_, true_poses_, true_J_);
       true_twist_ = times(true_J_, qd_);
-      slotine_li_forward(chain_, true_poses_, qd_, reference_.velocity, reference_.acceleration,
-                         true_motion_);
     }
-    theta_error_ = law_.adaptation().theta() - theta_true_;
-    slotine_li_torque(chain_, poses, exact ? law_.motion() : true_motion_, theta_error_, torque_error_);
+    const SlotineLiT<T>* motion = exact ? law_->references_motion() : nullptr;
+    if (motion == nullptr) {
+      slotine_li_forward(chain_, poses, qd_, reference_.velocity, reference_.acceleration, true_motion_);
+      motion = &true_motion_;
+    }
+    theta_error_ = law_->theta() - theta_true_;
+    slotine_li_torque(chain_, poses, *motion, theta_error_, torque_error_);
     compensation_error_ = norm(torque_error_);
     const T of_joints = exact ? obstacle_distance_ : obstacle_distance<T>(chain_, poses, obstacles);
     clearance_ = clearance<T>(chain_, poses, obstacles, of_joints);
@@ -171,6 +173,10 @@ class PackedArm final : public ArmLanes {
  private:
   using T = Pack<W>;
   using Joints = JointVectorT<T>;
+  LawPeriodT<T> period() const {
+    return {chain_, arm_,        measured_q_, measured_qd_, reference_, S_,
+            Kd_,    pose_error_, ~tasks_,     yields_,      T(period_)};
+  }
   static constexpr double kNowhere[4] = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0.0};
 
   template <typename Packs>
@@ -207,7 +213,10 @@ class PackedArm final : public ArmLanes {
   TaskReferenceT<T> task_;
   JointReferenceT<T> reference_, resolved_;
   Joints Kd_, commanded_;
-  AdaptiveArmsT<T> law_;
+  std::unique_ptr<ArmLawT<T>> law_;
+  Joints S_;
+  Vec6T<T> pose_error_ = Vec6T<T>::Zero();
+  typename T::Mask yields_{};
   bool exact_ = true;
   SlotineLiT<T> true_motion_;
   PosesT<T> true_poses_;

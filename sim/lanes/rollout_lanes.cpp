@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "armtune/error.hpp"
+#include "core/control/laws/arm_torque_law.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "core/robot/physical_theta.hpp"
 #include "sim/lanes/chain_numbers.hpp"
 #include "sim/plant/flush_denormals.hpp"
@@ -29,11 +31,11 @@ const double* numbers_of(std::span<const Obstacle> obstacles) {
 
 }  // namespace
 
-bool has_lanes(const Gains& gains) {
-  return gains.controller == Gains().controller;
+std::optional<ArmLawKind> lane_law(const Gains& gains) {
+  return controller_kind(gains.controller).lanes;
 }
 
-LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles) {
+LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles, ArmLawKind law) {
   if (stepper == Stepper::kReference) {
     throw InputError("the stepper 'reference' is Simbody's own");
   }
@@ -44,7 +46,8 @@ LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_o
           most_obstacles,
           chain.link_radius.size() > 0,
           scenario.control_period,
-          stepper};
+          stepper,
+          law};
 }
 
 struct RolloutLanes::Lane {
@@ -96,13 +99,14 @@ int RolloutLanes::free_lane() const {
 
 void RolloutLanes::start(int lane, LaneJob job) {
   const Scenario& own = job.scenario->scenario;
+  const std::optional<ArmLawKind> law = lane_law(job.gains);
+  if (!law) throw InputError(job.gains.controller + " has no lanes");
   if (own.obstacles.size() > kind_.most_obstacles ||
-      lane_kind(own, kind_.stepper, kind_.most_obstacles) != kind_) {
+      lane_kind(own, kind_.stepper, kind_.most_obstacles, *law) != kind_) {
     throw InputError(own.name + " is not of the kind of these lanes");
   }
   auto& place = lanes_[static_cast<std::size_t>(lane)];
   if (place) throw InputError("the lane for " + own.name + " is busy");
-  if (!has_lanes(job.gains)) throw InputError(job.gains.controller + " has no lanes");
   const FlushDenormals flush;  // as the rollout alone is begun
   const bool first = busy_ == 0;
   place = std::make_unique<Lane>(std::move(job));
@@ -110,20 +114,21 @@ void RolloutLanes::start(int lane, LaneJob job) {
   const PreparedScenario& scenario = *place->job.scenario;
   const auto control = numbers_of(scenario.scenario.robot->chain);
   const auto plant = numbers_of(scenario.plant.chain);
+  std::vector<const double*> own_gains;
   // Lanes without a rollout go through the same arithmetic: they begin as an arm, not as nothing.
   for (int l = 0; l < lanes(); ++l) {
     if (l != lane && !(first && !is_busy(l))) continue;
     const JointCentering& centering = place->logic.centering();
-    arms_->start(l, {.control_chain = control.data(),
-                     .plant_chain = plant.data(),
-                     .damping = place->logic.damping(),
-                     .rates = adaptive_rates(place->logic.gains(), kind_.control_period),
-                     .centering_middle = centering.middle.data(),
-                     .centering_rate = centering.rate.data(),
-                     .theta_start = scenario.theta_start.data(),
-                     .theta_true = scenario.theta_true.data(),
-                     .q = place->q.data(),
-                     .qd = place->qd.data()});
+    arms_->start(
+        l, {.control_chain = control.data(),
+            .plant_chain = plant.data(),
+            .damping = place->logic.damping(),
+            .law = law_numbers(place->logic.gains(), scenario.theta_start, kind_.control_period, own_gains),
+            .centering_middle = centering.middle.data(),
+            .centering_rate = centering.rate.data(),
+            .theta_true = scenario.theta_true.data(),
+            .q = place->q.data(),
+            .qd = place->qd.data()});
   }
 }
 
@@ -179,7 +184,12 @@ void RolloutLanes::control() {
     const RunningRollout& running = lane->running;
     if (lane->logic.decide(running.measured(), view, running.scene(), running.time())) {
       const TaskReference& task = lane->logic.task_reference();
-      arms_->follow_task(l, {task.rate.data(), task.acceleration.data()}, lane->logic.Kd().data());
+      const ControlOutput& out = lane->logic.output();
+      arms_->follow_task(l,
+                         {{task.rate.data(), task.acceleration.data()},
+                          out.errors.pose.data(),
+                          out.state == ControlState::kAvoidObstacles},
+                         lane->logic.Kd().data());
     } else {
       const JointReference& reference = lane->logic.output().reference;
       arms_->follow_joints(l, {reference.velocity.data(), reference.acceleration.data()},
@@ -212,7 +222,7 @@ void RolloutLanes::act() {
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr || !adapting[static_cast<std::size_t>(l)]) continue;
-    if (!lane->logic.gains().adaptation_projection) continue;
+    if (kind_.law != ArmLawKind::kAdaptive || !lane->logic.gains().adaptation_projection) continue;
     arms_->theta(l, lane->theta.data());
     project_to_physical(lane->theta);
     arms_->replace_theta(l, lane->theta.data());
@@ -221,11 +231,13 @@ void RolloutLanes::act() {
 }
 
 void RolloutLanes::move() {
+  const bool adaptive = kind_.law == ArmLawKind::kAdaptive;  // the one whose torque contains -Kd S
   std::array<bool, kMostLanes> moving{};
   for (int l = 0; l < lanes(); ++l) {
     Lane* lane = lanes_[static_cast<std::size_t>(l)].get();
     if (lane == nullptr) continue;
-    Observation& o = lane->running.act(lane->logic.output(), lane->theta, &lane->logic.Kd());
+    Observation& o =
+        lane->running.act(lane->logic.output(), lane->theta, adaptive ? &lane->logic.Kd() : nullptr);
     Poses& pose = lane->pose;
     if (exact_) {
       pose.R_0T = lane->view.R_0T;

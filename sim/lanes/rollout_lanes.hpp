@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/control/gains.hpp"
@@ -17,10 +18,11 @@ namespace armtune::internal {
 
 /// What may share lanes with a scenario. most_obstacles: at least its own. Throws InputError for
 /// the stepper kReference.
-LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles);
+LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles,
+                   ArmLawKind law = ArmLawKind::kAdaptive);
 
-/// Whether the controller of these gains can be simulated here: the adaptive one; others run alone.
-bool has_lanes(const Gains& gains);
+/// The law of these gains, where it can be simulated here: those of armtune; others run alone.
+std::optional<ArmLawKind> lane_law(const Gains& gains);
 
 struct LaneJob {
   std::shared_ptr<const PreparedScenario> scenario;

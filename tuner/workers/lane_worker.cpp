@@ -107,7 +107,7 @@ void LaneWorker::start_jobs(JobSource& jobs) {
   while (has_room(jobs.share())) {
     std::optional<GivenJob> one = jobs.next();
     if (!one) return;
-    const bool in_lanes = one->job.engine == Engine::kNative && has_lanes(one->job.gains);
+    const bool in_lanes = one->job.engine == Engine::kNative && lane_law(one->job.gains).has_value();
     if (!in_lanes || jobs.share() == 1) {
       jobs.finished(one->number, alone_.run(one->job, [&jobs] { return jobs.stopped(); }));
       continue;
@@ -130,7 +130,8 @@ std::size_t LaneWorker::busy() const {
 }
 
 LaneWorker::LaneGroup& LaneWorker::group_of(const RolloutJob& job, std::size_t share) {
-  const LaneKind kind = lane_kind(plan_.scenarios[job.scenario], plan_.stepper, most_obstacles_);
+  const LaneKind kind =
+      lane_kind(plan_.scenarios[job.scenario], plan_.stepper, most_obstacles_, *lane_law(job.gains));
   for (const auto& group : groups_) {
     if (group->kind() == kind) return *group;
   }

@@ -5,10 +5,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/control/gain_fields.hpp"
+#include "core/control/laws/arm_law.hpp"
 #include "core/control/laws/torque_law.hpp"
 
 namespace armtune::internal {
@@ -26,6 +28,8 @@ struct ControllerKind {
   std::function<void(const RobotModel&, const JointVector& q, Gains&)> start;
   /// Whether it finds out about an arm of which it is told nothing.
   bool learns = false;
+  /// Its law, where it is written for several arms side by side.
+  std::optional<ArmLawKind> lanes = {};
 };
 
 /// A gain of a kind's own, never negative. otherwise: each of its numbers where nothing else is said. It is

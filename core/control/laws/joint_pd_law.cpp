@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/control/laws/arm_torque_law.hpp"
 #include "core/control/laws/first_gains.hpp"
 
 namespace armtune::internal {
@@ -16,34 +17,6 @@ double slowest_rate(const RobotModel& robot, const JointVector& q, const JointVe
   return 1.0 / Eigen::SelfAdjointEigenSolver<JointMatrix>(slowness).eigenvalues().maxCoeff();
 }
 
-class JointPdLaw final : public TorqueLaw {
- public:
-  explicit JointPdLaw(const LawSetup& setup)
-      : TorqueLaw(setup),
-        P_(own(setup.gains, "joint_pd_p")),
-        D_(own(setup.gains, "joint_pd_d")),
-        period_(setup.period) {}
-
-  void torque(const LawInput& in, JointVector& tau) override {
-    // An obstacle's repulsion is to move the arm, not to stretch a spring.
-    const bool yields = in.control.state == ControlState::kAvoidObstacles;
-    if (yields || q_reference_.size() == 0) q_reference_ = in.measured.q;
-    gravity_torque(in.arm, tau);
-    tau += P_.cwiseProduct(q_reference_ - in.measured.q) - D_.cwiseProduct(in.control.S);
-    step_ = period_ * in.control.reference.velocity;
-  }
-
-  /// Of a saturated joint the reference waits: it would only run ahead.
-  void conclude(bool learning) override {
-    if (learning) q_reference_ += step_;
-  }
-
- private:
-  JointVector P_, D_;
-  double period_;
-  JointVector q_reference_, step_;
-};
-
 }  // namespace
 
 ControllerKind joint_pd_controller() {
@@ -53,7 +26,7 @@ ControllerKind joint_pd_controller() {
           {"task_space_gains_p", "task_space_gains_i", "interpolation_gain_scale"},
           {own_gain(kJoints, "joint_pd_p", "N m/rad", "P of each joint on its position error", 100.0),
            own_gain(kJoints, "joint_pd_d", "N m s/rad", "D of each joint on its velocity error", 20.0)},
-          [](const LawSetup& setup) { return std::make_unique<JointPdLaw>(setup); },
+          [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kJointPd, setup); },
           [](const RobotModel& robot, const JointVector& q, Gains& gains) {
             // Critically damped, poles at half the rate, for each joint with the others free.
             const JointVector inertia = joint_inertia(robot, q);
@@ -65,7 +38,9 @@ ControllerKind joint_pd_controller() {
             const Vec6 Kp = gains.task_space_gains_p.cwiseMin(kOuterShare * slowest_rate(robot, q, D));
             gains.task_space_gains_p = Kp;
             gains.task_space_gains_i = kFirstIntegralShare * Kp.cwiseAbs2();
-          }};
+          },
+          false,
+          ArmLawKind::kJointPd};
 }
 
 }  // namespace armtune::internal

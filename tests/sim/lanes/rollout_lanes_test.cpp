@@ -40,7 +40,9 @@ std::vector<RolloutResult> side_by_side(const std::vector<LaneJob>& jobs, int la
   std::vector<RolloutResult> results(jobs.size());
   std::size_t obstacles = 0;
   for (const LaneJob& job : jobs) obstacles = std::max(obstacles, job.scenario->scenario.obstacles.size());
-  RolloutLanes block(lane_kind(jobs[0].scenario->scenario, stepper, obstacles), lanes, processor);
+  RolloutLanes block(
+      lane_kind(jobs[0].scenario->scenario, stepper, obstacles, lane_law(jobs[0].gains).value()), lanes,
+      processor);
   std::vector<std::size_t> in_lane(static_cast<std::size_t>(block.lanes()));
   std::size_t next = 0;
   const auto fill = [&] {
@@ -197,6 +199,48 @@ TEST(RolloutLanes, OneThatDivergesOrEndsEarlyLeavesItsNeighboursAlone) {
   expect_the_same(jobs);
 }
 
+/// Every law that is written for several arms, on arms of six, seven and five joints, with gaze, obstacles
+/// and noise.
+class RolloutLanesOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(RolloutLanesOf, AreTheRolloutsAlone) {
+  for (const char* name : {"moving_target", "realistic_target_switch", "obstacle_pass", "panda_moving_target",
+                           "youbot_moving_target"}) {
+    std::vector<LaneJob> jobs;
+    for (int i = 0; i < 3; ++i) {
+      Scenario scenario = scenario_of(name, 6.0 + i);
+      scenario.theta = {};
+      scenario.theta.model_scale = 1.0;  // most of these laws learn nothing
+      const std::string arm = scenario.robot->n() == 6   ? "published"
+                              : scenario.robot->n() == 7 ? "panda"
+                                                         : "youbot";
+      Gains quick = load_gains(arm, joint_names(*scenario.robot));
+      quick.joint_trajectory_duration = 2.0;
+      const JointVector goal = in_si(*scenario.robot, with_goal(quick, scenario).joint_space_goal);
+      Gains gains = controlled_by(controller_kind(GetParam()), quick, *scenario.robot, goal);
+      scale_loop_gains(gains, 1.0 - 0.1 * i);
+      jobs.push_back(job_of(scenario, gains));
+    }
+    SCOPED_TRACE(name);
+    EXPECT_NE(alone(jobs[0]).status, RolloutStatus::kDiverged) << "not only a fall";
+    expect_the_same(jobs);
+  }
+}
+
+TEST_P(RolloutLanesOf, TheGainsMatter) {
+  Scenario scenario = scenario_of("moving_target", 6.0);
+  scenario.theta.model_scale = 1.0;
+  Gains gains = controlled_by(controller_kind(GetParam()), quick_gains(scenario), *scenario.robot,
+                              scenario.start_position);
+  ASSERT_TRUE(lane_law(gains).has_value());
+  const LaneJob as_it_is = job_of(scenario, gains);
+  scale_loop_gains(gains, 0.7);
+  EXPECT_NE(bits(alone(as_it_is).metrics), bits(alone(job_of(scenario, gains)).metrics));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, RolloutLanesOf,
+                         testing::Values("adaptive", "computed_torque", "joint_pd", "impedance"));
+
 TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   const Scenario scenario = scenario_of("moving_target", 1.0);
   RolloutLanes lanes(lane_kind(scenario, Stepper::kMidpoint, 0), 2);
@@ -209,10 +253,9 @@ TEST(RolloutLanes, StartOnlyWhatIsOfTheirKind) {
   lanes.start(1, job_of(scenario, quick_gains(scenario)));
   EXPECT_EQ(lanes.busy(), 1);
   EXPECT_EQ(lanes.free_lane(), 0);
-  Gains without_lanes = quick_gains(scenario);
-  become(without_lanes, "joint_pd", scenario.robot->n());
-  EXPECT_FALSE(has_lanes(without_lanes));
-  EXPECT_THROW(lanes.start(lanes.free_lane(), job_of(scenario, without_lanes)), InputError);
+  Gains of_another_law = quick_gains(scenario);
+  become(of_another_law, "joint_pd", scenario.robot->n());
+  EXPECT_THROW(lanes.start(lanes.free_lane(), job_of(scenario, of_another_law)), InputError);
   EXPECT_THROW(lanes.start(1, job_of(scenario, quick_gains(scenario))), InputError);
   EXPECT_EQ(lanes.busy(), 1);
 }

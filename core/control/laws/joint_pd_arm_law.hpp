@@ -1,0 +1,49 @@
+#pragma once
+// Joint PD with gravity:  g(q) + P (q_ref - q) + D (qr' - q'),  q_ref the integral of qr'.
+
+#include "core/control/laws/model_arm_law.hpp"
+
+namespace armtune::internal {
+
+template <typename T>
+class JointPdArmLawT final : public ModelArmLawT<T> {
+ public:
+  explicit JointPdArmLawT(int n) : ModelArmLawT<T>(n) {
+    for (JointVectorT<T>* x : {&P_, &D_, &q_reference_, &step_, &rest_}) x->setZero(n);
+  }
+
+  /// own: joint_pd_p (n), joint_pd_d (n).
+  void start(int lane, const LawNumbers& numbers) override {
+    ModelArmLawT<T>::start(lane, numbers);
+    this->put_all(lane, numbers.own[0], P_);
+    this->put_all(lane, numbers.own[1], D_);
+    this->put(lane, 1.0, fresh_);
+  }
+
+  void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) override {
+    // An obstacle's repulsion is to move the arm, not to stretch a spring.
+    const MaskT<T> from_here = this->either(at.yields, fresh_ > T(0.0));
+    fresh_ = T(0.0);
+    this->model_torque(at, rest_, rest_, rest_, tau);
+    for (Eigen::Index i = 0; i < tau.size(); ++i) {
+      q_reference_[i] = select(from_here, at.q[i], q_reference_[i]);
+      tau[i] += P_[i] * (q_reference_[i] - at.q[i]) - D_[i] * at.S[i];
+      step_[i] = at.dt * at.reference.velocity[i];
+    }
+  }
+
+  /// Of a saturated joint the reference waits: it would only run ahead.
+  void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& learning) override {
+    for (Eigen::Index i = 0; i < step_.size(); ++i) {
+      q_reference_[i] = select(learning, q_reference_[i] + step_[i], q_reference_[i]);
+    }
+  }
+
+ private:
+  JointVectorT<T> P_, D_;
+  JointVectorT<T> q_reference_, step_;
+  JointVectorT<T> rest_;  ///< zeros
+  T fresh_{1.0};          ///< above zero before the first period
+};
+
+}  // namespace armtune::internal

@@ -1,0 +1,26 @@
+#pragma once
+// Every law that is written for several arms. To be included where a kind of T is compiled, and nowhere else.
+
+#include "core/control/laws/adaptive_arm_law.hpp"
+#include "core/control/laws/computed_torque_arm_law.hpp"
+#include "core/control/laws/impedance_arm_law.hpp"
+#include "core/control/laws/joint_pd_arm_law.hpp"
+
+namespace armtune::internal {
+
+template <typename T>
+std::unique_ptr<ArmLawT<T>> make_arm_law(ArmLawKind kind, int n) {
+  switch (kind) {
+    case ArmLawKind::kAdaptive:
+      return std::make_unique<AdaptiveArmLawT<T>>(n);
+    case ArmLawKind::kComputedTorque:
+      return std::make_unique<ComputedTorqueArmLawT<T>>(n);
+    case ArmLawKind::kJointPd:
+      return std::make_unique<JointPdArmLawT<T>>(n);
+    case ArmLawKind::kImpedance:
+      return std::make_unique<ImpedanceArmLawT<T>>(n);
+  }
+  return nullptr;
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,29 @@
+#pragma once
+// What laws that learn nothing share: theta stays what it is to begin with.
+
+#include "core/control/laws/arm_law.hpp"
+
+namespace armtune::internal {
+
+template <typename T>
+class ModelArmLawT : public ArmLawT<T> {
+ public:
+  explicit ModelArmLawT(int n)
+      : theta_(ParameterVectorT<T>::Zero((kLinkParameters + kJointParameters) * n)) {}
+
+  void start(int lane, const LawNumbers& numbers) override { this->put_all(lane, numbers.theta, theta_); }
+  ParameterVectorT<T>& theta() override { return theta_; }
+
+ protected:
+  /// M(q) a + C(q, q') v + g(q) + friction(qd) (n) of the arm that theta describes.
+  void model_torque(const LawPeriodT<T>& at, const JointVectorT<T>& qd, const JointVectorT<T>& v,
+                    const JointVectorT<T>& a, JointVectorT<T>& tau) {
+    slotine_li_forward(at.chain, at.arm.poses, qd, v, a, motion_);
+    slotine_li_torque(at.chain, at.arm.poses, motion_, theta_, tau);
+  }
+
+  ParameterVectorT<T> theta_;
+  SlotineLiT<T> motion_;
+};
+
+}  // namespace armtune::internal
