@@ -70,8 +70,9 @@ static void read(const yaml::Node& node, Path& path) {
 namespace report {
 namespace {
 
-/// Meshes of many arms.
-constexpr std::size_t kMaxSceneBytes = 64 << 20;
+/// Meshes of some twenty arms. No more, as the YAML reader takes a hundred times the size of a file that is
+/// one long list.
+constexpr std::size_t kMaxSceneBytes = 32 << 20;
 
 /// A path below the run's folder: what a scene names is read and shown.
 void require_inside(const yaml::Node& node) {
