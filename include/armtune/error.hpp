@@ -1,6 +1,7 @@
 #pragma once
-// Every exception that armtune throws is an armtune::Error. Outcomes of a simulation or a search (diverged,
-// infeasible, interrupted) are no exceptions: results say so.
+// The exceptions of armtune, all of which derive from armtune::Error; the standard library's own, such as
+// std::bad_alloc, can pass through it. A simulation that diverges, a search that finds nothing feasible and a
+// run that is interrupted throw nothing: their results say so.
 
 #include <stdexcept>
 #include <string>
