@@ -1,35 +1,23 @@
 // Whatever the bytes: an arm that keeps its own rules, or a line that refuses it. Nothing is accepted about
 // which urdfdom has an error to log, and what is accepted is written and read back as the same arm.
 
-#include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include "core/robot/urdf_reader.hpp"
 #include "core/robot/urdf_writer.hpp"
+#include "tests/core/support/urdfdom_errors.hpp"
 #include "tests/fuzz/support/input.hpp"
 
 namespace armtune::internal::fuzz {
 namespace {
-
-class Counter : public console_bridge::OutputHandler {
- public:
-  Counter() { console_bridge::useOutputHandler(this); }
-  ~Counter() override { console_bridge::restorePreviousOutputHandler(); }
-  Counter(const Counter&) = delete;
-  Counter& operator=(const Counter&) = delete;
-  void log(const std::string&, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) ++errors;
-  }
-  int errors = 0;
-};
 
 void check(std::string_view bytes) {
   const InputFile file(bytes);
   read_or_refuse([&] {
     const RobotModel model = read_urdf(file.path());
     validate(model);
-    const Counter counter;
-    require(urdf::parseURDF(std::string(bytes)) != nullptr && counter.errors == 0);
+    const test::UrdfdomErrors errors;
+    require(urdf::parseURDF(std::string(bytes)) != nullptr && errors.text().empty());
     const InputFile written(urdf_text(model));
     try {
       const RobotModel again = read_urdf(written.path());

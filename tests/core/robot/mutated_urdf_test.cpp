@@ -1,7 +1,6 @@
 // 10,000 arms that something happened to: each is refused in one line, or is an arm that keeps its own rules
 // and about which urdfdom had no error to log.
 
-#include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <fstream>
@@ -12,24 +11,10 @@
 
 #include "core/robot/dynamics.hpp"
 #include "tests/core/support/urdf_text.hpp"
+#include "tests/core/support/urdfdom_errors.hpp"
 
 namespace armtune::internal {
 namespace {
-
-class Errors : public console_bridge::OutputHandler {
- public:
-  Errors() { console_bridge::useOutputHandler(this); }
-  ~Errors() override { console_bridge::restorePreviousOutputHandler(); }
-  Errors(const Errors&) = delete;
-  Errors& operator=(const Errors&) = delete;
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) text_ += text;
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
 
 /// One to three faults of the kinds that editors, scripts and transfers make.
 class Mutator {
@@ -112,7 +97,7 @@ TEST_F(MutatedUrdf, TenThousandAreRefusedOrSound) {
     }
     ++accepted;
     ASSERT_NO_THROW(validate(model)) << text;
-    const Errors errors;
+    const test::UrdfdomErrors errors;
     ASSERT_TRUE(urdf::parseURDF(text)) << text;
     ASSERT_EQ(errors.text(), "") << text;
     Poses poses;

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -16,8 +17,10 @@ namespace armtune::internal::fuzz {
 class InputFile {
  public:
   explicit InputFile(std::string_view bytes) : file_(::memfd_create("input", MFD_CLOEXEC)) {
-    if (file_ < 0 || ::write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-      std::abort();
+    if (file_ < 0 || ::write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
+      std::perror("the machine has no file for the input, which is no finding");
+      std::_Exit(2);
+    }
   }
   ~InputFile() { ::close(file_); }
   InputFile(const InputFile&) = delete;
@@ -33,9 +36,11 @@ inline std::string_view text(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};  // bytes as libFuzzer has them
 }
 
-/// Ends the program, so that the fuzzer keeps the input, where something does not hold.
-inline void require(bool holds) {
-  if (!holds) std::abort();
+/// Aborts if `holds` is false, so that the fuzzer keeps the input, and says where.
+inline void require(bool holds, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+  if (holds) return;
+  std::fprintf(stderr, "%s:%d: a promise does not hold\n", file, line);
+  std::abort();
 }
 
 /// Reads; what is refused is refused in one line that is no longer than a screen, anything else is a finding.
