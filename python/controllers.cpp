@@ -33,8 +33,6 @@ using Vector = Eigen::VectorXd;
 
 Vector model_torque(const Period& period, const Vector& v, const Vector& a) {
   Vector tau(period.now().position().size());
-  if (v.size() != tau.size() || a.size() != tau.size())
-    throw py::value_error(fmt::format("model_torque: vectors of {} numbers are needed", tau.size()));
   period.now().model_torque(v, a, tau);
   return tau;
 }

@@ -38,7 +38,7 @@ class LawState {
   bool tracks_joints() const;
 
   /// tau = M(q) a + C(q, q') v + g(q) + friction(q') of the arm as the controller knows it (n each).
-  /// Allocates nothing.
+  /// Allocates nothing. Throws InputError if one has another size.
   void model_torque(const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& a,
                     Eigen::Ref<Eigen::VectorXd> tau) const;
 
@@ -113,6 +113,7 @@ struct ControllerKind {
 void register_controller(const ControllerKind& kind);
 
 /// What each joint feels at q (n) with the others free, 1 / (M^-1)_ii [kg m^2, kg]: first gains follow it.
+/// Throws InputError if q has another size.
 std::vector<double> joint_inertia(const Robot& robot, std::span<const double> q);
 
 /// A rate [1/s] that an arm's controller can hold to begin with: first gains are it times an inertia.

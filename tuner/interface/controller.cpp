@@ -1,6 +1,10 @@
 #include "armtune/controller.hpp"
 
+#include <fmt/format.h>
+
 #include <deque>
+
+#include "armtune/error.hpp"
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/first_gains.hpp"
@@ -77,6 +81,10 @@ bool LawState::tracks_joints() const {
 void LawState::model_torque(const Eigen::Ref<const Eigen::VectorXd>& v,
                             const Eigen::Ref<const Eigen::VectorXd>& a,
                             Eigen::Ref<Eigen::VectorXd> tau) const {
+  const Eigen::Index n = in_.measured.q.size();
+  if (v.size() != n || a.size() != n || tau.size() != n) {
+    throw InputError(fmt::format("model_torque: vectors of {} numbers are needed", n));
+  }
   law_.v_ = v;
   law_.a_ = a;
   law_.model_torque(in_.arm, in_.measured.qd, law_.v_, law_.a_, law_.tau_);
@@ -121,6 +129,10 @@ void register_controller(const ControllerKind& kind) {
 }
 
 std::vector<double> joint_inertia(const Robot& robot, std::span<const double> q) {
+  if (q.size() != robot.joints().size()) {
+    throw InputError(fmt::format("joint_inertia: {} positions are given, {} has {} joints", q.size(),
+                                 robot.name(), robot.joints().size()));
+  }
   const internal::JointVector inertia = internal::joint_inertia(*robot.model(), joint_vector(q));
   return {inertia.data(), inertia.data() + inertia.size()};
 }

@@ -115,6 +115,27 @@ TEST(InterfaceOfControllers, StartsFromWhatTheInertiaAsks) {
   EXPECT_EQ(internal::own(gains, "outside_stiffness")[0], first_rate() * inertia[0]);
 }
 
+TEST(InterfaceOfControllers, VectorsOfOtherSizesAreRefused) {
+  register_both();
+  EXPECT_THROW(joint_inertia(Robot::load("ur10"), std::vector<double>(40, 0.0)), InputError);
+  class Wrong final : public Law {
+   public:
+    void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) override {
+      const Eigen::VectorXd long_one = Eigen::VectorXd::Zero(40);
+      state.model_torque(long_one, state.reference_acceleration(), tau);
+    }
+  };
+  ControllerKind wrong;
+  wrong.name = "wrong_sizes";
+  wrong.uses = kUses;
+  wrong.make = [](const LawSetup&) { return std::make_unique<Wrong>(); };
+  register_controller(wrong);
+  internal::Scenario scenario = internal::test::scenario_of("moving_target", 1.0);
+  internal::Gains gains = internal::test::quick_gains(scenario);
+  internal::become(gains, "wrong_sizes", scenario.robot->n());
+  EXPECT_THROW(internal::Rollout(scenario, internal::Stepper::kMidpoint).run(gains), InputError);
+}
+
 TEST(InterfaceOfControllers, ANameThatIsTakenIsRefused) {
   register_both();
   ControllerKind again;
