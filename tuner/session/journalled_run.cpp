@@ -73,8 +73,12 @@ static std::string code_path() {
   Dl_info info{};
   const bool known =
       ::dladdr(reinterpret_cast<const void*>(&journal_in), &info) != 0 && info.dli_fname != nullptr;
-  const std::string path = known ? info.dli_fname : "";
-  return path.find(".so") != std::string::npos ? path : "/proc/self/exe";
+  const fs::path path = known ? info.dli_fname : "";
+  constexpr const char* kProgram = "/proc/self/exe";
+  std::error_code error;
+  // A program has the name that it was called by here, which may be another file's below the current folder.
+  const bool library = path.is_absolute() && !fs::equivalent(path, kProgram, error) && !error;
+  return library ? path.string() : kProgram;
 }
 
 RunHeader run_header(const Invocation& invocation, std::vector<std::pair<std::string, std::string>> identity,
