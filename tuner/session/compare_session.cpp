@@ -72,6 +72,7 @@ void CompareSession::check() {
                               outcome_.verdict);
   }
   add_unchecked(extended, outcome_.verdict);
+  add_engine_assumption(settings_.engine, "the scenarios", outcome_.verdict);
   add_assumptions(settings_.scenarios, settings_.stepper, outcome_.verdict);
 }
 

@@ -72,6 +72,7 @@ SimulateOutcome SimulateSession::run() {
   outcome_.endured = extend_scenarios(settings_, gains_, observer_, context_.stop);
   add_unchecked(check_rollouts(settings_, outcome_.results, outcome_.endured, "", outcome_.verdict),
                 outcome_.verdict);
+  add_engine_assumption(settings_.engine, "the scenarios", outcome_.verdict);
   add_assumptions(scenarios, settings_.stepper, outcome_.verdict);
   if (!folder.empty()) write_conclusion();
   if (!context_.stop) {

@@ -42,6 +42,12 @@ std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel
 
 }  // namespace
 
+void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict) {
+  if (engine == Engine::kSimbody) return;
+  add_once(fmt::format("armtune's own dynamics for {}, which Simbody did not simulate", which),
+           verdict.assumes);
+}
+
 void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict) {
   std::vector<std::string> no_friction;
   std::vector<std::string> no_noise;

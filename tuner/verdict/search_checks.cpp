@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tuner/robustness/monte_carlo.hpp"
+#include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/first_breach.hpp"
 #include "tuner/verdict/yield_check.hpp"
 #include "tuner/workers/parallel.hpp"
@@ -218,6 +219,7 @@ bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOpti
   if (stop || samples.empty()) return false;
   verdict.checks.push_back(yield_check(study.scenarios, samples, study.thresholds.yield));
   verdict.assumes.push_back(spread_text(study.robust ? "the study's" : "the default", how.perturbation));
+  add_engine_assumption(how.engine, kArmsThatKept, verdict);
   return true;
 }
 

@@ -98,6 +98,7 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
     if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit has replaced", to_string(own)));
   }
   verdict.assumes.push_back(spread_text("the given", options.perturbation));
+  add_engine_assumption(options.engine, kArmsThatKept, verdict);
   add_assumptions(scenarios, options.stepper, verdict);
   if (verdict.passed()) verdict.notes.push_back(kept_text(samples));
   return verdict;

@@ -233,6 +233,7 @@ TEST(InterfaceOfRobustness, TheYieldIsTheShareThatKeepsAll) {
   double kept = 0.0;
   for (const RobustnessSample& sample : found.samples) kept += sample.keeps_all() ? 1.0 : 0.0;
   EXPECT_EQ(found.yield(), kept / 4.0);
+  EXPECT_THAT(found.verdict.assumes, testing::Contains(testing::HasSubstr("Simbody did not simulate")));
   EXPECT_NE(found.samples[0].rollouts[0].metric("error/position/max"),
             found.samples[1].rollouts[0].metric("error/position/max"));
   options.perturbation = {{"no such width", 0.1}};

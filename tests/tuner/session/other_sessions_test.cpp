@@ -139,6 +139,22 @@ TEST(SimulateSession, WithAndWithoutAFolderTheRolloutsAreTheSame) {
   expect_files(settings.folder, kept.files);
 }
 
+TEST(SimulateSession, SaysWhatSimbodyDidNotSimulate) {
+  const ShortStudy files;
+  const Study study = load_study(files.path());
+  SessionObserver silent;
+  RolloutSettings settings;
+  settings.scenarios = {study.scenarios.front()};
+  const auto says = testing::Contains(testing::HasSubstr("Simbody did not simulate"));
+  const auto simbody = SimulateSession(settings, as_named("start", study), {kNever}, silent).run();
+  EXPECT_THAT(simbody.verdict.assumes, testing::Not(says));
+  settings.engine = Engine::kNative;
+  EXPECT_THAT(SimulateSession(settings, as_named("start", study), {kNever}, silent).run().verdict.assumes,
+              says);
+  EXPECT_THAT(CompareSession(settings, {as_named("one", study)}, {kNever}, silent).run().verdict.assumes,
+              says);
+}
+
 TEST(CompareSession, IsWholeOrNothing) {
   const InputRecord inputs;  // so that a run keeps copies of them
   const ShortStudy files;
