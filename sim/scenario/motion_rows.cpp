@@ -8,6 +8,11 @@
 #include "core/common/message_text.hpp"
 
 namespace armtune::internal {
+namespace {
+
+constexpr double kLatest = 1e8;  // s: three years, and a fifteenth of a Unix time stamp
+
+}  // namespace
 
 std::size_t line_of(std::size_t row) {
   return row + 2;
@@ -28,6 +33,12 @@ std::vector<double> rising_times(const CsvTable& table, const std::string& path)
   time.reserve(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row) {
     time.push_back(finite_cell(table, row, column, path));
+    if (row == 0 && time[0] > kLatest) {
+      throw InputError(fmt::format(
+          "{}:{}: time begins at {:.15g} s, which looks like a Unix time stamp; a scenario's clock begins at 0 s: "
+          "subtract the first time from all",
+          path, line_of(row), time[0]));
+    }
     if (row == 0 && time[0] < 0.0) {
       throw InputError(
           fmt::format("{}:{}: time is {} s; a scenario's clock has nothing before 0 s: shift the motion",

@@ -14,7 +14,8 @@ std::size_t line_of(std::size_t row);
 /// Throws InputError naming file, line and column unless the cell is a finite number.
 double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path);
 
-/// Column `time` [s], from zero or later on, at least two. Throws InputError naming file and line.
+/// Returns column `time` [s], at least two times that rise from zero or later on. Throws InputError naming
+/// file and line, for Unix time stamps too.
 std::vector<double> rising_times(const CsvTable& table, const std::string& path);
 
 }  // namespace armtune::internal

@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "core/trajectory/cubic_spline.hpp"
+#include "sim/csv/csv_parts.hpp"
 #include "sim/csv/csv_table.hpp"
+#include "sim/csv/line_cells.hpp"
 #include "sim/scenario/motion_rows.hpp"
 
 namespace armtune::internal {
@@ -26,8 +32,44 @@ bool is_one_of(const std::array<const char*, N>& names, const std::string& name)
   return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
 }
 
+constexpr std::size_t kMostBytes = 48U << 20;
+
+/// The text with commas between its cells, whatever stands there, and the names of its first line in lower
+/// case. Throws InputError for a number with a comma in it.
+std::string with_commas(std::string_view text, const std::string& path) {
+  std::string result;
+  std::vector<std::string_view> cells;
+  char separator = ',';
+  long number = 0;
+  text.remove_prefix(byte_order_mark(text));
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (++number == 1) separator = find_separator(line);
+    split_cells(line, separator, cells);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].find(',') != std::string_view::npos) {
+        throw InputError(fmt::format(
+            "{}:{}: the cell {} of this file, whose cells are separated by {}, has a comma; write numbers with a point",
+            path, number, shown(std::string(cells[i])), separator_name(separator)));
+      }
+      result += i > 0 ? "," : "";
+      result += cells[i];
+    }
+    if (number == 1) {
+      std::transform(result.begin(), result.end(), result.begin(),
+                     [](unsigned char c) { return static_cast<char>(c < 128 ? std::tolower(c) : c); });
+    }
+    result += '\n';
+  }
+  return result;
+}
+
 CsvTable read_table(const std::string& path) {
-  CsvTable table = CsvTable::read(path, CsvOrigin::kUser);
+  CsvTable table = CsvTable::parse(with_commas(read_input_file(path, kMostBytes, "a CSV file"), path), path,
+                                   CsvOrigin::kUser);
   for (const std::string& column : table.header()) {
     if (column == "time" || is_one_of(kPlace, column) || is_one_of(kTurn, column)) continue;
     throw InputError(

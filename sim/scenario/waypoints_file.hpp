@@ -1,6 +1,7 @@
 #pragma once
 // Waypoints as CSV: time [s], x, y, z [m, base frame] of a point; of a tool's poses the quaternion qw, qx,
-// qy, qz beside them, or alone.
+// qy, qz beside them, or alone. Commas, semicolons, tabs or blanks separate the cells; names may have
+// capitals.
 
 #include <string>
 

@@ -10,6 +10,7 @@
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
+#include "sim/csv/line_cells.hpp"
 
 namespace armtune::internal {
 namespace {

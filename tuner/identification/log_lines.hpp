@@ -1,6 +1,6 @@
 #pragma once
-// The lines of a text table, read one at a time from a file of any length, and the cells of a line. Lines may
-// end with LF, CR LF or CR. Cells are separated by commas, semicolons, tabs or blanks.
+// The lines of a text table, read one at a time from a file of any length. Lines may end with LF, CR LF or
+// CR.
 
 #include <fstream>
 #include <string>
@@ -42,15 +42,5 @@ class LogLines {
   bool after_cr_ = false;  ///< a line feed that follows belongs to the line end before it
   bool repeat_ = false;
 };
-
-/// Returns what separates the cells of a table: a comma, a semicolon, a tab, or a blank for any number of
-/// blanks.
-char find_separator(std::string_view first_line);
-/// "commas", "semicolons", "tabs" or "blanks".
-std::string_view separator_name(char separator);
-
-/// Splits a line into cells (views of it) without the blanks and quotes around them. A separator between
-/// double quotes belongs to its cell.
-void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 }  // namespace armtune::internal

@@ -1,0 +1,20 @@
+#pragma once
+// The cells of a line of a table that somebody else's program wrote: separated by commas, semicolons, tabs or
+// blanks.
+
+#include <string_view>
+#include <vector>
+
+namespace armtune::internal {
+
+/// Returns what separates the cells of a table: a comma, a semicolon, a tab, or a blank for any number of
+/// blanks.
+char find_separator(std::string_view first_line);
+/// "commas", "semicolons", "tabs" or "blanks".
+std::string_view separator_name(char separator);
+
+/// Splits a line into cells (views of it) without the blanks and quotes around them. A separator between
+/// double quotes belongs to its cell.
+void split_cells(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+}  // namespace armtune::internal

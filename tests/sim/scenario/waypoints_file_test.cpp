@@ -1,0 +1,55 @@
+#include "sim/scenario/waypoints_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/sim/support/files.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string kCommas = "time,x,y,z\n0,-0.65,0.16,0.5\n5,-0.7,0.16,0.5\n9,-0.7,0.2,0.4\n";
+
+Vec3 halfway(const std::string& path) {
+  return load_waypoints(path, false).at(2.5).position;
+}
+
+TEST(WaypointsFile, AnySeparatorAndCapitalsGiveTheSamePath) {
+  const test::TemporaryFolder folder;
+  const Vec3 expected = halfway(folder.write("commas.csv", kCommas));
+  EXPECT_NE(expected.x(), 0.0);
+  for (const char separator : {';', '\t', ' '}) {
+    std::string text = kCommas;
+    std::replace(text.begin(), text.end(), ',', separator);
+    EXPECT_EQ(halfway(folder.write("other.csv", text)), expected) << separator;
+  }
+  EXPECT_EQ(
+      halfway(folder.write("capitals.csv", "Time, X, Y, Z\r\n" + kCommas.substr(kCommas.find('\n') + 1))),
+      expected);
+  EXPECT_EQ(halfway(folder.write("quoted.csv", "\xEF\xBB\xBF\"time\",\"x\",\"y\",\"z\"\n" +
+                                                   kCommas.substr(kCommas.find('\n') + 1))),
+            expected);
+}
+
+TEST(WaypointsFile, NumbersWithCommasAreNamed) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("comma.csv", "time;x;y;z\n0;0,65;0;0\n1;0,7;0;0\n");
+  EXPECT_THAT(
+      test::refusal([&] { load_waypoints(path, false); }),
+      AllOf(HasSubstr("comma.csv:2:"), HasSubstr("0,65"), HasSubstr("semicolons"), HasSubstr("point")));
+}
+
+TEST(WaypointsFile, UnixTimeStampsAreNamed) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("stamps.csv", "time,x,y,z\n1700000000.5,0,0,0\n1700000001,1,0,0\n");
+  EXPECT_THAT(test::refusal([&] { load_waypoints(path, false); }),
+              AllOf(HasSubstr("stamps.csv:2:"), HasSubstr("1700000000.5"), HasSubstr("Unix")));
+}
+
+}  // namespace
+}  // namespace armtune::internal
