@@ -11,7 +11,7 @@
 
 namespace armtune::internal::python {
 
-/// For classes of which only C++ makes objects. Python's own ways to one that holds nothing, such as
+/// For classes whose objects only C++ makes. Python's own ways to one that holds nothing, such as
 /// Rollout.__new__(Rollout) or copy.copy, raise TypeError, as every use of such an object would be undefined.
 pybind11::custom_type_setup made_by_armtune();
 

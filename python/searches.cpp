@@ -34,7 +34,7 @@ std::function<double(const std::vector<Rollout>&)> objective_of(py::object funct
     try {
       return (*kept)(rollouts).cast<double>();
     } catch (const py::cast_error&) {
-      throw FailedError("objective: what the function returned is no number");
+      throw FailedError("objective: the function returned a value that is not a number");
     }
   };
 }

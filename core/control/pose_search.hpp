@@ -1,6 +1,6 @@
 #pragma once
 // Joint positions that have the tool where it is wanted: damped least squares (Wampler 1986; Nakamura and
-// Hanafusa 1986) from many starts, of which the best is taken.
+// Hanafusa 1986) from many starts. The best result is taken.
 
 #include <functional>
 #include <optional>
@@ -21,8 +21,8 @@ struct ToolGoal {
 bool reach_goal(const RobotModel& robot, const ToolGoal& goal, JointVector& q);
 
 /// Of the joint positions (n) that `reach_goal` finds from `first` and from random ones, the one with the
-/// highest score; a score that is no number, or -infinity, takes it out. None: nothing was found. The same
-/// call finds the same.
+/// highest score; a position whose score is not a number, or -infinity, is left out. None: nothing was found.
+/// The same call finds the same.
 std::optional<JointVector> best_pose(const RobotModel& robot, const ToolGoal& goal, const JointVector& first,
                                      const std::function<double(const JointVector&)>& score);
 

@@ -42,7 +42,7 @@ class TaskInverseT {
       manipulability_ = cholesky_.root_of_determinant();
     }
     const T& m = manipulability_;
-    // Not "below": a manipulability that is no number is damped as well.
+    // Not "below": a manipulability that is not a number is damped as well.
     undamped_ = deficient ? MaskT<T>{} : m >= damping.threshold;
     some_damped_ = !all(undamped_);
     if (some_damped_) damped_.compute(J_Jt(deficient ? damping.psi : damping.at(m)), rows);

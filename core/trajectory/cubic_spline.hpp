@@ -1,5 +1,5 @@
 #pragma once
-// Velocities and accelerations at waypoints of which only positions and times are known: those of the cubic
+// Velocities and accelerations at waypoints that give positions and times only: those of the cubic
 // spline through them that is at rest at both ends (de Boor, A Practical Guide to Splines, chapter IV).
 // Between knots with its position, velocity and acceleration a quintic is this cubic, and acceleration is
 // linear.

@@ -7,7 +7,7 @@
 namespace armtune::internal {
 namespace {
 
-/// Straight pieces between blends shorter than this share of a blend are none: the next blend begins where
+/// Straight pieces shorter than this share of a blend are left out: the next blend begins where
 /// the last one ended. As quintics so short they would be rounding.
 constexpr double kNoPiece = 1e-4;
 

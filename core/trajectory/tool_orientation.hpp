@@ -33,7 +33,7 @@ MotionPoint<Vec3> heading(const Path& path, double t);
 /// vector tells no axis.
 inline constexpr double kMostTurn = 1.5 * M_PI;
 
-/// Turns through orientations of which only times [s] are known, rising, at least two: the cubic spline
+/// Turns through orientations at given times [s], rising, at least two: the cubic spline
 /// through their rotation vectors from the first, at rest at both ends. Each is the one nearest to the last;
 /// those beyond kMostTurn are for the caller to refuse.
 ToolOrientation turning_through(const std::vector<double>& time,

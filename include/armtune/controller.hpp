@@ -102,7 +102,7 @@ struct ControllerKind {
   std::vector<std::string> uses = {};
   std::vector<GainDeclaration> own = {};
   std::function<std::unique_ptr<Law>(const LawSetup&)> make = {};
-  bool learns = false;  ///< it finds out about an arm of which it is told nothing
+  bool learns = false;  ///< true if the law adapts its model of the arm online
   /// Sets own gains to begin with, on an arm without any that is at q (n) on its task; empty: they are as
   /// declared.
   std::function<void(const Robot&, std::span<const double> q, Gains&)> start = {};

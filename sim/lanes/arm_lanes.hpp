@@ -103,7 +103,7 @@ class ArmLanes {
   virtual void torque() = 0;
   virtual void commanded(int lane, double* torque) const = 0;
 
-  /// theta learns in the lanes of which `adapting` is true.
+  /// theta adapts in the lanes where `adapting` is true.
   virtual void adapt(const bool* adapting) = 0;
   virtual void theta(int lane, double* theta) const = 0;
   virtual void replace_theta(int lane, const double* theta) = 0;

@@ -159,7 +159,7 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointPositionMinMargin:
       return min_margin_ < kInfinity ? min_margin_ : NAN;
     case Metric::kJointEffortMaxRatio:
-      // Over a limit of zero a torque is no number of times.
+      // A torque over a limit of zero has no ratio.
       return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
     case Metric::kJointEffortSaturatedPeriods:
       return first_ ? NAN : static_cast<double>(saturated_periods_);

@@ -58,7 +58,7 @@ class MetricAccumulator {
   }
 
   void add(const Observation& o);
-  /// Value that a metric of which only_worsens() holds has by now; NaN before it has one, and for all others.
+  /// Value so far of a metric that only worsens; NaN before it has one, and for all other metrics.
   double so_far(Metric m) const;
   /// end: time of the last period's end [s].
   Metrics result(double end);

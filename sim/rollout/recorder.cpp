@@ -11,7 +11,8 @@
 namespace armtune::internal {
 namespace {
 
-/// Of two periods of a row, the earlier one first. What is no number stays: it is the worst there is.
+/// Of two periods of a row, the earlier one first. A value that is not a number stays: it is the worst there
+/// is.
 double folded(Over over, double before, double value) {
   if (over == Over::kThisPeriod || std::isnan(value)) return value;
   if (std::isnan(before)) return before;

@@ -12,7 +12,7 @@ namespace armtune::internal {
 enum class RolloutStatus {
   kCompleted,
   kDiverged,    ///< the state left every sensible range, or the engine gave up
-  kHopeless,    ///< it passed one of its end limits, beyond repair
+  kHopeless,    ///< abandoned: it passed one of its end limits
   kNoSamples,   ///< it ran to the end without a planned motion, but no period counted as tracking
   kInterrupted  ///< the caller asked it to stop
 };

@@ -85,7 +85,7 @@ bool RunningRollout::judge(const Observer& observer) {
     end(RolloutStatus::kInterrupted, fmt::format("interrupted at {:.3f} s", o.time));
   } else if (const EndLimit* limit = reached(limits_, metrics_)) {
     end(RolloutStatus::kHopeless,
-        fmt::format("{} reached {:.4g} at {:.3f} s in {}; beyond repair from {:.4g} on", name(limit->metric),
+        fmt::format("{} reached {:.4g} at {:.3f} s in {}; it was abandoned at {:.4g}", name(limit->metric),
                     metrics_.so_far(limit->metric), o.time, name(o.control->state), limit->value));
   }
   return !ended_;

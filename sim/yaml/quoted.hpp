@@ -12,8 +12,8 @@ namespace armtune::internal::yaml {
 std::string quoted(const std::string& text);
 
 /// The text as it is where no reader can take it for anything else, in lists and as a key too: it begins with
-/// a letter or '_', goes on with letters, digits, '_', '-', '.' and '/', and is no word for a truth value or
-/// nothing. Else quoted.
+/// a letter or '_', continues with letters, digits, '_', '-', '.' and '/', and is no word for a truth value
+/// or nothing. Else quoted.
 std::string word(const std::string& text);
 
 /// A line "KEY: VALUE" of a map, indented. The key is written as a word, and as an explicit key ("? KEY")

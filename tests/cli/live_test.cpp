@@ -46,13 +46,13 @@ TEST(LiveReport, ShowsMoreEvaluationsWhileTheRunGoesOnAndInTheEndTheRunItself) {
   ASSERT_GT(first, 0) << "no page: " << (run.running() ? "it runs" : run.wait().err);
   const long later = more_than(first, page, run);
   EXPECT_GT(later, first);
-  EXPECT_THAT(test::read_text(page), HasSubstr("This run goes on"));
+  EXPECT_THAT(test::read_text(page), HasSubstr("This run is still running"));
   run.interrupt();
   const auto done = run.wait();
   EXPECT_EQ(done.exit_code, 130) << done.err;
   EXPECT_THAT(done.out, HasSubstr("watch it: open "));
   EXPECT_EQ(live_evaluations(page), -1) << "the last page is that of the run";
-  EXPECT_THAT(test::read_text(page), Not(HasSubstr("This run goes on")));
+  EXPECT_THAT(test::read_text(page), Not(HasSubstr("This run is still running")));
 }
 
 TEST(LiveReport, ChangesNothingInTheResult) {

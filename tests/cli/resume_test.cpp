@@ -1,4 +1,4 @@
-// Killed at any moment, a run goes on as if it had not been.
+// Killed at any moment, a run resumes as if it had not been.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -81,7 +81,7 @@ TEST(Resume, ATuningKilledAgainAndAgainEndsAsIfItHadNotBeen) {
   const std::size_t finished = finished_in(files / "killed/journal.txt");
   const Finished ended = run_program(resume);
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr(fmt::format("goes on after {} finished evaluations", finished)));
+  EXPECT_THAT(ended.out, HasSubstr(fmt::format("resuming after {} finished evaluations", finished)));
   expect_same_run(files / "whole", files / "killed",
                   {"gains.yaml", "errors.csv", "study.yaml", "rollout_short.csv"});
   EXPECT_EQ(finished_in(files / "killed/journal.txt"), lines_of(files / "whole/evaluations.csv") - 1)
@@ -200,7 +200,7 @@ TEST(Resume, SamplesOfAKilledRunAreNotDrawnAgain) {
   run_and_kill(with(files / "killed"), files / "killed/journal.txt", 4);
   const Finished ended = run_program({"robustness", "--resume", files / "killed"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("goes on after "));
+  EXPECT_THAT(ended.out, HasSubstr("resuming after "));
   for (const char* file : {"/samples.csv", "/summary.csv"}) {
     EXPECT_EQ(test::read_text(files / "whole" + file), test::read_text(files / "killed" + file)) << file;
   }

@@ -188,7 +188,7 @@ class Module(unittest.TestCase):
         self.assertEqual(seen[0], ["short"])
         with self.assertRaises(ZeroDivisionError):
             self.tuned_with(objective=lambda rollouts: 1 / 0)
-        with self.assertRaisesRegex(armtune.FailedError, "no number"):
+        with self.assertRaisesRegex(armtune.FailedError, "not a number"):
             self.tuned_with(objective=lambda rollouts: "good")
 
     def test_many_gain_sets_are_each_alone(self):

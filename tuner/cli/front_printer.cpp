@@ -14,7 +14,7 @@ void FrontPrinter::began(const Study& study, const ParetoOptions& options, std::
   say(fmt::format("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
                   fmt::join(settings_.criteria, " against "), study.space.free.size(), study.scenarios.size(),
                   budget_text(options.max_evaluations, study.max_minutes), settings_.place.folder));
-  if (settings_.place.resume) say(fmt::format("goes on after {} finished evaluations\n", recalled));
+  if (settings_.place.resume) say(fmt::format("resuming after {} finished evaluations\n", recalled));
   std::fflush(stdout);
 }
 

@@ -1,4 +1,4 @@
-// armtune margins: how much delay, gain, slowness and noise a gain set's closed loop stands.
+// armtune margins: the stability margins of a gain set: extra delay, gain, control rate and noise.
 
 #include <fmt/format.h>
 
@@ -84,7 +84,7 @@ std::string help_footer() {
     text += fmt::format("  {:<16} {} [{}]\n", field.name, field.meaning, field.unit);
   }
   text += fmt::format(
-      "\nA closed loop stands if its rollout completes, keeps the limits, and saturates a joint's torque in "
+      "\nA closed loop holds if its rollout completes, keeps the limits, and saturates a joint's torque in "
       "at\nmost {} % of the control periods: a loop that is unstable chatters from bound to bound, long before "
       "it\ndiverges or tracks much worse. The search strides away from the nominal value to the first failure "
       "and\nbisects: to adjacent periods, or to 2 %. A margin is 'none' where not even the nominal value stands.\n"
@@ -100,7 +100,7 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   args->options.workers = default_workers();
   CLI::App* command = app.add_subcommand(
-      "margins", "Find how much delay, gain, slowness and noise the closed loop stands, by bisection");
+      "margins", "Find stability margins by bisection: extra delay, gain, control rate, noise");
   command->add_option("RUN_OR_GAINS", args->set, "a run folder, bundled gains or a YAML file")->required();
   command->add_option("--scenarios", args->scenarios,
                       "where it must stand; unless given, the run's study says, or fixed_target, "

@@ -60,7 +60,7 @@ void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<Mon
 }  // namespace
 
 void MonteCarloPrinter::resumed(std::size_t recalled) {
-  say(fmt::format("goes on after {} finished samples\n", recalled));
+  say(fmt::format("resuming after {} finished samples\n", recalled));
 }
 
 int MonteCarloPrinter::ended(const MonteCarloOutcome& outcome) const {

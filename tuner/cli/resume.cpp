@@ -100,7 +100,7 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   }
   if (words.size() > 2) {
     throw InputError(
-        fmt::format("--resume goes on with what {} was begun with ('armtune {}'); '{}' cannot be changed, "
+        fmt::format("--resume continues what {} was begun with ('armtune {}'); '{}' cannot be changed, "
                     "only {} and {}",
                     *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, ", "), kLive));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// --resume FOLDER: a run goes on where it was killed, with the arguments it was begun with.
+// --resume FOLDER: resumes a run where it was killed, with the arguments that it was begun with.
 
 #include <string>
 #include <vector>

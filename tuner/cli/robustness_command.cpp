@@ -73,7 +73,9 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", args->seed, "of the draws")
       ->check(CLI::Range(0L, 1000000000000L))
       ->capture_default_str();
-  command->add_option("--sample", args->only, "only this one, the same to the byte as among the others")
+  command
+      ->add_option("--sample", args->only,
+                   "simulate only this sample; it is byte-identical to the one among the others")
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option(
       "--limit", args->limits,

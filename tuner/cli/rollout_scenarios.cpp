@@ -67,7 +67,7 @@ Inputs inputs_of(const std::string& run) {
   return inputs;
 }
 
-/// The study's scenarios; none where there is no study, or its files are elsewhere by now.
+/// The study's scenarios; none if there is no study, or its files were moved.
 std::vector<Scenario> studied(const std::string& run) {
   const auto path = find_run_file(run, "study.yaml");
   if (!path) return {};

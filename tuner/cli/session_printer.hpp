@@ -14,7 +14,7 @@ void print_warning(const std::string& sentence);
 /// Says on stderr that a run which failed can be resumed, and how.
 void print_can_resume(const std::string& folder);
 
-/// Observer: SessionObserver, or that of a kind of session, of which the rest stays to be told.
+/// Observer: SessionObserver, or one that is derived from it; its other functions are left to be overridden.
 template <class Observer = SessionObserver>
 class SessionPrinter : public Observer {
  public:

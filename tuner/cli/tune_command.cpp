@@ -32,7 +32,7 @@ Study load(const Arguments& args) {
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   WarmArguments warm = args.warm;
-  // The run that a warm start came from may be gone by now; its gains are kept.
+  // The run that a warm start came from may have been deleted since; its gains are kept.
   const RunPlace& place = args.settings.place;
   if (place.resume && !warm.from.empty()) warm.from = place.folder + "/" + kWarmGains;
   apply(warm, study);
@@ -79,7 +79,7 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       "leave out what comes after the search: margins, random arms, endurance, and which gains matter");
   command->add_flag(
       "--live", settings.live,
-      "keep report.html fresh while the search goes on: open it in a browser, it loads itself again");
+      "keep report.html fresh while the search runs: open it in a browser, it loads itself again");
   add_yardstick_option(*command, args->yardstick);
   add_warm_options(*command, args->warm);
   command->footer(tune_help);

@@ -80,7 +80,7 @@ std::string metrics_text() {
     text += fmt::format("{} {:<34} {} [{}]\n", sign, field.name, field.meaning, field.unit);
   }
   text += R"(
-A rollout of the search ends where a constraint is broken beyond repair (study file, constraints/hopeless: auto,
+The search abandons a rollout that breaks a constraint too far to recover (study file, constraints/hopeless: auto,
 never, or a value beyond the limit). By default that is twice the limit of joint_velocity/max_ratio and 0.1 rad
 beyond that of joint_position/min_margin, never for others; a value can be given for at_most of
  )";

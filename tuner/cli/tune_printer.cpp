@@ -83,7 +83,7 @@ void TunePrinter::began(const Study& study, std::size_t recalled) {
         "the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
         swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched"));
   }
-  if (settings_.place.resume) say(fmt::format("goes on after {} finished evaluations\n", recalled));
+  if (settings_.place.resume) say(fmt::format("resuming after {} finished evaluations\n", recalled));
   std::fflush(stdout);
 }
 

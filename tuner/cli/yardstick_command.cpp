@@ -43,7 +43,7 @@ int run(const YardstickRequest& request) {
 void add_yardstick_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<YardstickRequest>();
   CLI::App* command = app.add_subcommand(
-      "yardstick", "Hold each switch, return and lap of a run against the best that the arm's limits allow");
+      "yardstick", "Compare each switch, return and lap of a run with the best that the arm's limits allow");
   command
       ->add_option(
           "RUN", args->folder,

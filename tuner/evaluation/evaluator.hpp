@@ -34,7 +34,7 @@ class Evaluator {
   /// the search now asks for.
   bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
-  /// True once the run was asked to stop and nothing is left to recall: a run that goes on comes at least to
+  /// True once the run was asked to stop and nothing is left to recall: a resumed run comes at least to
   /// where it was before.
   bool stopped() const { return stop_ && !recalls(count_); }
 
@@ -42,7 +42,7 @@ class Evaluator {
   /// follow it; the run's with nothing kept. At first they are the run's.
   void use(Minutes minutes, double kept = 0.0);
 
-  /// False once the minutes are over. A run that goes on takes them to be over where they were before, and
+  /// False once the minutes are over. A resumed run takes them to be over where they were before, and
   /// counts its minutes on.
   bool time_left();
   /// Whether they were over when they were looked at last.

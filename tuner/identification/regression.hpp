@@ -12,7 +12,7 @@ struct Estimate {
   Eigen::VectorXd theta;            ///< theta_base (rank)
   Eigen::MatrixXd covariance;       ///< of theta_base, with the prior's own where the rows say little
   Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
-  std::vector<int> not_excited;  ///< groups of which the rows say next to nothing, in order: near the prior
+  std::vector<int> not_excited;  ///< groups that the rows hardly excite, in order: they stay near the prior
   double condition = 0.0;        ///< of the weighted regressor with columns of unit length
   long rows = 0;                 ///< per joint
 

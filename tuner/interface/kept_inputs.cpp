@@ -52,8 +52,7 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
     for (const auto& [path, hash] : *some) {
       internal::read_input_file(path, std::size_t{1} << 30U, "an input");
       if (internal::hash_of_input(path) != hash) {
-        throw InputError(
-            fmt::format("{}: has changed since it was read; read it again, and begin anew", path));
+        throw InputError(fmt::format("{}: has changed since it was read; load the study again", path));
       }
     }
   }

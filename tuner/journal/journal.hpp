@@ -1,5 +1,5 @@
 #pragma once
-// journal.txt: every finished evaluation of a run, whole and checked, so that a run that was killed goes on
+// journal.txt: every finished evaluation of a run, whole and checked, so that a run that was killed resumes
 // where it was. A line each: a checksum (16 hexadecimal digits) over the rest of the line.
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-// Declared types read back from JSON by the reader of YAML, of which JSON is a part: the same limits, and
-// errors that name file, line and key.
+// Declared types read back from JSON by the reader of YAML, since JSON is a part of YAML: the same limits,
+// and errors that name file, line and key.
 
 #include <algorithm>
 #include <optional>

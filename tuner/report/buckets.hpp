@@ -1,5 +1,5 @@
 #pragma once
-// A run's rows in buckets of equal length, of each of which a plot keeps the smallest and the largest value:
+// A run's rows in buckets of equal length. A plot keeps the smallest and the largest value of each bucket:
 // what it shows at a bucket a pixel is what it would show with every row.
 
 #include <span>

@@ -27,7 +27,7 @@ enum class Existing {
 /// Writes the report of a run folder to `path`: 6 MB at most, for which plots and replay are made coarser,
 /// and sections shortened, where it takes that; the page says so. Throws InputError if it is no folder of a
 /// run, if the path cannot be written or is there and not to be replaced, FailedError, which says how
-/// to get it, where the page is not built in. `live`: the run goes on, and the page loads itself again.
+/// to get it, where the page is not built in. `live`: the run has not ended, and the page loads itself again.
 Written write_report(const std::string& folder, const std::string& path,
                      Existing existing = Existing::kReplace, const std::optional<Live>& live = {});
 

@@ -93,7 +93,7 @@ struct Live {
   long written = 0;
 
   static void declare(auto& f, auto& live) {
-    f.type("Live", "Of a page that is written again and again while its run goes on.");
+    f.type("Live", "Of a page that is written again and again while its run lasts.");
     f("evaluations", live.evaluations)("most_evaluations", live.most_evaluations);
     f("seconds_left", live.seconds_left, "About, of the search.", kOrNull);
     f("every", live.every, "Seconds after which the page loads itself again.");

@@ -11,7 +11,7 @@ namespace armtune::internal::report {
 /// cannot be understood, which is said in `left_out` and the verdict's details. Without scene.json, as of
 /// older runs, there is no replay. bytes: what the data may take as text; where they would take more,
 /// sections are shortened and recordings left out, and `thinned` and the verdict's details say which. `live`:
-/// of a run that goes on. Throws InputError if it is no folder of a run.
+/// of a run that has not ended. Throws InputError if it is no folder of a run.
 ReportData report_of(const std::string& folder, std::size_t bytes = 5'000'000,
                      const std::optional<Live>& live = {});
 

@@ -109,7 +109,7 @@ struct FrontPoint {
   static void declare(auto& f, auto& point) {
     f.type("FrontPoint")("values", point.values)("label", point.label)("feasible", point.feasible);
     f("role", point.role, {"start", "chosen", "shown", "point"},
-      "chosen: of a search, what it ended with; shown: of a front, the one of which replay and tables are.");
+      "chosen: the result of a search; shown: the point of a front that replay and tables show.");
   }
 };
 
@@ -153,7 +153,7 @@ struct Histogram {
   static void declare(auto& f, auto& one) {
     f.type("Histogram")("metric", field(one.metric).name)("unit", field(one.metric).unit);
     f("scenario", one.scenario)("limit", one.limit)("counts", one.counts);
-    f("failed", one.failed, "Arms that did not complete, of which there is no value.");
+    f("failed", one.failed, "How many arms did not complete; they have no value.");
     f("edges", one.edges, "One more than counts.")("nominal", one.nominal);
   }
 };

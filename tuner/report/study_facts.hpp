@@ -1,5 +1,5 @@
 #pragma once
-// What study.yaml says of a run, without the files that it names: they may be elsewhere by now.
+// What study.yaml says of a run, without the files that it names: they may have been moved.
 
 #include <optional>
 #include <string>

@@ -47,9 +47,9 @@ Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
   } else if (data.robustness) {
     so_far = fmt::format("{} of {} arms keep every limit", data.robustness->kept, data.robustness->samples);
   }
-  verdict.sentence =
-      joined({data.live ? "This run goes on" : "This run is not finished: it goes on still, or was killed",
-              "so far " + so_far});
+  verdict.sentence = joined({data.live ? "This run is still running"
+                                       : "This run is not finished: it is still running, or it was killed",
+                             "so far " + so_far});
   if (facts.resumable && !data.live) {
     verdict.details.push_back(fmt::format("To go on with it: armtune {} --resume FOLDER", name(data.kind)));
   }

@@ -11,7 +11,7 @@ class AppendFile {
   enum class Open {
     kNew,      ///< refuses a file that exists; keeps other processes from going on with it
     kReplace,  ///< grows beside an older file of that name until `publish` puts it in its place
-    kContinue  ///< goes on at the end of one that exists; refuses if another process does so
+    kContinue  ///< continues at the end of a file that exists; refuses if another process writes it
   };
 
   /// patience: how long to wait for a process that has the file [s]. Throws InputError with path and reason.

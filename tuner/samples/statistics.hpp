@@ -15,7 +15,7 @@ double quantile(std::span<const double> sorted, double p);
 /// value at the edge counts with the part of it that belongs to the share. sorted: ascending, at least one.
 double conditional_value_at_risk(std::span<const double> sorted, double p);
 
-/// 95 % confidence interval of a probability of which `successes` of `trials` (>= 1) were seen (Wilson,
+/// Returns the 95 % confidence interval of a probability after `successes` in `trials` (>= 1) (Wilson,
 /// 1927): unlike the normal approximation's it holds for yields near 1.
 std::pair<double, double> wilson_interval(std::size_t successes, std::size_t trials);
 

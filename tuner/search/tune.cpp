@@ -196,7 +196,7 @@ bool Run::search_globally(JoinedSearch search) {
   search.options.algorithm = global_of(study_);
   const long left = std::max(0L, most_in(engine_) - out_.evaluations);
   const long share = std::lround(study_.global_share * static_cast<double>(left));
-  // The clock as it stood at the last evaluation: the same where the run goes on.
+  // The clock as it stood at the last evaluation: the same in a resumed run.
   const double rest = std::max(0.0, 60.0 * study_.max_minutes - kept_ - seconds_);
   evaluator_.use(Minutes::kGlobal, kept_ + (1.0 - study_.global_share) * rest);
   const bool whole = search_together("global", {search}, out_.evaluations + share);

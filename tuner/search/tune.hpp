@@ -43,7 +43,7 @@ struct TuneResult {
 
 /// Runs the study. `stop`: set from outside to end after the rollouts under way are dropped. Deterministic:
 /// a function of the study alone, unless max_minutes is set. journal: where evaluations are recorded and, if
-/// the run goes on after it was killed, recalled from. Throws InputError if the start gains give no
+/// the run is resumed, recalled from. Throws InputError if the start gains give no
 /// reference.
 TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);

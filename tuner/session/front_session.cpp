@@ -99,7 +99,7 @@ ParetoOptions FrontSession::options() const {
   const auto least = static_cast<long>(options.searches() * (study_.space.free.size() + 1));
   if (options.max_evaluations < 3 * least / 2) {
     observer_.warned(fmt::format(
-        "{} evaluations are few for {} searches over {} gains, each of which begins with one evaluation per "
+        "{} evaluations are too few for {} searches over {} gains: each search begins with one evaluation per "
         "gain; allow {} or ask for fewer --levels",
         options.max_evaluations, options.searches(), study_.space.free.size(), 3 * least / 2));
   }

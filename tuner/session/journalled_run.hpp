@@ -40,7 +40,7 @@ class JournalledRun {
   /// link or another run than the header says; of a new run nothing is left then.
   JournalledRun(RunPlace place, const RunHeader& header, const std::vector<std::string>& inputs,
                 SessionObserver& observer, const std::function<void()>& write_first = {});
-  /// Takes away the folder of a new run of which nothing is to be kept (see keep).
+  /// Deletes the folder of a new run unless keep() was called.
   ~JournalledRun();
   JournalledRun(const JournalledRun&) = delete;
   JournalledRun& operator=(const JournalledRun&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-// A report that is kept fresh while its run goes on.
+// A report that is kept fresh while its run lasts.
 
 #include <chrono>
 #include <string>

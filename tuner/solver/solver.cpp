@@ -204,7 +204,7 @@ const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t paramete
   return info;
 }
 
-/// NLopt takes a start that is no number, and says of bounds only that they are wrong.
+/// NLopt accepts a start that is not a number, and says of bounds only that they are wrong.
 void check_start(const SolverProblem& problem) {
   for (std::size_t i = 0; i < problem.start.size(); ++i) {
     const double lower = problem.lower_bound(i);

@@ -69,7 +69,7 @@ struct SolverOutcome {
 /// Names of the algorithms offered, with a word on each.
 struct AlgorithmInfo {
   const char* name;
-  bool local;              ///< goes on from its start; otherwise it searches the whole box
+  bool local;              ///< searches from its start; otherwise it searches the whole box
   bool takes_constraints;  ///< otherwise an augmented Lagrangian is put around it
   bool uses_differences;
   bool draws_random_numbers;

@@ -23,7 +23,7 @@ struct Evaluation {
   std::vector<RolloutResult> results;  ///< one per scenario
   Engine engine = Engine::kSimbody;    ///< that gave the results
   double seconds = 0.0;                ///< wall time of the run when it was finished
-  bool recalled = false;               ///< from the journal of a run that goes on
+  bool recalled = false;               ///< from the journal of a run that is resumed
 };
 
 /// As a search with penalties sees it: objective + penalty * sum of its positive relative violations.

@@ -42,7 +42,7 @@ Hopeless read_hopeless(const yaml::Node* node, Metric metric, bool upper, std::o
   const char* bound = upper ? "at_most" : "at_least";
   if (!can_be_hopeless(metric, upper)) {
     node->fail(
-        fmt::format("{} with {} can recover while a rollout runs, so no value is beyond repair; leave the "
+        fmt::format("{} with {} can recover while a rollout runs, so no value of it is hopeless; leave the "
                     "key out; metrics that cannot, with {}: {}",
                     name(metric), bound, bound, fmt::join(names_of_those_that_can(upper), ", ")));
   }

@@ -1,5 +1,6 @@
 #pragma once
-// From which value of its metric on a constraint is broken beyond repair, so that a rollout may end there.
+// The value of its metric from which a constraint is broken too far to recover, so that a rollout may be
+// abandoned.
 
 #include <optional>
 #include <string>
@@ -19,8 +20,8 @@ struct Hopeless {
   double value = 0.0;  ///< of kFrom, in the metric's unit
 };
 
-/// Whether a broken bound can be beyond repair: an upper one of a metric that only grows, a lower one of a
-/// metric that only shrinks.
+/// Returns true if a broken bound can be too far to recover: an upper one of a metric that only grows, a
+/// lower one of a metric that only shrinks.
 bool can_be_hopeless(Metric metric, bool upper);
 
 /// What kAuto stands for under a limit: joint_velocity/max_ratio from twice the limit on,

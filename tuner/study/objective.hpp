@@ -53,7 +53,8 @@ class Objective {
   /// a hopeless one, with how far its constraints were broken by then: more than any that did complete.
   void judge(Evaluation& e) const;
 
-  /// Where rollouts of a candidate end, beyond repair, per scenario of the study. Not for the start's own.
+  /// Limits at which a candidate's rollouts are abandoned, per scenario of the study. Not for the start's
+  /// own.
   const std::vector<EndLimits>& end_limits() const { return end_limits_; }
 
   const std::vector<ObjectiveTerm>& terms() const { return terms_; }

@@ -26,7 +26,7 @@ struct ControllerKind {
   /// Sets own gains to begin with on an arm without any, at q (n) on its task; where there is none, they are
   /// what own_gain says.
   std::function<void(const RobotModel&, const JointVector& q, Gains&)> start;
-  /// Whether it finds out about an arm of which it is told nothing.
+  /// True if the law adapts its model of the arm online.
   bool learns = false;
   /// Its law, where it is written for several arms side by side.
   std::optional<ArmLawKind> lanes = {};

@@ -22,7 +22,7 @@ JointVector joint_inertia(const RobotModel& robot, const JointVector& q);
 /// kg m^2]; zero along an axis in which no joint moves it.
 Vec6 task_inertia(const RobotModel& robot, const JointVector& q);
 
-/// Kp and Ki of the Cartesian references, where there are none.
+/// Sets Kp and Ki of the Cartesian references where they are zero.
 void first_references(Gains& gains);
 
 }  // namespace armtune::internal

@@ -7,8 +7,8 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kStiffRate = 40.0;  // 1/s
-/// Outside the task nothing is stiff: there the joints' dampers alone hold an arm on its references against
-/// what the model has wrong, or it drifts to its limits.
+/// Outside the task nothing is stiff: there only the joints' dampers resist the errors
+/// of the model, without which the arm drifts to its limits.
 constexpr double kDampedRate = 20.0;  // 1/s
 
 }  // namespace

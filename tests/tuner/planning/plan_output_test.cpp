@@ -182,7 +182,7 @@ TEST(PlanFiles, TrajectoryHasEveryKnotAndRatiosToTheRobotsLimits) {
   EXPECT_LE(largest_ratio, 0.5 + 1e-6) << "half the robot's limit is what the task allows";
   for (const PlanColumn& column : trajectory_columns(plan.task, plan.robot())) {
     if (column.name == joint + "velocity_ratio") {
-      EXPECT_THAT(column.meaning, HasSubstr("robot's limit, of which this task allows 0.5"));
+      EXPECT_THAT(column.meaning, HasSubstr("robot's limit; this task allows 0.5"));
     }
     if (column.name == joint + "torque_ratio") {
       EXPECT_THAT(column.meaning, HasSubstr("allows 0.75"));

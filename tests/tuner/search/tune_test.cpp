@@ -147,7 +147,7 @@ TEST(Tune, EndsHopelessRolloutsEarlyAndStillSeesTheBestOneWhole) {
       if (r.status != RolloutStatus::kHopeless) continue;
       ++hopeless;
       EXPECT_FALSE(e.feasible);
-      EXPECT_THAT(e.status, testing::HasSubstr("beyond repair"));
+      EXPECT_THAT(e.status, testing::HasSubstr("abandoned"));
       EXPECT_THAT(one.journal, testing::HasSubstr(e.status));
       EXPECT_LT(r.end_time, study.scenarios[0].duration);
       // Simulated whole it breaks the limit all the same.

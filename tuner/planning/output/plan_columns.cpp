@@ -74,7 +74,7 @@ class Columns {
 
  private:
   static std::string of_robot(const char* what, double share) {
-    return fmt::format("|{}| over the robot's limit, of which this task allows {:.4g}", what, share);
+    return fmt::format("|{}| over the robot's limit; this task allows {:.4g}", what, share);
   }
 
   const PlanTask& task_;

@@ -6,7 +6,7 @@
 
 namespace armtune::internal {
 
-/// By how much a row's value is outside its bounds; infinite where it is no number.
+/// By how much a row's value is outside its bounds; infinite where it is not a number.
 double violation(const RowBounds& bounds, Eigen::Index row, double value);
 
 class ViolationPrice {

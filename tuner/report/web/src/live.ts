@@ -11,7 +11,7 @@ export function liveWords(live: Live, now: number): string {
   const age = now - live.written;
   const done = `${live.evaluations} of ${live.most_evaluations} evaluations`;
   if (age > Math.max(SILENT_S, 10 * live.every)) {
-    return `${done}. Nothing new for ${duration(age)}: the search is over and its analysis goes on, or the run was killed (then "armtune tune --resume" goes on with it). Loaded again every ${live.every} s.`;
+    return `${done}. Nothing new for ${duration(age)}: the search is over and its analysis is under way, or the run was killed (then "armtune tune --resume" continues it). Loaded again every ${live.every} s.`;
   }
   const left = live.seconds_left === null ? "" : `, about ${duration(live.seconds_left)} left`;
   const written = new Date(1000 * live.written).toISOString().slice(11, 19);

@@ -16,7 +16,7 @@ test("zeros at the end go, those in front of the point stay", () => {
   assert.equal(formatNumber(0), "0");
 });
 
-test("what is no number is a dash or an infinity", () => {
+test("what is not a number is a dash or an infinity", () => {
   assert.equal(formatNumber(null), "–");
   assert.equal(formatNumber(undefined), "–");
   assert.equal(formatNumber(NaN), "–");

@@ -39,7 +39,7 @@ export function marginsSection(data: ReportData): Section | null {
   return section(
     "margins",
     "Margins",
-    "How much it stands, and what breaks first",
+    "Stability margins, and what breaks first",
     all.length > 0 ? table(all, data.sets, false) : table(single, data.sets, true),
     all.length > 0 &&
       single.length > 0 &&
