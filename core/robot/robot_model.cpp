@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
+#include "core/robot/body_inertia.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -20,7 +20,6 @@ Mat3 unit_point_inertia(const Vec3& p) {
   return p.squaredNorm() * Mat3::Identity() - p * p.transpose();
 }
 
-constexpr double kInertiaTolerance = 1e-4;  ///< of the largest principal moment: five printed digits
 constexpr double kRotationTolerance = 1e-6;
 constexpr double kHeaviest = 1e6;  ///< kg: beyond every arm's link, below what rounds its inertia away
 constexpr double kFarthest = 1e4;  ///< m: no arm is as long, and squares of it keep their digits
@@ -128,20 +127,12 @@ void Checker::link(int i) const {
   require((I_B - I_B.transpose()).norm() <= kRotationTolerance * I_B.norm(),
           "link '{}': inertia is not symmetric (ixy {:.6g}, iyx {:.6g})", link, I_B(0, 1), I_B(1, 0));
 
-  const Mat3 I_steiner = body.mass * unit_point_inertia(body.first_moment / body.mass);
-  const Vec3 moments =
-      Eigen::SelfAdjointEigenSolver<Mat3>(I_B - I_steiner, Eigen::EigenvaluesOnly).eigenvalues();
-  // The second term is the rounding of the subtraction: a point mass has moments of zero.
-  const double slack = kInertiaTolerance * std::abs(moments[2]) + 1e-12 * I_B.norm();
-  require(moments[0] >= -slack,
-          "link '{}': a principal moment of inertia about its centre of mass is {:.6g} kg m^2; none may be "
-          "negative",
-          link, moments[0]);
-  require(moments[0] + moments[1] >= moments[2] - slack,
-          "link '{}': principal moments of inertia {:.6g}, {:.6g}, {:.6g} kg m^2 violate the triangle "
-          "inequality; "
-          "no rigid body has a moment larger than the sum of the other two",
-          link, moments[0], moments[1], moments[2]);
+  const Vec3 moments = principal_moments(body);
+  require(
+      is_physical(body),
+      "link '{}': its principal moments of inertia about its centre of mass are {:.6g}, {:.6g} and {:.6g} kg m^2; "
+      "no rigid body has a negative one, or one larger than the sum of the other two (triangle inequality)",
+      link, moments[0], moments[1], moments[2]);
   if (model_.chain.motion[k] == JointMotion::kRevolute)
     require(I_B(2, 2) > 1e-12 * I_B.trace(),
             "link '{}': inertia about the axis of joint '{}' is {:.6g} kg m^2; it turns, so it must be > 0",
@@ -268,7 +259,7 @@ double reach(const RobotModel& model) {
   double sum = chain.p_BT.norm();
   for (int i = 0; i < chain.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    sum += chain.p_PB0[k].norm();
+    if (i > 0) sum += chain.p_PB0[k].norm();
     if (chain.motion[k] == JointMotion::kPrismatic) {
       const JointLimits& limits = model.joints[k].limits;
       sum += std::max(std::abs(limits.lower), std::abs(limits.upper));

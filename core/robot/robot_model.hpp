@@ -31,6 +31,8 @@ struct RobotModel {
   std::vector<JointInfo> joints;
   std::vector<Shape> shapes;  ///< of all links, for drawing; may be empty
   JointVector link_radii;     ///< of each joint's link [m], NaN where not known; empty: none is
+  std::vector<std::string>
+      estimated_rotors;  ///< joints whose rotor inertia is an estimate (rotor_estimate.hpp)
   Chain chain;
 
   int n() const { return chain.n; }
@@ -54,8 +56,9 @@ std::vector<std::string> joint_names(const RobotModel& model);
 /// `elbow_joint/rotor_inertia`, `.../viscous_friction`, `.../coulomb_friction`.
 std::vector<std::string> theta_names(const RobotModel& model);
 
-/// Sum of the distances from the base frame over all joint origins to the tool's origin, plus the travel of
-/// prismatic joints [m]: the tool's origin is never farther from the base frame's.
+/// Returns the sum of the distances from the first joint's origin over all other joint origins to the tool's,
+/// plus the travel of prismatic joints [m]. The tool's origin is never farther from the first joint's. Where
+/// the arm stands does not count.
 double reach(const RobotModel& model);
 
 /// The inertia of a body with frame B as seen from frame A: about A's origin, in A's axes. R_AB, p_AB [m]:

@@ -10,14 +10,11 @@
 #include <vector>
 
 #include "armtune/error.hpp"
+#include "core/robot/link_inertias.hpp"
 #include "core/robot/urdf_selection.hpp"
 
 namespace armtune::internal {
 namespace {
-
-/// Of the largest moment of inertia, about the link's origin too: what a rod's smallest one can be off when
-/// it was turned into other axes, or moved to the centre of mass by whoever wrote the file.
-constexpr double kRounding = 1e-12;
 
 /// R_CB: the smallest rotation that takes z onto the unit vector `axis`; onto -z, a half turn about x.
 Mat3 z_onto(const Vec3& axis) {
@@ -28,13 +25,6 @@ Mat3 z_onto(const Vec3& axis) {
   return Eigen::Quaterniond(w, -axis.y(), axis.x(), 0.0).normalized().toRotationMatrix();
 }
 
-/// Where a link's frame L sits: fixed in the frame B of a moving body, or in the base (body -1).
-struct Site {
-  int body = -1;
-  Mat3 R_BL = Mat3::Identity();
-  Vec3 p_BL = Vec3::Zero();
-};
-
 class ArmBuilder {
  public:
   ArmBuilder(const std::string& source, const UrdfOptions& options, MissingData* missing)
@@ -43,6 +33,7 @@ class ArmBuilder {
   }
 
   RobotModel build(const UrdfTree& tree) {
+    tree_ = &tree;
     model_.name = tree.name;
     require_tree(tree, model_.source);
     selection_ = select_arm(tree, options_, model_.source);
@@ -52,6 +43,7 @@ class ArmBuilder {
     if (!loose_.empty()) refuse_loose();
     refuse_unused();
     if (missing_ != nullptr) find_massless();
+    link_inertias_.judge(model_.chain, model_.source, missing_);
     if (model_.n() > 0) place_tool();
     validate(model_);
     return std::move(model_);
@@ -202,7 +194,7 @@ class ArmBuilder {
     chain.rotor_inertia.conservativeResize(chain.n);
     chain.viscous_friction.conservativeResize(chain.n);
     chain.coulomb_friction.conservativeResize(chain.n);
-    chain.rotor_inertia[i] = 0.0;
+    chain.rotor_inertia[i] = joint.rotor_inertia;
     chain.viscous_friction[i] = joint.damping;
     chain.coulomb_friction[i] = joint.friction;
     model_.joints.push_back({joint.name, joint.child, limits_of(joint)});
@@ -251,15 +243,25 @@ class ArmBuilder {
     }
   }
 
+  /// The fingers of a gripper move on one link: to hold one of them alone would make the other a joint of the
+  /// arm.
+  [[noreturn]] void refuse_mimic(const UrdfJoint& joint) const {
+    const auto leader = tree_->joints.find(joint.mimics);
+    const bool fingers =
+        leader != tree_->joints.end() && leader->first != joint.name && leader->second.parent == joint.parent;
+    const std::string both =
+        fingers ? fmt::format("{}: {}, ", joint.mimics, place_to_hold(leader->second)) : "";
+    refuse(
+        "joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; hold {} by 'hold: {{{}{}: {}}}' in a robot YAML",
+        joint.name, joint.mimics, fingers ? " beside it, as the fingers of a gripper do" : "",
+        fingers ? "both" : "it", both, joint.name, place_to_hold(joint));
+  }
+
   void require_supported(const UrdfJoint& joint, const Site& parent) const {
     if (joint.motion == UrdfMotion::kOther)
       refuse("joint '{}': floating and planar joints are not supported; make it fixed, or several joints",
              joint.name);
-    if (!joint.mimics.empty())
-      refuse(
-          "joint '{}': it mimics joint '{}', which armtune cannot simulate; make it fixed, or hold it by "
-          "'hold: {{{}: {}}}' in a robot YAML",
-          joint.name, joint.mimics, joint.name, place_to_hold(joint));
+    if (!joint.mimics.empty()) refuse_mimic(joint);
     if (!joint.limits && missing_ == nullptr && !options_.limits.contains(joint.name))
       refuse("joint '{}': no limits; add <limit velocity=\"..\" effort=\"..\"/> in rad/s and N m",
              joint.name);
@@ -278,28 +280,10 @@ class ArmBuilder {
 
   void add_inertia(const UrdfLink& link, const Site& site) {
     if (const auto told = options_.inertia.find(link.name); told != options_.inertia.end()) {
-      const GivenInertia& given = told->second;
-      const LinkInertia about_center{given.mass, Vec3::Zero(), given.about_center};
-      return merge(in_frame(about_center, Mat3::Identity(), given.center), site);
+      link_inertias_.add(link.name, in_link_frame(told->second), site, model_.chain);
+    } else if (link.inertial) {
+      link_inertias_.add(link.name, inertia_of(link, model_.source), site, model_.chain);
     }
-    if (!link.inertial) return;
-    const UrdfInertial& given = *link.inertial;
-    // Merging could hide these two; the rest is judged for the whole body.
-    if (given.mass < 0.0) refuse("link '{}': mass is {} kg; it must not be negative", link.name, given.mass);
-    const double least = given.about_center.diagonal().minCoeff();
-    const double largest = given.about_center.diagonal().maxCoeff() + given.mass * given.p_LC.squaredNorm();
-    if (least < -kRounding * largest)
-      refuse("link '{}': a moment of inertia is {} kg m^2; none may be negative", link.name, least);
-    const LinkInertia about_center{given.mass, Vec3::Zero(), given.about_center};
-    merge(in_frame(about_center, given.R_LC, given.p_LC), site);
-  }
-
-  void merge(const LinkInertia& in_L, const Site& site) {
-    const LinkInertia in_B = in_frame(in_L, site.R_BL, site.p_BL);
-    LinkInertia& body = model_.chain.link[static_cast<std::size_t>(site.body)];
-    body.mass += in_B.mass;
-    body.first_moment += in_B.first_moment;
-    body.inertia += in_B.inertia;
   }
 
   std::string tip_name() const {
@@ -325,10 +309,12 @@ class ArmBuilder {
 
   const UrdfOptions& options_;
   MissingData* missing_;
+  const UrdfTree* tree_ = nullptr;
   UrdfSelection selection_;
   RobotModel model_;
-  std::vector<const UrdfJoint*> loose_;  ///< joints that move on the arm and are none of its own
-  std::map<std::string, Site> sites_;    ///< by link name; ordered, so that messages are
+  std::vector<const UrdfJoint*> loose_;  ///< joints that move on the arm but do not belong to it
+  LinkInertias link_inertias_;
+  std::map<std::string, Site> sites_;  ///< by link name; ordered, so that messages are
 };
 
 }  // namespace

@@ -40,13 +40,23 @@ struct UrdfOptions {
   std::map<std::string, GivenInertia> inertia;  ///< by link
 };
 
-/// What the arm needs and neither the file nor the options say.
+/// A link whose inertia no rigid body has, and a proposal for it.
+struct ImpossibleInertia {
+  std::string link;
+  GivenInertia nearest;
+  double moved = 0.0;  ///< its distance from what is given, as a share of that (Frobenius norms)
+};
+
+/// What the arm needs and neither the file nor the options say, or say wrongly.
 struct MissingData {
   std::vector<std::string> position;  ///< joints without position limits, or with two equal ones
   std::vector<std::string> velocity;  ///< joints without a velocity limit
   std::vector<std::string> effort;    ///< joints without an effort limit
   std::vector<std::string> inertia;   ///< links that move and have no mass, with what is fixed to them
-  bool empty() const { return position.empty() && velocity.empty() && effort.empty() && inertia.empty(); }
+  std::vector<ImpossibleInertia> impossible;
+  bool empty() const {
+    return position.empty() && velocity.empty() && effort.empty() && inertia.empty() && impossible.empty();
+  }
 };
 
 }  // namespace armtune::internal

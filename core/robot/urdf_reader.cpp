@@ -11,6 +11,7 @@
 
 #include "armtune/error.hpp"
 #include "core/robot/urdf_arm.hpp"
+#include "core/robot/urdf_rotors.hpp"
 #include "core/robot/urdf_shapes.hpp"
 #include "core/robot/xml_guard.hpp"
 
@@ -51,8 +52,7 @@ class ErrorLog : public console_bridge::OutputHandler {
 
 using Parsed = std::shared_ptr<const urdf::ModelInterface>;
 
-Parsed parse(const std::string& path) {
-  const std::string text = read_guarded_urdf(path);
+Parsed parse(const std::string& text, const std::string& path) {
   static std::mutex one_at_a_time;  // console_bridge has one handler per process
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   ErrorLog log;
@@ -136,10 +136,15 @@ UrdfLink link_of(const urdf::Link& from) {
 }
 
 UrdfTree read_tree(const std::string& path) {
-  const Parsed parsed = parse(path);
+  const std::string text = read_guarded_urdf(path);
+  const Parsed parsed = parse(text, path);
   UrdfTree tree{parsed->getName(), parsed->getRoot()->name, {}, {}};
   for (const auto& [name, link] : parsed->links_) tree.links.emplace(name, link_of(*link));
   for (const auto& [name, joint] : parsed->joints_) tree.joints.emplace(name, joint_of(*joint));
+  for (const auto& [name, inertia] : rotor_inertias(text, path)) {
+    if (const auto joint = tree.joints.find(name); joint != tree.joints.end())
+      joint->second.rotor_inertia = inertia;
+  }
   return tree;
 }
 

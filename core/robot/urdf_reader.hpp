@@ -10,9 +10,9 @@ namespace armtune::internal {
 
 /// Reads an expanded URDF: a serial arm of revolute, continuous and prismatic joints, alone or out of a
 /// larger tree; fixed links, and those behind held joints, are merged into the moving link that carries them;
-/// axes are normalised. Rotor inertia and friction are zero: a URDF has none (its `dynamics` element is taken
-/// as viscous and Coulomb friction where present). Frame 0 is the base link's frame, gravity as it is felt
-/// there. Throws InputError naming the file, the link or joint, and what to do.
+/// axes are normalised. Rotor inertia is that of its transmissions (urdf_rotors.hpp), else zero; its
+/// `dynamics` elements are taken as viscous and Coulomb friction. Frame 0 is the base link's frame, gravity
+/// as it is felt there. Throws InputError naming the file, the link or joint, and what to do.
 RobotModel read_urdf(const std::string& path, const UrdfOptions& options = {});
 
 /// All that a file leaves open of the arm that the options take out of it. Throws as read_urdf does for

@@ -118,7 +118,7 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   if (asked && !behind) {
     throw InputError(
         fmt::format("{}: no joints lead from base_link '{}' to tip_link '{}'; choose two links "
-                    "of which one is behind the other",
+                    "one of which is behind the other",
                     source, selection.base, tip));
   }
   selection.has_tip =

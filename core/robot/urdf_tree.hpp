@@ -28,9 +28,10 @@ struct UrdfJoint {
   Vec3 p_PL = Vec3::Zero();
   Vec3 axis = Vec3::Zero();  ///< in the child's frame, as written
   std::optional<Limits> limits;
-  double damping = 0.0;   ///< [N m s/rad, N s/m]
-  double friction = 0.0;  ///< [N m, N]
-  std::string mimics;     ///< the joint it follows; empty: none
+  double damping = 0.0;        ///< [N m s/rad, N s/m]
+  double friction = 0.0;       ///< [N m, N]
+  double rotor_inertia = 0.0;  ///< as the joint feels it [kg m^2, kg]
+  std::string mimics;          ///< the joint it follows; empty: none
 };
 
 struct UrdfInertial {

@@ -116,6 +116,7 @@ class Scanner {
   void element(std::size_t at, std::string_view body) {
     const std::string_view name = body.substr(0, body.find_first_of(" \t\r\n/"));
     if (name.starts_with("xacro:")) refuse_xacro(at, fmt::format("<{}>", name));
+    if (elements_ == 0) refuse_other_format(at, name);
     if (++elements_ > kMaxElements)
       refuse(at, "more than {} elements; armtune needs a serial arm", kMaxElements);
     if (name == "link" && ++links_ > kMaxLinks)
@@ -124,6 +125,21 @@ class Scanner {
     complete_limit(at, name, body);
     if (!body.ends_with('/') && ++depth_ > kMaxDepth)
       refuse(at, "elements are nested deeper than {}; a URDF needs no more than 10", kMaxDepth);
+  }
+
+  /// By its first element.
+  void refuse_other_format(std::size_t at, std::string_view name) const {
+    if (name == "sdf") {
+      refuse(
+          at,
+          "this is an SDF file, and armtune reads URDF; convert it, with sdf2urdf of sdformat_tools or of pysdf "
+          "for example");
+    }
+    if (name == "mujoco" || name == "mujocoinclude") {
+      refuse(at,
+             "this is an MJCF file of MuJoCo, and armtune reads URDF; convert it, with the Python package "
+             "mjcf-urdf-simple-converter for example, or take the vendor's URDF");
+    }
   }
 
   /// The robot's links and joints are at depth 1, and what they hold at depth 2.

@@ -10,8 +10,8 @@ namespace armtune::internal {
 /// not give stand in it as 0. Throws InputError naming file and line for: a file that cannot be read, is a
 /// directory, empty, larger than 32 MB, UTF-16 or binary; a tag or comment without its end; a second
 /// `<inertial>`, `<axis>`, ... in one link or joint; elements nested deeper than 1,000; more than 10,000
-/// links, 200,000 elements, or 100 attributes in one tag; xacro that is not expanded; a `%` or a character
-/// reference in any attribute but `filename`. All other errors are left to urdfdom.
+/// links, 200,000 elements, or 100 attributes in one tag; SDF and MJCF; xacro that is not expanded; a `%` or
+/// a character reference in any attribute but `filename`. All other errors are left to urdfdom.
 std::string read_guarded_urdf(const std::string& path);
 
 }  // namespace armtune::internal

@@ -19,6 +19,7 @@ enum class CheckKind {
   kGainFactor,
   kControlRate,
   kVelocityNoise,
+  kRotorEstimate,   ///< estimated rotor inertia at a third and at three times the estimate
   kYield,           ///< random arms that keep their limits
   kEndurance,       ///< extended scenarios keep every limit
   kErrorGrowth,     ///< and their errors do not grow

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "armtune/error.hpp"
 #include "core/control/measured_arm.hpp"
 #include "core/control/pose_search.hpp"
+#include "core/robot/dynamics.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/yaml/quoted.hpp"
 
@@ -21,9 +23,16 @@ constexpr std::size_t kTried = 40;  // of the samples, the best first
 constexpr int kHalvings = 3;
 constexpr double kRadius = 0.09;       // of the reach
 constexpr double kAhead = 0.35;        // of the reach
+constexpr double kNearest = 0.15;      // of the reach, where the floor is closer than kAhead
 constexpr double kApart = 0.1;         // of the reach, each target from the middle
 constexpr double kEnoughMargin = 0.1;  // of a joint's range
+constexpr double kAboveFloor = 0.1;    // m
+constexpr double kFolded = 0.08;       // of the reach, from the tool to the arm itself
+constexpr double kMostLoad = 0.75;     // of an effort limit
+constexpr double kUnlikely = 0.02;     // factor on the score of a place that will hardly do
 constexpr double kTurn = 10.0;         // s
+constexpr double kDuration = 30.0;     // s
+constexpr double kSwitch = 7.5;        // s
 constexpr double kCentering = 0.2;     // 1/s
 constexpr double kSingular = 1e-4;     // m^3, for a reach of 1 m: anything less is one by rounding
 
@@ -33,19 +42,35 @@ struct Place {
   double manipulability = 0.0;
 };
 
-std::vector<Place> good_places(const RobotModel& robot, TaskMask mask) {
+/// Height of the floor; without one, lower than anything.
+double floor_of(const RobotModel& robot, const TaskOptions& options) {
+  const bool upright = height_of(Vec3::UnitZ(), robot) > 0.5;
+  return options.floor.value_or(upright ? 0.0 : -std::numeric_limits<double>::infinity());
+}
+
+/// Largest share of a joint's effort limit that holding the arm still takes.
+double load_at(const RobotModel& robot, const Poses& poses) {
+  JointVector gravity;
+  gravity_torque(robot.chain, poses, gravity);
+  return (gravity.array().abs() / robot.effort_limits().array()).maxCoeff();
+}
+
+std::vector<Place> good_places(const RobotModel& robot, TaskMask mask, double floor) {
   std::vector<Place> places;
   places.reserve(kSamples);
   MeasuredArm arm;
   const JointVector rest = JointVector::Zero(robot.n());
+  const double size = reach(robot);
   for (unsigned sample = 0; sample < kSamples; ++sample) {
     Place place{sample_position(robot, sample), 0.0, 0.0};
     arm.measure(robot.chain, place.q, rest, {0.0, 1.0, 0.0}, mask);
     place.manipulability = arm.inverse.manipulability();
     const double margin = tightest_joint(robot, place.q).margin;
-    const double down = 0.5 * (1.0 - arm.poses.R_0T(2, 2));
-    const double above = arm.poses.p_0T.z() > kRadius * reach(robot) ? 1.0 : 0.2;
-    place.score = place.manipulability * std::min(1.0, margin / kEnoughMargin) * (0.1 + 0.9 * down) * above;
+    const double down = 0.5 * (1.0 - height_of(arm.poses.R_0T.col(2), robot));
+    const bool high = height_of(arm.poses.p_0T, robot) > floor + kAboveFloor + kRadius * size;
+    const bool light = load_at(robot, arm.poses) < kMostLoad;
+    place.score = place.manipulability * std::min(1.0, margin / kEnoughMargin) * (0.1 + 0.9 * down) *
+                  (high ? 1.0 : kUnlikely) * (light ? 1.0 : kUnlikely);
     places.push_back(std::move(place));
   }
   std::stable_sort(places.begin(), places.end(),
@@ -62,63 +87,138 @@ Vec3 rounded(const Vec3& x) {
   return {rounded(x.x()), rounded(x.y()), rounded(x.z())};
 }
 
-void put_task(const Poses& poses, double size, double shrunk, Scenario& scenario) {
+/// How far ahead of the tool the targets are: the lower one on the floor at most.
+double distance_ahead(const Poses& poses, const RobotModel& robot, double floor, double size) {
+  const double down = -height_of(poses.R_0T.col(2), robot);
+  const double aside = kApart * size * std::abs(height_of(poses.R_0T.col(0), robot));
+  const double height = height_of(poses.p_0T, robot) - aside - floor;
+  return down * kAhead * size > height ? height / down : kAhead * size;
+}
+
+void put_task(const Poses& poses, double ahead, double size, double shrunk, Scenario& scenario) {
   const Vec3 center = rounded(poses.p_0T);
   const double radius = kRadius * size * shrunk;
-  scenario.path = {
-      center,
-      2.0 * M_PI / kTurn,
-      0.0,
-      {{1, rounded(Vec3(radius * poses.R_0T.col(0))), rounded(Vec3(radius * poses.R_0T.col(1)))}}};
-  const Vec3 ahead = center + kAhead * size * poses.R_0T.col(2);
+  scenario.path.center = center;
+  scenario.path.terms = {
+      {1, rounded(Vec3(radius * poses.R_0T.col(0))), rounded(Vec3(radius * poses.R_0T.col(1)))}};
+  const Vec3 middle = center + ahead * poses.R_0T.col(2);
   const Vec3 aside = kApart * size * shrunk * poses.R_0T.col(0);
-  scenario.targets = {{"left", {rounded(Vec3(ahead + aside)), 0.0, 0.0, {}}},
-                      {"right", {rounded(Vec3(ahead - aside)), 0.0, 0.0, {}}}};
+  scenario.targets = {{"left", {rounded(Vec3(middle + aside)), 0.0, 0.0, {}}},
+                      {"right", {rounded(Vec3(middle - aside)), 0.0, 0.0, {}}}};
 }
 
 std::string list(const Vec3& x) {
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", x.x(), x.y(), x.z());
 }
 
-/// Circle, targets, goal and start where they fit. False: nowhere.
-bool place_task(DefaultTask& task) {
-  Scenario& scenario = task.scenario;
-  const RobotModel& arm = *scenario.robot;
-  const double size = reach(arm);
-  const std::vector<Place> places = good_places(arm, scenario.mask);
-  for (int halving = 0; halving <= kHalvings; ++halving) {
-    const double shrunk = 1.0 / (1 << halving);
-    for (const Place& place : places) {
-      if (!(place.manipulability > kSingular * std::pow(size, 3))) continue;
-      Poses poses;
-      forward_kinematics(arm.chain, place.q, poses);
-      put_task(poses, size, shrunk, scenario);
-      // From the circle's centre to where it begins.
-      task.goal = place.q;
-      ToolGoal begin{scenario.path.at(0.0).position, {}};
-      if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
-      if (!reach_goal(arm, begin, task.goal)) continue;
-      const PathWalk walk = walk_path(scenario, task.goal, kCentering);
-      if (!is_clear(walk)) continue;
-      task.manipulability = walk.manipulability.value;
-      scenario.start_position = off_goal(arm, task.goal);
-      return true;
+/// Puts circle, targets, goal and start where they fit, and remembers what stood in the way.
+class Placing {
+ public:
+  Placing(DefaultTask& task, double floor)
+      : task_(task), arm_(*task.scenario.robot), floor_(floor), size_(reach(arm_)) {}
+
+  /// Returns false if they fit nowhere.
+  bool place() {
+    const std::vector<Place> places = good_places(arm_, task_.scenario.mask, floor_);
+    // Better a smaller circle than one that leads to a joint's limit.
+    for (const double margin : {kEnoughMargin, 0.0}) {
+      least_margin_ = margin;
+      for (int halving = 0; halving <= kHalvings; ++halving) {
+        for (const Place& place : places) {
+          if (place_at(place, 1.0 / (1 << halving))) return true;
+        }
+      }
     }
+    return false;
   }
-  return false;
-}
+
+  /// What stood in the way of a task that the arm could follow otherwise; empty if there was none.
+  std::string obstacle() const {
+    if (lightest_.value < PathWalk::kUnseen) {
+      const JointInfo& joint = arm_.joints[static_cast<std::size_t>(loaded_)];
+      const Vec3& tool = lightest_.tool;
+      return fmt::format(
+          "joint '{}' needs {:.3g} of {:.3g} to hold the arm with its tool at ({:.3g}, {:.3g}, {:.3g}) m, and no "
+          "lighter task was found; check its effort limit and the masses",
+          joint.name, lightest_.value * joint.limits.effort, joint.limits.effort, tool.x(), tool.y(),
+          tool.z());
+    }
+    if (low_) {
+      return fmt::format(
+          "the circles that {} can follow come closer than {} m to the floor, which is {:.3g} m above its base "
+          "frame; --floor puts it elsewhere",
+          arm_.name, kAboveFloor, floor_);
+    }
+    return folded_ ? fmt::format("the circles that {} can follow touch the arm itself", arm_.name) : "";
+  }
+
+ private:
+  bool place_at(const Place& place, double shrunk) {
+    if (!(place.manipulability > kSingular * std::pow(size_, 3))) return false;
+    Scenario& scenario = task_.scenario;
+    Poses poses;
+    forward_kinematics(arm_.chain, place.q, poses);
+    const double ahead = distance_ahead(poses, arm_, floor_, size_);
+    if (ahead < kNearest * size_) {
+      low_ = true;
+      return false;
+    }
+    put_task(poses, ahead, size_, shrunk, scenario);
+    // From the circle's centre to where it begins.
+    task_.goal = place.q;
+    ToolGoal begin{scenario.path.at(0.0).position, {}};
+    if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
+    if (!reach_goal(arm_, begin, task_.goal)) return false;
+    const PathWalk walk = walk_path(scenario, task_.goal, kCentering);
+    if (!is_clear(walk) || walk.margin.value < least_margin_ || !is_free(walk)) return false;
+    task_.manipulability = walk.manipulability.value;
+    task_.load = walk.load.value;
+    scenario.start_position = off_goal(arm_, task_.goal);
+    return true;
+  }
+
+  /// Whether nothing but the arm's own motion stands in the way of a walk that is clear.
+  bool is_free(const PathWalk& walk) {
+    if (walk.low.value < floor_ + kAboveFloor) {
+      low_ = true;
+      return false;
+    }
+    if (walk.fold.value < kFolded * size_) {
+      folded_ = true;
+      return false;
+    }
+    if (walk.load.value <= kMostLoad) return true;
+    if (walk.load.value < lightest_.value) {
+      lightest_ = walk.load;
+      loaded_ = walk.loaded;
+    }
+    return false;
+  }
+
+  DefaultTask& task_;
+  const RobotModel& arm_;
+  double floor_;
+  double size_;
+  double least_margin_ = 0.0;  ///< share of a joint's range that the whole task keeps from its limits
+  WalkPlace lightest_{0.0, Vec3::Zero(),
+                      PathWalk::kUnseen};  ///< of the walks that only their load was against
+  int loaded_ = 0;                         ///< joint whose load it is
+  bool low_ = false;
+  bool folded_ = false;
+};
 
 }  // namespace
 
-DefaultTask default_task(std::shared_ptr<const RobotModel> robot) {
+DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options) {
   DefaultTask task;
   Scenario& scenario = task.scenario;
   scenario.name = "task";
   scenario.robot = std::move(robot);
   const RobotModel& arm = *scenario.robot;
-  scenario.duration = 30.0;
+  scenario.duration = kDuration * options.slowness;
   scenario.control_period = 0.002;
-  scenario.switch_every = 7.5;
+  scenario.switch_every = kSwitch * options.slowness;
+  scenario.path.frequency = 2.0 * M_PI / (kTurn * options.slowness);
   scenario.theta.model_scale = 0.8;
   scenario.plant.position_noise = 1e-4;
   scenario.plant.velocity_noise = 0.01;
@@ -126,18 +226,21 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot) {
   double mass = 0.0;
   for (int i = 0; i < arm.n(); ++i) mass += arm.chain.link[static_cast<std::size_t>(i)].mass;
   scenario.plant.payload.mass = rounded(0.02 * mass);
+  std::string obstacle;
   // The gaze leaves the roll to the arm: that many joints less are needed.
   for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
     scenario.mask = mask;
-    if (components(mask) <= arm.n() && place_task(task)) return task;
+    if (components(mask) > arm.n()) continue;
+    Placing placing(task, floor_of(arm, options));
+    if (placing.place()) return task;
+    if (obstacle.empty()) obstacle = placing.obstacle();
   }
+  if (obstacle.empty() && arm.n() < components(TaskMask::kPosition))
+    obstacle = fmt::format("{} joints are too few to have a tool anywhere, which takes three", arm.n());
   throw InputError(fmt::format(
-      "{}: no place was found where {} can draw even a circle of {:.2g} m{}; write a scenario with "
-      "a path of its own",
-      arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings),
-      arm.n() < components(TaskMask::kPosition)
-          ? fmt::format(": {} joints are too few to have a tool anywhere, which takes three", arm.n())
-          : ""));
+      "{}: no first task was found for {}, not even a circle of {:.2g} m{}{}; or write a scenario with a path of "
+      "its own",
+      arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings), obstacle.empty() ? "" : ": ", obstacle));
 }
 
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot) {

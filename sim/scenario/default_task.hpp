@@ -1,26 +1,38 @@
 #pragma once
-// A task for an arm of which nothing is known but its URDF: a circle where it moves best, with two targets
-// ahead of it that take turns. Something to begin tuning on, and to edit.
+// A first task for an arm, made from its URDF alone: a circle where it moves well, and two targets ahead of
+// the tool that take turns. It is something to begin tuning on, and to edit.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune::internal {
 
+struct TaskOptions {
+  /// Height of the floor above the base frame's origin, against gravity [m]. None: the floor is where an arm
+  /// stands whose base is upright, and there is none below any other.
+  std::optional<double> floor;
+  double slowness = 1.0;  ///< factor on all times, for an arm that is too slow for the task [1]
+};
+
 struct DefaultTask {
   Scenario scenario;
   JointVector goal;             ///< (n) [rad, m] on the task where it begins
-  double manipulability = 0.0;  ///< the smallest of the task on its way from there
+  double manipulability = 0.0;  ///< the smallest on the task
+  double load = 0.0;            ///< largest share of a joint's effort limit that holding the arm still takes
 };
 
-/// The circle is a tenth of the arm's reach, or as much smaller as its limits ask for, perpendicular to the
-/// tool's z axis; of the places where the arm moves well one that has the tool look down. The task is
-/// position and gaze, or position alone where the arm has no joints for more. Plant: noise, a period of
-/// delay, a payload of two per cent of the arm's mass and a model that is a fifth too light, so that gains
-/// cannot grow for nothing. Throws InputError if the arm has no place for even a small circle.
-DefaultTask default_task(std::shared_ptr<const RobotModel> robot);
+/// Returns a task that the arm can do. The circle's radius is a tenth of the arm's reach, or less where its
+/// limits ask for that, and it is perpendicular to the tool's z axis. Places where the arm moves well and the
+/// tool looks down come first. On the whole circle, the tool and the joints from the third on stay 0.1 m
+/// above the floor, the tool stays clear of the arm, and holding the arm still takes at most three quarters
+/// of each effort limit. The task is position and gaze, or position alone where the arm has no joints for
+/// more. The plant has noise, a period of delay, a payload of two per cent of the arm's mass, and the
+/// controller takes the arm for a fifth lighter than it is, so that high gains have a price. Throws
+/// InputError that says why there is no such place.
+DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
 /// It as a scenario file. robot: what the file names it by.
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot);

@@ -99,6 +99,19 @@ bool is_clear(const PathWalk& walk) {
 
 namespace {
 
+/// What the tool is to aim at. `wanted` keeps the orientation that it points to.
+ToolAim aim_at(const Scenario& scenario, double time, OrientationPoint& wanted) {
+  ToolAim aim;
+  aim.axis_only = scenario.mask == TaskMask::kPositionAndAxis;
+  if (scenario.orientation) {
+    wanted = scenario.orientation->at(time, scenario.path);
+    aim.orientation = &wanted;
+  } else {
+    aim.target = scenario.targets[scenario.active_target(time)].path.at(time);
+  }
+  return aim;
+}
+
 /// Over `walked` seconds; the joints that it ends with are left in q.
 PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain,
                   double roll_gain) {
@@ -107,48 +120,28 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
   const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
   const JointCentering centering = joint_centering(robot, centering_gain);
   RollCentering roll(robot, scenario.orientation ? 0.0 : roll_gain, scenario.mask);
+  const bool looks = tracks_orientation(scenario.mask) && !scenario.orientation;
   TaskGoal motion;
   motion.start(q);
   MeasuredArm arm;
+  WalkExtremes extremes(scenario, kOffPath);
   PathWalk walk;
-  walk.manipulability.value = std::numeric_limits<double>::infinity();
-  walk.margin.value = std::numeric_limits<double>::infinity();
-  walk.sight.value = std::numeric_limits<double>::infinity();
   const double dt = std::clamp(walked / kMostSteps, kStep, kLongestStep);
   const auto steps = static_cast<long>(std::min<double>(kMostSteps, std::ceil(walked / dt)));
   for (long k = 0; k <= steps; ++k) {
     const double time = scenario.start_time + static_cast<double>(k) * dt;
     const MotionPoint<Vec3> path = scenario.path.at(time);
     OrientationPoint wanted;
-    ToolAim aim;
-    aim.axis_only = scenario.mask == TaskMask::kPositionAndAxis;
-    if (scenario.orientation) {
-      wanted = scenario.orientation->at(time, scenario.path);
-      aim.orientation = &wanted;
-    } else {
-      aim.target = scenario.targets[scenario.active_target(time)].path.at(time);
-      const double sight = (aim.target.position - path.position).norm();
-      if (tracks_orientation(scenario.mask) && sight < walk.sight.value)
-        walk.sight = {time, path.position, sight};
-    }
+    const ToolAim aim = aim_at(scenario, time, wanted);
+    if (looks) take_smaller({time, path.position, (aim.target.position - path.position).norm()}, walk.sight);
     const MotionPoint<JointVector>& joints =
         motion.step(robot.chain, path, aim, damping, scenario.mask, centering, dt, &roll);
     arm.measure(robot.chain, joints.position, joints.velocity, damping, scenario.mask);
+    extremes.see(time, path.position, arm, joints.position, walk);
     walk.steps = k;
-    const double off = (arm.poses.p_0T - path.position).norm();
-    const double m = arm.inverse.manipulability();
-    if (!(off <= kOffPath) && walk.left.value == 0.0) walk.left = {time, path.position, off};
     walk.ended = time;
-    if (!(off <= walk.error.value)) walk.error = {time, path.position, off};
-    if (!(m >= walk.manipulability.value)) walk.manipulability = {time, path.position, m};
-    walk.largest_manipulability = std::max(walk.largest_manipulability, m);
-    const TightestJoint tightest = tightest_joint(robot, joints.position);
-    if (!(tightest.margin >= walk.margin.value)) {
-      walk.margin = {time, path.position, tightest.margin};
-      walk.joint = tightest.joint;
-    }
     q = joints.position;
-    if (!std::isfinite(off)) break;
+    if (!std::isfinite(walk.error.value)) break;
   }
   return walk;
 }

@@ -6,27 +6,9 @@
 #include <string>
 
 #include "sim/scenario/scenario.hpp"
+#include "sim/scenario/walk_extremes.hpp"
 
 namespace armtune::internal {
-
-/// A moment of a walk.
-struct WalkPlace {
-  double time = 0.0;         ///< [s]
-  Vec3 tool = Vec3::Zero();  ///< of the path, base frame [m]
-  double value = 0.0;
-};
-
-struct PathWalk {
-  WalkPlace left;            ///< first time off the path by more than a millimetre; value 0: never
-  WalkPlace error;           ///< largest distance of the tool from the path [m]
-  WalkPlace manipulability;  ///< smallest, of the task's components (equation 4)
-  WalkPlace margin;          ///< smallest share of a joint's range that is left to its limit
-  WalkPlace sight;           ///< smallest distance from the path to the target that is looked at [m]
-  double largest_manipulability = 0.0;
-  int joint = 0;       ///< whose margin it is
-  long steps = 0;      ///< that were gone
-  double ended = 0.0;  ///< [s]
-};
 
 /// From joint positions q (n) that have the tool on the path at scenario.start_time; over the whole scenario,
 /// or a turn of the path where that is shorter, targets rest, and the joints come round with it, or stay

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "armtune/error.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "sim/scenario/uniform.hpp"
 
 namespace armtune::internal {
@@ -44,6 +45,20 @@ void multiply(JointVector& factors, const JointVector& by) {
   factors = factors.size() > 0 ? JointVector(factors.cwiseProduct(by)) : by;
 }
 
+bool has_estimated_rotor(const RobotModel& robot, int i) {
+  const std::string& name = robot.joints[static_cast<std::size_t>(i)].name;
+  return std::count(robot.estimated_rotors.begin(), robot.estimated_rotors.end(), name) > 0;
+}
+
+/// From factors (n) of 1 +- width: of an estimated rotor inertia, the logarithm is uniform.
+JointVector rotor_factors(const RobotModel& robot, JointVector drawn, double width) {
+  if (width == 0.0) return drawn;
+  for (int i = 0; i < robot.n(); ++i) {
+    if (has_estimated_rotor(robot, i)) drawn[i] = std::pow(kRotorFactor, (drawn[i] - 1.0) / width);
+  }
+  return drawn;
+}
+
 }  // namespace
 
 std::span<const PerturbationField> perturbation_fields() {
@@ -53,7 +68,8 @@ std::span<const PerturbationField> perturbation_fields() {
       {"mass", "1", "+- share of each link's mass, first moment and inertia together", &P::mass, 1.0, false},
       {"center", "m", "+- each coordinate of each link's centre of mass", &P::center, kAny, true},
       {"inertia", "1", "+- share of each link's inertia about its centre of mass", &P::inertia, 1.0, false},
-      {"rotor", "1", "+- share of each joint's rotor inertia", &P::rotor, 1.0, false},
+      {"rotor", "1", "+- share of each joint's rotor inertia; an estimated one: a third to three times",
+       &P::rotor, 1.0, false},
       {"friction", "1", "+- share of each joint's friction in the scenario", &P::friction, 1.0, true},
       {"payload", "kg", "0 .. this point mass at the tool, in place of the scenario's; 0: the scenario's",
        &P::payload, kAny, true},
@@ -95,6 +111,16 @@ void validate(const Perturbation& perturbation, const std::string& where) {
   }
 }
 
+Scenario with_rotors_scaled(const Scenario& scenario, double factor) {
+  Scenario result = scenario;
+  JointVector factors = JointVector::Ones(scenario.robot->n());
+  for (int i = 0; i < scenario.robot->n(); ++i) {
+    if (has_estimated_rotor(*scenario.robot, i)) factors[i] = factor;
+  }
+  multiply(result.plant.rotor_factors, factors);
+  return result;
+}
+
 Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, std::uint64_t seed,
                    std::uint64_t sample) {
   validate(perturbation);
@@ -105,7 +131,8 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   // Everything is drawn whether it is used or not, the arm before the scene: one arm for every scenario.
   multiply(plant.mass_factors, draw.factors(n, perturbation.mass));
   multiply(plant.inertia_factors, draw.factors(n, perturbation.inertia));
-  multiply(plant.rotor_factors, draw.factors(n, perturbation.rotor));
+  multiply(plant.rotor_factors,
+           rotor_factors(*scenario.robot, draw.factors(n, perturbation.rotor), perturbation.rotor));
   const JointVector friction = draw.factors(n, perturbation.friction);
   if (plant.viscous_friction.size() > 0) multiply(plant.viscous_friction, friction);
   if (plant.coulomb_friction.size() > 0) multiply(plant.coulomb_friction, friction);

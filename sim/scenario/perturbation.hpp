@@ -16,7 +16,7 @@ struct Perturbation {
   double mass = 0.2;
   double center = 0.01;  ///< [m]
   double inertia = 0.2;
-  double rotor = 0.2;
+  double rotor = 0.2;  ///< of an estimated rotor inertia any value but 0 means kRotorFactor
   double friction = 0.5;
   double payload = 0.0;  ///< [kg]; zero: the scenario's own stays
   double delay = 1.0;    ///< control periods, a whole number
@@ -48,6 +48,10 @@ Perturbation no_perturbation();
 
 /// Throws InputError, with `where` in front, naming field, value and limit.
 void validate(const Perturbation& perturbation, const std::string& where = "perturbation");
+
+/// Returns the scenario with the plant's estimated rotor inertia multiplied by `factor`; what the robot file
+/// gives and what the controller knows stay as they are.
+Scenario with_rotors_scaled(const Scenario& scenario, double factor);
 
 /// The scenario with another plant, other phases and other noise. Drawn by mt19937_64 from (seed, sample)
 /// alone. Factors the scenario already has are multiplied; the controller's model stays as it is.

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/robot/link_radius.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/urdf_keys.hpp"
@@ -17,6 +18,12 @@ namespace {
 /// One number per joint of the arm: read once the arm is known.
 constexpr std::array kJointKeys{"rotor_inertia", "viscous_friction", "coulomb_friction", "link_radius"};
 constexpr double kThickest = 10.0;  // m
+
+/// True for a file with `rotor_inertia: estimated`.
+bool asks_for_estimate(const RobotFile& file) {
+  const yaml::Node* node = file.root ? file.root->find("rotor_inertia") : nullptr;
+  return node != nullptr && node->is_word("estimated");
+}
 
 /// Throws InputError where one is no radius.
 void check_radii(const yaml::Node& node, const RobotModel& model) {
@@ -32,7 +39,8 @@ void check_radii(const yaml::Node& node, const RobotModel& model) {
 
 bool is_urdf(const std::string& name_or_path) {
   return name_or_path.ends_with(".urdf") || name_or_path.ends_with(".xml") ||
-         name_or_path.ends_with(".xacro");
+         name_or_path.ends_with(".xacro") || name_or_path.ends_with(".sdf") ||
+         name_or_path.ends_with(".mjcf");
 }
 
 RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to) {
@@ -64,11 +72,14 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              &chain.coulomb_friction, &model->link_radii};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const yaml::Node* node = file.root->find(kJointKeys[i]);
-      if (node != nullptr) *values[i] = yaml::joint_values(*node, joints);
+      const bool estimated = values[i] == &chain.rotor_inertia && asks_for_estimate(file);
+      if (node != nullptr && !estimated) *values[i] = yaml::joint_values(*node, joints);
     }
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
   }
   validate(*model);
+  // Its rule divides by limits, which are valid from here on.
+  if (asks_for_estimate(file)) estimate_rotors(*model);
   return model;
 }
 

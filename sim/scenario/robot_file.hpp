@@ -24,13 +24,15 @@ struct RobotFile {
 RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to = {});
 
 /// Reads it whole. Keys of the YAML: urdf, those of urdf_keys.hpp, and rotor_inertia, viscous_friction,
-/// coulomb_friction, link_radius [m] (each a list in joint order, or a map by joint name). A link's radius is
-/// otherwise that of its shapes (link_radius.hpp). The model is validated. Throws
+/// coulomb_friction, link_radius [m] (each a list in joint order, or a map by joint name).
+/// `rotor_inertia: estimated` estimates it for every joint that has none in the URDF (rotor_estimate.hpp).
+/// A link's radius is otherwise that of its shapes (link_radius.hpp). The model is validated. Throws
 /// InputError.
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 
-/// Whether a robot is given as a URDF itself (by its ending) rather than as a robot YAML or a bundled name.
+/// Returns true if a robot is given by the ending of an XML file, rather than as a robot YAML or a bundled
+/// name. SDF and MJCF are among them, for the URDF's reader to name.
 bool is_urdf(const std::string& name_or_path);
 
 }  // namespace armtune::internal

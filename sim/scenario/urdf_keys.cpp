@@ -80,7 +80,17 @@ std::string missing_yaml(const std::string& urdf, const MissingData& missing) {
   for (const std::string& joint : missing.effort) limits[joint] += "    effort:  # N m or N\n";
   if (!limits.empty()) text += "limits:\n";
   for (const auto& [joint, lines] : limits) text += fmt::format("  {}:\n{}", yaml::quoted(joint), lines);
-  if (!missing.inertia.empty()) text += "inertia:\n";
+  if (!missing.inertia.empty() || !missing.impossible.empty()) text += "inertia:\n";
+  for (const ImpossibleInertia& link : missing.impossible) {
+    const Vec3& c = link.nearest.center;
+    const Mat3& I = link.nearest.about_center;
+    text += fmt::format(
+        "  {}:  # no rigid body has the URDF's; this is the nearest possible one, {:.2g} % away\n"
+        "    mass: {:.10g}\n    center: [{:.10g}, {:.10g}, {:.10g}]\n"
+        "    moments: [{:.10g}, {:.10g}, {:.10g}, {:.10g}, {:.10g}, {:.10g}]\n",
+        yaml::quoted(link.link), 100.0 * link.moved, link.nearest.mass, c.x(), c.y(), c.z(), I(0, 0), I(0, 1),
+        I(0, 2), I(1, 1), I(1, 2), I(2, 2));
+  }
   for (const std::string& link : missing.inertia) {
     text += fmt::format(
         "  {}:\n    mass:  # kg\n    center: [0, 0, 0]  # m, in the link's frame\n"

@@ -61,6 +61,42 @@ TEST(NewUser, TunesAnUnknownArmInFourCommands) {
   }
 }
 
+TEST(NewUser, SeesWhichRobotsAreBundled) {
+  const Finished done = run_program({"robot"});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  for (const char* name :
+       {"ur10", "ur3e", "ur5e", "panda", "fr3", "xarm6", "xarm7", "gen3_6", "gen3_7", "iiwa14", "youbot"})
+    EXPECT_THAT(done.out, HasSubstr(std::string(name) + " "));
+  EXPECT_EQ(run_program({"robot", "--task", "nowhere"}).exit_code, 2);
+}
+
+// A URDF without rotor inertia: it is estimated, and every page that rests on it says so.
+TEST(NewUser, AnArmWithoutRotorsGetsATaskThatItCompletesAndTheVerdictSaysWhatWasEstimated) {
+  const test::TemporaryFolder folder;
+  RobotModel arm = test::ur10();
+  arm.chain.rotor_inertia.setZero();
+  const std::string urdf = folder.write("arm.urdf", urdf_text(arm));
+  const std::string task = folder / "task";
+  const Finished made = run_program({"robot", urdf, "--task", task});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out,
+              testing::AllOf(HasSubstr("No rotor inertia is given"), HasSubstr("completes the task")));
+  const Finished simulated = run_program({"simulate", task + "/task.yaml", "--gains", task + "/gains.yaml"});
+  EXPECT_EQ(simulated.exit_code, 0) << simulated.out << simulated.err;
+  EXPECT_THAT(simulated.out, HasSubstr("is estimated"));
+}
+
+TEST(NewUser, IsWarnedOfFiguresThatAreNoArms) {
+  const test::TemporaryFolder folder;
+  RobotModel arm = test::ur10();
+  arm.joints[1].limits.effort = 10.0;
+  arm.joints[0].limits.velocity = 120.0;
+  const Finished shown = run_program({"robot", folder.write("arm.urdf", urdf_text(arm))});
+  EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_THAT(shown.err, testing::AllOf(HasSubstr("shoulder_pan_joint (120)"),
+                                        HasSubstr("shoulder_lift_joint: it needs")));
+}
+
 TEST(NewUser, ATaskIsNotPutIntoAFolderThatHoldsSomething) {
   const test::TemporaryFolder folder;
   folder.write("task.yaml", "mine\n");

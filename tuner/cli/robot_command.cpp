@@ -4,21 +4,72 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/path_state.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/data_files.hpp"
+#include "sim/scenario/plausibility.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/say.hpp"
-#include "tuner/cli/task_files.hpp"
+#include "tuner/cli/session_printer.hpp"
+#include "tuner/first_task/first_task.hpp"
+#include "tuner/run/run_folder.hpp"
 
 namespace armtune::internal::cli {
 namespace {
+
+void show_joints(const RobotModel& model) {
+  std::size_t width = 5;
+  for (const JointInfo& joint : model.joints) width = std::max(width, joint.name.size());
+  say(fmt::format("{:<{}}  {:<10}{:>10}{:>10}{:>11}{:>9}{:>10}{:>9}{:>9}  {}\n", "joint", width, "type",
+                  "lower", "upper", "velocity", "effort", "rotor", "viscous", "coulomb", "link, mass [kg]"));
+  for (int i = 0; i < model.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const JointInfo& joint = model.joints[k];
+    const auto bound = [&](double v) { return joint.limits.has_position ? fmt::format("{:.4g}", v) : "-"; };
+    const bool estimated =
+        std::count(model.estimated_rotors.begin(), model.estimated_rotors.end(), joint.name) > 0;
+    say(fmt::format("{:<{}}  {:<10}{:>10}{:>10}{:>11.4g}{:>9.4g}{:>9.3g}{}{:>9.3g}{:>9.3g}  {}, {:.4g}\n",
+                    joint.name, width,
+                    model.chain.motion[k] == JointMotion::kPrismatic
+                        ? "prismatic"
+                        : (joint.limits.has_position ? "revolute" : "continuous"),
+                    bound(joint.limits.lower), bound(joint.limits.upper), joint.limits.velocity,
+                    joint.limits.effort, model.chain.rotor_inertia[i], estimated ? "*" : " ",
+                    model.chain.viscous_friction[i], model.chain.coulomb_friction[i], joint.link,
+                    model.chain.link[k].mass));
+  }
+}
+
+/// What is known of the rotors of an arm whose file does not give them.
+void show_rotors(const RobotModel& model) {
+  if (!model.estimated_rotors.empty()) say("* estimated from the limits of effort and velocity\n");
+  std::vector<std::string> lacking;
+  for (int i = 0; i < model.n(); ++i) {
+    if (model.chain.rotor_inertia[i] == 0.0)
+      lacking.push_back(model.joints[static_cast<std::size_t>(i)].name);
+  }
+  if (lacking.empty()) return;
+  RobotModel estimated = model;
+  estimate_rotors(estimated);
+  std::vector<std::string> figures;
+  for (int i = 0; i < model.n(); ++i)
+    figures.push_back(fmt::format("{:.3g}", estimated.chain.rotor_inertia[i]));
+  say(fmt::format(
+      "\nNo rotor inertia is given for {}. Geared joints have some, and without it light wrists\n"
+      "do not bear the gains that the real arm does. Give it in a robot YAML by 'rotor_inertia: [...]', or by\n"
+      "'rotor_inertia: estimated': the limits suggest [{}]. --task estimates it.\n",
+      lacking.size() == std::size_t(model.n()) ? "the joints" : fmt::format("{}", fmt::join(lacking, ", ")),
+      fmt::join(figures, ", ")));
+}
 
 void show(const RobotModel& model) {
   double mass = 0.0;
@@ -26,27 +77,27 @@ void show(const RobotModel& model) {
   say(fmt::format(
       "{} from {}\n{} joints, base {}, tool frame on {}, moving mass {:.4g} kg, reach {:.4g} m\n\n",
       model.name, model.source, model.n(), model.base_link, model.tip_link, mass, reach(model)));
-  say(fmt::format("{:<24}{:<10}{:>10}{:>10}{:>11}{:>9}{:>9}{:>9}{:>9}  {}\n", "joint", "type", "lower",
-                  "upper", "velocity", "effort", "rotor", "viscous", "coulomb", "link, mass [kg]"));
-  for (int i = 0; i < model.n(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const JointInfo& joint = model.joints[k];
-    const auto bound = [&](double v) { return joint.limits.has_position ? fmt::format("{:.4g}", v) : "-"; };
-    say(fmt::format("{:<24}{:<10}{:>10}{:>10}{:>11.4g}{:>9.4g}{:>9.3g}{:>9.3g}{:>9.3g}  {}, {:.4g}\n",
-                    joint.name,
-                    model.chain.motion[k] == JointMotion::kPrismatic
-                        ? "prismatic"
-                        : (joint.limits.has_position ? "revolute" : "continuous"),
-                    bound(joint.limits.lower), bound(joint.limits.upper), joint.limits.velocity,
-                    joint.limits.effort, model.chain.rotor_inertia[i], model.chain.viscous_friction[i],
-                    model.chain.coulomb_friction[i], joint.link, model.chain.link[k].mass));
-  }
+  show_joints(model);
   say(fmt::format("\nSI units: rad, m, rad/s, m/s, N m, N, kg m^2.\n"));
-  if (model.chain.rotor_inertia.isZero(0.0)) {
-    say(fmt::format(
-        "No rotor inertia is given. Geared joints have some, and without it light wrists do not bear the\n"
-        "gains that the real arm does: write a robot YAML with 'urdf:' and 'rotor_inertia:'.\n"));
-  }
+  show_rotors(model);
+  for (const std::string& doubt : doubts(model)) print_warning(doubt);
+}
+
+void make_task(const std::string& robot, const TaskOptions& options, const std::string& folder) {
+  refuse_used_folder(folder);
+  const FirstTask found = find_first_task(robot, options);
+  write_first_task(found, folder);
+  say(fmt::format(
+      "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
+      "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
+      "and {4:.2g} of its effort limits{5}.\n"
+      "next: armtune tune {0}/study.yaml\n",
+      folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
+      found.task.scenario.path.terms[0].cosine.norm(), found.metrics[Metric::kJointVelocityMaxRatio],
+      found.metrics[Metric::kJointEffortMaxRatio],
+      found.task.scenario.robot->estimated_rotors.empty()
+          ? ""
+          : ", and within 0.9 of them with a third and with three times the estimated\nrotor inertia"));
 }
 
 /// "velocity limit of a, b; inertia of c"
@@ -59,6 +110,9 @@ std::string named(const MissingData& missing) {
   add("velocity limit", missing.velocity);
   add("effort limit", missing.effort);
   add("inertia", missing.inertia);
+  std::vector<std::string> impossible;
+  for (const ImpossibleInertia& link : missing.impossible) impossible.push_back(link.link);
+  add("an inertia that a rigid body can have", impossible);
   return fmt::format("{}", fmt::join(lacks, "; "));
 }
 
@@ -70,19 +124,27 @@ void write_sidecar(const RobotFile& file, const MissingData& missing, const std:
   refuse_existing(path);
   const std::string urdf = file.root ? "" : absolute_path(file.urdf);
   write_text_file(path, missing_yaml(urdf, missing));
-  say(fmt::format("{}: fill in {}{}\n", path, named(missing),
-                  file.root ? fmt::format(", and add it to {}", file.path) : "; then give it as the robot"));
+  MissingData to_fill_in = missing;
+  to_fill_in.impossible.clear();
+  say(fmt::format("{}: ", path));
+  if (!to_fill_in.empty()) say(fmt::format("fill in {}; ", named(to_fill_in)));
+  for (const ImpossibleInertia& link : missing.impossible) {
+    say(fmt::format("look at the proposed inertia of {}, which is {:.2g} % from the URDF's; ", link.link,
+                    100.0 * link.moved));
+  }
+  say(file.root ? fmt::format("then add it to {}\n", file.path) : "then give it as the robot\n");
 }
 
 /// Loads and shows it, or says all that it lacks.
-void look_at(const std::string& name_or_path, const std::string& sidecar, const std::string& task) {
+void look_at(const std::string& name_or_path, const std::string& sidecar, const std::string& task,
+             const TaskOptions& options) {
   const RobotFile file = read_robot_file(name_or_path);
   const MissingData missing = missing_data(file.urdf, file.options);
   if (!sidecar.empty()) return write_sidecar(file, missing, sidecar);
   if (missing.empty()) {
     const auto robot = load_robot(name_or_path);
     show(*robot);
-    if (!task.empty()) write_task_files(robot, file.path, task);
+    if (!task.empty()) make_task(name_or_path, options, task);
     return;
   }
   throw InputError(
@@ -90,26 +152,48 @@ void look_at(const std::string& name_or_path, const std::string& sidecar, const 
                   file.path, named(missing)));
 }
 
+void list_bundled() {
+  say(fmt::format("{:<10}{:>7}{:>12}  {}\n", "robot", "joints", "reach [m]", "rotor inertia"));
+  for (const std::string& name : bundled_names("robots")) {
+    const auto robot = load_robot(name);
+    say(fmt::format("{:<10}{:>7}{:>12.3g}  {}\n", name, robot->n(), reach(*robot),
+                    robot->estimated_rotors.empty() ? "given" : "estimated"));
+  }
+  say("\n'armtune robot NAME' shows one of them, 'armtune robot FILE.urdf' an arm of your own.\n");
+}
+
 }  // namespace
 
 void add_robot_command(CLI::App& app, int&) {
-  auto file = std::make_shared<std::string>("ur10");
+  auto file = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "robot", "Show the joints, limits, masses and reach of a robot file, and what the file lacks");
-  command->add_option("ROBOT", *file, "a bundled robot, a robot YAML, or an expanded URDF")
-      ->capture_default_str();
+  command->add_option(
+      "ROBOT", *file,
+      "a bundled robot such as ur10, a robot YAML, or an expanded URDF; without it, the bundled ones are listed");
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
                       "write what the URDF lacks (limits, inertia) as a robot YAML to fill in");
   auto task = std::make_shared<std::string>();
   command
-      ->add_option("--task", *task,
-                   "new folder for a first task: a circle where the arm moves well, gains from its inertia, "
-                   "a study that tunes "
-                   "them")
+      ->add_option(
+          "--task", *task,
+          "new folder for a first task: a circle where the arm moves well, gains with which it was seen "
+          "to complete that, and a study that tunes them")
       ->excludes("--sidecar");
+  auto options = std::make_shared<TaskOptions>();
+  command
+      ->add_option(
+          "--floor", options->floor,
+          "of --task: height of the floor above the base frame [m]; 0 under an upright arm unless given, "
+          "none under any other")
+      ->needs("--task");
   command->footer([] { return std::string("Example:\n  armtune robot panda --task runs/first\n"); });
-  command->callback([file, sidecar, task] { look_at(*file, *sidecar, *task); });
+  command->callback([file, sidecar, task, options] {
+    if (!file->empty()) return look_at(*file, *sidecar, *task, *options);
+    if (!sidecar->empty() || !task->empty()) throw InputError("robot: name the robot that this is for");
+    list_bundled();
+  });
 }
 
 }  // namespace armtune::internal::cli

@@ -207,6 +207,11 @@ std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scena
   return failure(Engine::kSimbody, pushed, scaled, options, stop);
 }
 
+std::optional<LoopFailure> loop_failure(const Scenario& scenario, const Gains& gains,
+                                        const MarginOptions& options, const std::atomic<bool>& stop) {
+  return failure(Engine::kSimbody, scenario, gains, options, stop);
+}
+
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,
                             MarginKind kind) {
   std::optional<Margin> result;

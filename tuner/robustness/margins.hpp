@@ -62,6 +62,10 @@ std::optional<LoopFailure> failure_at(MarginKind kind, double value, const Scena
                                       const Gains& gains, const MarginOptions& options,
                                       const std::atomic<bool>& stop);
 
+/// The same of the scenario as it is.
+std::optional<LoopFailure> loop_failure(const Scenario& scenario, const Gains& gains,
+                                        const MarginOptions& options, const std::atomic<bool>& stop);
+
 /// The smallest margin of a kind over the scenarios: where not even the nominal value stands, else where it
 /// fails first. None unless every scenario's is there.
 std::optional<Margin> least(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins,

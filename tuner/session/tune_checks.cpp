@@ -3,12 +3,13 @@
 #include "tuner/session/tune_session.hpp"
 #include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
+#include "tuner/verdict/rotor_check.hpp"
 #include "tuner/verdict/search_checks.hpp"
 
 namespace armtune::internal {
 namespace {
 
-/// Adds margins, random arms and endurance; names those that an interruption left out.
+/// Adds margins, estimates, random arms and endurance; names those that an interruption left out.
 void add_deep_checks(const Study& study, const Gains& gains, int workers, const std::atomic<bool>& stop,
                      TuneObserver& observer, SimulationVerdict& verdict) {
   DeepCheckOptions how;
@@ -18,6 +19,8 @@ void add_deep_checks(const Study& study, const Gains& gains, int workers, const 
   };
   if (!add_margin_checks(study, gains, how, stop, verdict))
     verdict.not_checked.emplace_back("stability margins (interrupted)");
+  if (!add_rotor_check(study, gains, how, stop, verdict))
+    verdict.not_checked.emplace_back("other rotor inertia than the estimated one (interrupted)");
   if (!add_yield_check(study, gains, how, stop, verdict))
     verdict.not_checked.emplace_back("arms that differ from the model (interrupted)");
   observer.part_is_over();

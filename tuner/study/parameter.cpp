@@ -91,7 +91,13 @@ void validate(const ParameterSpace& space, const std::string& where) {
     const auto fail = [&](const std::string& what) {
       throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));
     };
-    if (!std::isfinite(p.lower) || !std::isfinite(p.upper) || p.lower >= p.upper) {
+    if (p.lower == 0.0 && p.upper == 0.0) {
+      fail("its bounds are factors on its start, which is 0; give 'lower' and 'upper', or leave it out");
+    }
+    if (p.lower == p.upper) {
+      fail(fmt::format("both its bounds are {0}; give a range, or keep it there by 'fixed: {0}'", p.lower));
+    }
+    if (!std::isfinite(p.lower) || !std::isfinite(p.upper) || p.lower > p.upper) {
       fail(fmt::format("lower bound {} is not below upper bound {}", p.lower, p.upper));
     }
     if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; gains are not", p.lower));
@@ -105,7 +111,9 @@ void validate(const ParameterSpace& space, const std::string& where) {
                       p.lower, p.upper, kWidestSpan));
     }
     if (!(p.start >= p.lower && p.start <= p.upper)) {
-      fail(fmt::format("start {} lies outside its bounds {} .. {}", p.start, p.lower, p.upper));
+      fail(fmt::format(
+          "start {} lies outside its bounds {} .. {}; give a 'start' between them, or other bounds", p.start,
+          p.lower, p.upper));
     }
   }
 }

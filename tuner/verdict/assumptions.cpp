@@ -7,12 +7,19 @@
 
 #include "core/control/laws/first_gains.hpp"
 #include "core/robot/friction.hpp"
+#include "sim/scenario/plausibility.hpp"
 
 namespace armtune::internal {
 namespace {
 
 /// What the verdict assumes of the robot's rotors, joint by joint.
 std::string rotors_text(const RobotModel& robot) {
+  if (!robot.estimated_rotors.empty()) {
+    const bool all = robot.estimated_rotors.size() == static_cast<std::size_t>(robot.n());
+    return fmt::format("the rotor inertia of {} is estimated from its limits of effort and velocity{}",
+                       robot.name,
+                       all ? "" : fmt::format(", that of {}", fmt::join(robot.estimated_rotors, ", ")));
+  }
   std::vector<std::string> without;
   for (int i = 0; i < robot.n(); ++i) {
     if (robot.chain.rotor_inertia[i] == 0.0)
@@ -55,6 +62,9 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
   for (const Scenario& scenario : scenarios) {
     const RobotModel& robot = *scenario.robot;
     add_once(rotors_text(robot), verdict.assumes);
+    for (const std::string& doubt : doubts(robot))
+      add_once(fmt::format("the file of {} is right where armtune doubts it: {}", robot.name, doubt),
+               verdict.assumes);
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {

@@ -57,9 +57,10 @@ namespace armtune {
 
 const char* name(CheckKind kind) {
   constexpr const char* kNames[] = {
-      "completion",  "velocity limit", "position limit", "effort limit",          "clear of obstacles",
-      "constraints", "delay margin",   "gain margin",    "control rate margin",   "noise margin",
-      "yield",       "endurance",      "error growth",   "better than the start", ""};
+      "completion",          "velocity limit", "position limit",        "effort limit",
+      "clear of obstacles",  "constraints",    "delay margin",          "gain margin",
+      "control rate margin", "noise margin",   "rotor estimate",        "yield",
+      "endurance",           "error growth",   "better than the start", ""};
   static_assert(std::size(kNames) == static_cast<std::size_t>(CheckKind::kBetterThanStart) + 2);
   return kNames[static_cast<std::size_t>(kind)];
 }

@@ -104,11 +104,18 @@ TEST(Reach, IsNeverExceededByTheTool) {
       }
       Poses poses;
       forward_kinematics(arm.chain, q, poses);
-      farthest = std::max(farthest, poses.p_0T.norm());
+      farthest = std::max(farthest, (poses.p_0T - arm.chain.p_PB0[0]).norm());
     }
     EXPECT_LE(farthest, reach(arm)) << arm.name;
     EXPECT_GT(farthest, 0.2 * reach(arm)) << arm.name;
   }
+}
+
+TEST(Reach, DoesNotDependOnWhereTheArmStands) {
+  RobotModel arm = test::ur10();
+  const double there = reach(arm);
+  arm.chain.p_PB0[0] += Vec3(4.0, -2.0, 1.0);
+  EXPECT_EQ(reach(arm), there);
 }
 
 TEST(InFrame, ThereAndBackAgainIsTheSameBody) {

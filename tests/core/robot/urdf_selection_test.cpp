@@ -182,6 +182,19 @@ TEST_F(UrdfSelection, AJointOfTheArmsOwnCanBeHeldAndAMimicToo) {
   EXPECT_EQ(read(mimic, with_held("finger_joint", 0.0)).n(), 4);
 }
 
+TEST_F(UrdfSelection, BothFingersOfAGripperAreToBeHeld) {
+  const std::string inside = link("base") + chain("arm", "base", 3);
+  const auto finger = [this](const std::string& name, const std::string& rest) {
+    return link(name, body()) + joint(name + "_joint", "prismatic", "arm3", name, placed() + rest);
+  };
+  const std::string text =
+      robot(inside + finger("left", "") + finger("right", "<mimic joint='left_joint'/>"));
+  EXPECT_THAT(refusal(text, {}), HasSubstr("hold: {left_joint: 0, right_joint: 0}"));
+  UrdfOptions options;
+  options.held = {{"left_joint", 0.0}, {"right_joint", 0.0}};
+  EXPECT_EQ(read(text, options).n(), 3);
+}
+
 TEST_F(UrdfSelection, NamesAndValuesThatAreNotTheFilesAreRefused) {
   const std::string text = robot(link("base") + chain("arm", "base", 3));
   EXPECT_THAT(refusal(text, with_base("bass")), AllOf(HasSubstr("base_link 'bass'"), HasSubstr("'base'")));

@@ -61,6 +61,69 @@ TEST_P(BundledRobots, FirstTaskKnowsTheSmallestManipulabilityOnItsWay) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, BundledRobots, testing::Values("ur10", "panda", "youbot"));
 
+TEST_P(BundledRobots, FirstTaskStaysAboveTheFloorClearOfTheArmAndLight) {
+  const auto robot = load_robot(GetParam());
+  const DefaultTask task = default_task(robot);
+  const PathWalk walk = walk_path(task.scenario, task.goal, 0.2);
+  EXPECT_GE(walk.low.value, 0.1);
+  EXPECT_GE(walk.fold.value, 0.08 * reach(*robot));
+  EXPECT_LE(walk.load.value, 0.75);
+  EXPECT_EQ(task.load, walk.load.value);
+  for (const NamedPath& target : task.scenario.targets)
+    EXPECT_GE(height_of(target.path.center, *robot), -1e-3);
+}
+
+TEST(DefaultTask, KeepsAboveTheFloorThatIsGiven) {
+  const auto robot = load_robot("ur10");
+  TaskOptions options;
+  options.floor = 0.6;
+  const DefaultTask task = default_task(robot, options);
+  EXPECT_GE(walk_path(task.scenario, task.goal, 0.2).low.value, 0.7);
+  EXPECT_GE(height_of(task.scenario.targets[0].path.center, *robot), 0.6 - 1e-3);
+  options.floor = 5.0;
+  EXPECT_THAT(test::refusal([&] { default_task(robot, options); }), testing::HasSubstr("--floor"));
+}
+
+// Nothing but the place changes with the place where the arm stands.
+TEST(DefaultTask, IsTheSameWhereverTheArmStands) {
+  const auto robot = load_robot("ur10");
+  RobotModel moved = *robot;
+  moved.chain.p_PB0[0] += Vec3(4.0, -2.0, 1.0);
+  TaskOptions options;
+  options.floor = 1.0;
+  const DefaultTask here = default_task(robot);
+  const DefaultTask there = default_task(std::make_shared<const RobotModel>(moved), options);
+  EXPECT_EQ(there.goal.size(), here.goal.size());
+  EXPECT_LT((there.goal - here.goal).norm(), 1e-6);
+  EXPECT_LT((there.scenario.path.center - here.scenario.path.center - Vec3(4.0, -2.0, 1.0)).norm(), 1e-9);
+}
+
+TEST(DefaultTask, AnArmThatHangsHasNoFloorUnlessItIsGiven) {
+  RobotModel hanging = *load_robot("ur10");
+  hanging.chain.gravity = -hanging.chain.gravity;
+  const auto robot = std::make_shared<const RobotModel>(hanging);
+  const DefaultTask task = default_task(robot);
+  EXPECT_LT(height_of(task.scenario.path.center, *robot), 0.0);
+}
+
+TEST(DefaultTask, ATaskThatNoJointCanHoldIsRefusedWithWhatItNeeds) {
+  RobotModel weak = *load_robot("ur10");
+  for (JointInfo& joint : weak.joints) joint.limits.effort = 1.0;
+  EXPECT_THAT(test::refusal([&] { default_task(std::make_shared<const RobotModel>(weak)); }),
+              testing::ContainsRegex("joint '[a-z_0-9]+' needs [0-9.e+]+ of 1 to hold the arm"));
+}
+
+TEST(DefaultTask, ASlowArmIsGivenAllTimesInProportion) {
+  const auto robot = load_robot("ur10");
+  TaskOptions options;
+  options.slowness = 2.0;
+  const Scenario whole = default_task(robot).scenario;
+  const Scenario slow = default_task(robot, options).scenario;
+  EXPECT_EQ(slow.duration, 2.0 * whole.duration);
+  EXPECT_EQ(slow.switch_every, 2.0 * whole.switch_every);
+  EXPECT_EQ(slow.path.frequency, 0.5 * whole.path.frequency);
+}
+
 TEST(DefaultTask, ARobotsNameMayLookLikeYaml) {
   RobotModel named = *load_robot("ur10");
   named.name = "arm: v2 #1";

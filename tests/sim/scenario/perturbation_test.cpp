@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/robot/rotor_estimate.hpp"
 #include "core/robot/theta.hpp"
 #include "core/trajectory/polyline.hpp"
 #include "tests/sim/support/files.hpp"
@@ -99,6 +100,53 @@ TEST(Perturbed, StaysWithinItsRangesFillsThemAndIsAnArmThatCanBeBuilt) {
   EXPECT_LT(least_mass, 0.804);
   EXPECT_GT(most_friction, 1.49);
   EXPECT_GT(most_phase, 0.99 * 2.0 * M_PI);
+}
+
+/// A scenario whose arm has estimated rotor inertia in every joint but the first.
+Scenario with_estimated_rotors() {
+  Scenario scenario = load_scenario("realistic_fixed_target");
+  RobotModel robot = *scenario.robot;
+  for (Eigen::Index i = 1; i < robot.n(); ++i) robot.chain.rotor_inertia[i] = 0.0;
+  estimate_rotors(robot);
+  scenario.robot = std::make_shared<const RobotModel>(std::move(robot));
+  return scenario;
+}
+
+TEST(Perturbed, AnEstimatedRotorInertiaIsAnythingFromAThirdToThreeTimes) {
+  const Scenario scenario = with_estimated_rotors();
+  constexpr int kSamples = 400;
+  double sum = 0.0;
+  double least = 1.0;
+  double most = 1.0;
+  for (std::uint64_t k = 0; k < kSamples; ++k) {
+    const JointVector& factors = perturbed(scenario, of_the_arm(), 7, k).plant.rotor_factors;
+    EXPECT_LE(std::abs(factors[0] - 1.0), 0.2) << "the file gives it";
+    for (Eigen::Index i = 1; i < factors.size(); ++i) sum += std::log(factors[i]);
+    least = std::min(least, factors.tail(5).minCoeff());
+    most = std::max(most, factors.tail(5).maxCoeff());
+  }
+  EXPECT_GE(least, (1.0 - kRounding) / 3.0);
+  EXPECT_LE(most, 3.0 * (1.0 + kRounding));
+  // 2000 draws miss the outer 1 % of the logarithm's range with probability 0.99^2000 = 2e-9.
+  EXPECT_LT(least, std::pow(3.0, -0.98));
+  EXPECT_GT(most, std::pow(3.0, 0.98));
+  // The mean of 2000 uniform draws of width 2 ln 3 has a deviation of 2 ln 3 / sqrt(12 * 2000) = 0.014.
+  EXPECT_NEAR(sum / (5.0 * kSamples), 0.0, 0.07);
+  Perturbation none = of_the_arm();
+  none.rotor = 0.0;
+  EXPECT_EQ(perturbed(scenario, none, 7, 0).plant.rotor_factors, JointVector::Ones(6));
+}
+
+TEST(WithRotorsScaled, MultipliesWhatIsEstimatedAndNothingElse) {
+  Scenario scenario = with_estimated_rotors();
+  JointVector estimated = JointVector::Constant(6, 3.0);
+  estimated[0] = 1.0;
+  EXPECT_EQ(with_rotors_scaled(scenario, 3.0).plant.rotor_factors, estimated);
+  scenario.plant.rotor_factors = JointVector::Constant(6, 0.5);
+  const Scenario scaled = with_rotors_scaled(scenario, 3.0);
+  EXPECT_EQ(scaled.plant.rotor_factors, 0.5 * estimated) << "on top of the scenario's own";
+  EXPECT_EQ(scaled.robot, scenario.robot);
+  EXPECT_EQ(start_theta(scaled), start_theta(scenario)) << "the controller knows nothing of it";
 }
 
 TEST(Perturbed, WhatHasNoWidthStaysAndWhatIsAddedMovesNothingElse) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/kinematics.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "tests/sim/support/files.hpp"
@@ -51,6 +52,19 @@ TEST(RobotFile, TakesActuatorDataAsAListOrByJointName) {
   const JointVector expected = JointVector::LinSpaced(6, 1.0, 6.0);
   EXPECT_EQ(arm->chain.viscous_friction, expected);
   EXPECT_EQ(arm->chain.coulomb_friction, expected);
+}
+
+TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {
+  const test::TemporaryFolder folder;
+  const auto arm = load_robot(folder.write("arm.yaml", robot_text("rotor_inertia: estimated\n")));
+  EXPECT_EQ(arm->estimated_rotors, joint_names(*arm));
+  for (int i = 0; i < arm->n(); ++i) {
+    const JointLimits& limits = arm->joints[static_cast<std::size_t>(i)].limits;
+    EXPECT_EQ(arm->chain.rotor_inertia[i], kRotorTime * limits.effort / limits.velocity);
+  }
+  EXPECT_THAT(
+      test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text("rotor_inertia: guessed\n"))); }),
+      HasSubstr("rotor_inertia"));
 }
 
 TEST(RobotFile, LinksAreAsThickAsTheirShapesOrAsItSays) {

@@ -127,7 +127,8 @@ TEST_F(Parameters, WhatDoesNotFitIsRefusedByName) {
     return AllOf(testing::StartsWith("study.yaml"), HasSubstr("task_space_gains_p/rx"), HasSubstr(what));
   };
   EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = 90.0; }), named("not below upper bound 80"));
-  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper; }), named("not below"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper; }), named("'fixed: 80'"));
+  EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = p.upper = p.start = 0.0; }), named("'upper'"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.upper = HUGE_VAL; }), named("bound"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = std::nan(""); }), named("bound"));
   EXPECT_THAT(refusal_after([](Parameter& p) { p.lower = -1.0; }), named("negative"));

@@ -9,6 +9,7 @@
 #include "tuner/robustness/margins.hpp"
 #include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/study/corner.hpp"
+#include "tuner/verdict/rotor_check.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -76,6 +77,42 @@ TEST(MarginChecks, PassExactlyWhereTheLoopHoldsAtTheThreshold) {
     }
   }
   EXPECT_GE(failed, 1) << "sixty periods of delay are beyond any loop";
+}
+
+/// The check says what a simulation of a third and of three times the estimate says.
+TEST(RotorCheck, PassesExactlyWhereTheLoopHoldsOnBothSidesOfTheEstimate) {
+  const test::ShortStudy files;
+  Study study = load_study(files.path());
+  Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
+  const Gains gains = test::quick_gains(scenario);
+  study.scenarios = {scenario};
+  SimulationVerdict none;
+  ASSERT_TRUE(add_rotor_check(study, gains, {2, {}}, kNever, none));
+  EXPECT_TRUE(none.checks.empty()) << "nothing is estimated";
+  MarginOptions options;
+  options.stepper = study.stepper;
+  int failed = 0;
+  for (const double rotor : {0.3, 30.0}) {
+    RobotModel robot = *scenario.robot;
+    robot.chain.rotor_inertia.setConstant(rotor);
+    robot.estimated_rotors = joint_names(robot);
+    scenario.robot = std::make_shared<const RobotModel>(std::move(robot));
+    study.scenarios = {scenario};
+    SimulationVerdict verdict;
+    ASSERT_TRUE(add_rotor_check(study, gains, {2, {}}, kNever, verdict));
+    ASSERT_EQ(verdict.checks.size(), 1U);
+    const Check& check = verdict.checks.front();
+    EXPECT_EQ(check.kind, CheckKind::kRotorEstimate);
+    bool holds = true;
+    for (const double factor : {1.0 / 3.0, 3.0}) {
+      Scenario other = scenario;
+      other.plant.rotor_factors = JointVector::Constant(6, factor);
+      holds = loop_failure(other, gains, options, kNever)->holds() && holds;
+    }
+    EXPECT_EQ(check.passed, holds) << check.detail;
+    failed += check.passed ? 0 : 1;
+  }
+  EXPECT_EQ(failed, 1) << "or only one side of the check was seen";
 }
 
 TEST(YieldCheck, CountsTheArmsThatMonteCarloCounts) {

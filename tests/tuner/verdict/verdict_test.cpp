@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/control/laws/first_gains.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
@@ -133,6 +134,13 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   robot.chain.rotor_inertia.setZero();
   scenario.robot = std::make_shared<const RobotModel>(robot);
   EXPECT_THAT(assumed(), HasSubstr("ur10 has no rotor inertia"));
+  estimate_rotors(robot);
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of ur10 is estimated"));
+  EXPECT_THAT(assumed(), Not(HasSubstr("as it stands")));
+  robot.joints[1].limits.effort = 10.0;
+  scenario.robot = std::make_shared<const RobotModel>(robot);
+  EXPECT_THAT(assumed(), HasSubstr("is right where armtune doubts it: shoulder_lift_joint: it needs"));
   // An explicit step of h is stable up to h c = 2 d; c is Fv + Fc / 0.05 at rest.
   const JointVector d = joint_inertia(plant_model(scenario), scenario.start_position);
   scenario.plant.viscous_friction = JointVector::Constant(6, 0.1);

@@ -1,17 +1,14 @@
-#include "tuner/cli/task_files.hpp"
+// The files of a first task.
 
 #include <fmt/format.h>
 
-#include "core/control/laws/starting_gains.hpp"
 #include "sim/csv/text_file.hpp"
-#include "sim/scenario/data_files.hpp"
-#include "sim/scenario/default_task.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/quoted.hpp"
-#include "tuner/cli/say.hpp"
+#include "tuner/first_task/first_task.hpp"
 #include "tuner/run/run_folder.hpp"
 
-namespace armtune::internal::cli {
+namespace armtune::internal {
 namespace {
 
 constexpr const char* kStudy = R"(gains: gains.yaml     # the start; it scores 1
@@ -54,20 +51,18 @@ std::string study_text(const RobotModel& robot, bool looks) {
 
 }  // namespace
 
-void write_task_files(const std::shared_ptr<const RobotModel>& robot, const std::string& robot_file,
-                      const std::string& folder) {
-  const DefaultTask task = default_task(robot);
-  const Gains gains = starting_gains(*robot, task.scenario.start_position, task.goal, task.manipulability);
+void write_first_task(const FirstTask& found, const std::string& folder) {
+  const Scenario& scenario = found.task.scenario;
+  const std::vector<std::string> comments = {
+      fmt::format("from the inertia and the limits of {}; a start, not tuned", scenario.robot->name),
+      fmt::format(
+          "completes task.yaml in Simbody, with at most {:.2g} of the velocity limits and {:.2g} of the effort limits",
+          found.metrics[Metric::kJointVelocityMaxRatio], found.metrics[Metric::kJointEffortMaxRatio])};
   const FolderLock lock = make_run_folder(folder);
-  write_text_file(folder + "/task.yaml", default_task_yaml(task, portable_reference(robot_file)));
-  write_text_file(folder + "/gains.yaml",
-                  gains_yaml(gains, {fmt::format("from the inertia and the limits of {}; a start, not tuned",
-                                                 robot->name)}));
-  write_text_file(folder + "/study.yaml", study_text(*robot, tracks_orientation(task.scenario.mask)));
-  say(
-      fmt::format("wrote {0}: task.yaml (a circle of {1:.3g} m), gains.yaml, study.yaml\nnext: armtune tune "
-                  "{0}/study.yaml\n",
-                  folder, task.scenario.path.terms[0].cosine.norm()));
+  if (!found.robot_yaml.empty()) write_text_file(folder + "/robot.yaml", found.robot_yaml);
+  write_text_file(folder + "/task.yaml", default_task_yaml(found.task, found.robot_file));
+  write_text_file(folder + "/gains.yaml", gains_yaml(found.gains, comments));
+  write_text_file(folder + "/study.yaml", study_text(*scenario.robot, tracks_orientation(scenario.mask)));
 }
 
-}  // namespace armtune::internal::cli
+}  // namespace armtune::internal

@@ -1,0 +1,44 @@
+#include "core/robot/body_inertia.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace armtune::internal {
+namespace {
+
+constexpr double kTolerance = 1e-4;  // of the largest principal moment: five printed digits
+constexpr double kThinnest = 1e-3;   // of the largest second moment
+
+/// What a point mass at the centre has about the body's origin (Steiner).
+Mat3 of_center(const LinkInertia& body) {
+  const Vec3 c = body.first_moment / body.mass;
+  return body.mass * (c.squaredNorm() * Mat3::Identity() - c * c.transpose());
+}
+
+}  // namespace
+
+Vec3 principal_moments(const LinkInertia& body) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(body.inertia - of_center(body), Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+bool is_physical(const LinkInertia& body) {
+  const Vec3 moments = principal_moments(body);
+  // The second term is the rounding of the subtraction: a point mass has moments of zero.
+  const double slack = kTolerance * std::abs(moments[2]) + 1e-12 * body.inertia.norm();
+  return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
+}
+
+LinkInertia nearest_physical(const LinkInertia& body) {
+  const Mat3 about_center = body.inertia - of_center(body);
+  const Mat3 second = 0.5 * about_center.trace() * Mat3::Identity() - about_center;
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(second);
+  const Vec3 kept = solver.eigenvalues().cwiseMax(kThinnest * std::max(0.0, solver.eigenvalues()[2]));
+  const Mat3 possible = solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
+  LinkInertia nearest = body;
+  nearest.inertia = possible.trace() * Mat3::Identity() - possible + of_center(body);
+  return nearest;
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,15 @@
+#include "core/robot/rotor_estimate.hpp"
+
+namespace armtune::internal {
+
+void estimate_rotors(RobotModel& model) {
+  for (int i = 0; i < model.n(); ++i) {
+    double& inertia = model.chain.rotor_inertia[i];
+    if (inertia != 0.0) continue;
+    const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
+    inertia = kRotorTime * joint.limits.effort / joint.limits.velocity;
+    model.estimated_rotors.push_back(joint.name);
+  }
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,128 @@
+#include "sim/scenario/plausibility.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/control/pose_search.hpp"
+#include "core/robot/dynamics.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr double kLightest =
+    5e-4;  // kg for each N m or N of the joint's effort: arms have ten times that and more
+constexpr double kWidest = 0.5;         // of the reach: radius of gyration of a link
+constexpr double kNarrowest = 2e-3;     // m
+constexpr double kManyTurns = 25.0;     // rad
+constexpr double kFastest = 30.0;       // rad/s
+constexpr double kFingerStroke = 0.15;  // m
+constexpr unsigned kPoses = 500;
+
+using Names = std::vector<std::string>;
+
+/// Adds the sentence unless there are no names. It begins with them.
+void add(const Names& names, const std::string& says, std::vector<std::string>& doubts) {
+  if (!names.empty()) doubts.push_back(fmt::format("{}: {}", fmt::join(names, ", "), says));
+}
+
+/// Radius of gyration about the centre of mass and its worst axis [m].
+double radius_of_gyration(const LinkInertia& link) {
+  const Vec3 center = link.first_moment / link.mass;
+  const LinkInertia about_center = in_frame(link, Mat3::Identity(), -center);
+  const double largest = Eigen::SelfAdjointEigenSolver<Mat3>(about_center.inertia).eigenvalues().maxCoeff();
+  return std::sqrt(std::max(0.0, largest) / link.mass);
+}
+
+void doubt_links(const RobotModel& robot, std::vector<std::string>& doubts) {
+  Names light, wide, narrow;
+  const double widest = kWidest * reach(robot);
+  for (int i = 0; i < robot.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const LinkInertia& link = robot.chain.link[k];
+    const JointInfo& joint = robot.joints[k];
+    const double radius = radius_of_gyration(link);
+    if (link.mass < kLightest * joint.limits.effort)
+      light.push_back(fmt::format("{} ({:.3g} kg)", joint.link, link.mass));
+    if (radius > widest) wide.push_back(fmt::format("{} ({:.3g} m)", joint.link, radius));
+    if (radius < kNarrowest) narrow.push_back(fmt::format("{} ({:.3g} m)", joint.link, radius));
+  }
+  add(light,
+      "these links are very light for the effort of their joints; if the masses are placeholders, give the arm's own",
+      doubts);
+  add(wide,
+      fmt::format(
+          "the radius of gyration of these links is more than half of the arm's reach of {:.3g} m; give inertia in kg m^2, about the centre of mass",
+          reach(robot)),
+      doubts);
+  add(narrow, "the radius of gyration of these links is less than 2 mm; give inertia in kg m^2", doubts);
+}
+
+void doubt_limits(const RobotModel& robot, std::vector<std::string>& doubts) {
+  Names positions, velocities;
+  for (int i = 0; i < robot.n(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (robot.chain.motion[k] == JointMotion::kPrismatic) continue;
+    const JointInfo& joint = robot.joints[k];
+    const double farthest = std::max(std::abs(joint.limits.lower), std::abs(joint.limits.upper));
+    if (joint.limits.has_position && farthest >= kManyTurns && farthest <= 720.0)
+      positions.push_back(fmt::format("{} ({:.4g})", joint.name, farthest));
+    if (joint.limits.velocity >= kFastest)
+      velocities.push_back(fmt::format("{} ({:.4g})", joint.name, joint.limits.velocity));
+  }
+  add(positions, "these position limits look like degrees; a URDF has radians", doubts);
+  add(velocities, "these velocity limits look like degrees per second; a URDF has rad/s", doubts);
+}
+
+/// The pose, of many at random, in which gravity takes the largest share of an effort limit.
+void doubt_efforts(const RobotModel& robot, std::vector<std::string>& doubts) {
+  const JointVector efforts = robot.effort_limits();
+  double largest = 1.0;
+  std::string found;
+  Poses poses;
+  JointVector gravity;
+  for (unsigned sample = 0; sample < kPoses; ++sample) {
+    const JointVector q = sample_position(robot, sample);
+    forward_kinematics(robot.chain, q, poses);
+    gravity_torque(robot.chain, poses, gravity);
+    int joint = 0;
+    const double load = (gravity.array().abs() / efforts.array()).maxCoeff(&joint);
+    if (load <= largest) continue;
+    largest = load;
+    const JointVector shown = in_degrees(robot, q);
+    found = fmt::format(
+        "{}: it needs {:.3g} to hold the arm still at [{:.3g}] deg, and its effort limit is {:.3g}; check the limit "
+        "and the masses",
+        robot.joints[static_cast<std::size_t>(joint)].name, std::abs(gravity[joint]), fmt::join(shown, ", "),
+        efforts[joint]);
+  }
+  if (!found.empty()) doubts.push_back(found);
+}
+
+void doubt_last_joint(const RobotModel& robot, std::vector<std::string>& doubts) {
+  const auto last = static_cast<std::size_t>(robot.n() - 1);
+  const JointInfo& joint = robot.joints[last];
+  if (robot.chain.motion[last] != JointMotion::kPrismatic || robot.n() < 4) return;
+  const double stroke = joint.limits.upper - joint.limits.lower;
+  if (stroke > kFingerStroke) return;
+  doubts.push_back(fmt::format(
+      "{}: the last joint slides by {:.3g} m only, as a gripper's finger does; if it is one, hold it by 'hold: {{{}: {:.3g}}}' in a "
+      "robot YAML",
+      joint.name, stroke, joint.name, std::max(joint.limits.lower, std::min(joint.limits.upper, 0.0))));
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const RobotModel& robot) {
+  std::vector<std::string> found;
+  doubt_links(robot, found);
+  doubt_limits(robot, found);
+  doubt_efforts(robot, found);
+  doubt_last_joint(robot, found);
+  return found;
+}
+
+}  // namespace armtune::internal

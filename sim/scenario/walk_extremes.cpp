@@ -1,0 +1,78 @@
+#include "sim/scenario/walk_extremes.hpp"
+
+#include <algorithm>
+
+#include "core/control/pose_search.hpp"
+#include "core/robot/dynamics.hpp"
+#include "core/robot/kinematics.hpp"
+
+namespace armtune::internal {
+namespace {
+
+/// Distance of a point from the line between a and b [m].
+double distance_from_line(const Vec3& point, const Vec3& a, const Vec3& b) {
+  const Vec3 line = b - a;
+  const double length_squared = line.squaredNorm();
+  const double share =
+      length_squared > 0.0 ? std::clamp((point - a).dot(line) / length_squared, 0.0, 1.0) : 0.0;
+  return (point - a - share * line).norm();
+}
+
+double lowest(const RobotModel& robot, const Poses& poses) {
+  double height = height_of(poses.p_0T, robot);
+  for (int i = 2; i < robot.n(); ++i)
+    height = std::min(height, height_of(poses.p_0B[static_cast<std::size_t>(i)], robot));
+  return height;
+}
+
+/// The last links are where the tool is: they do not count.
+double folded(const Poses& poses) {
+  double least = distance_from_line(poses.p_0T, Vec3::Zero(), poses.p_0B[0]);
+  for (int i = 0; i + 3 < poses.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    least = std::min(least, distance_from_line(poses.p_0T, poses.p_0B[k], poses.p_0B[k + 1]));
+  }
+  return least;
+}
+
+void take_larger(const WalkPlace& place, WalkPlace& found) {
+  if (!(place.value <= found.value)) found = place;
+}
+
+}  // namespace
+
+double height_of(const Vec3& point, const RobotModel& robot) {
+  return -point.dot(robot.chain.gravity.normalized());
+}
+
+void take_smaller(const WalkPlace& place, WalkPlace& found) {
+  if (!(place.value >= found.value)) found = place;
+}
+
+WalkExtremes::WalkExtremes(const Scenario& scenario, double off_path)
+    : robot_(*scenario.robot),
+      off_path_(off_path),
+      loaded_(with_payload(robot_, scenario.plant.payload).chain),
+      efforts_(robot_.effort_limits()) {}
+
+void WalkExtremes::see(double time, const Vec3& tool, const MeasuredArm& arm, const JointVector& q,
+                       PathWalk& walk) {
+  const double off = (arm.poses.p_0T - tool).norm();
+  const double manipulability = arm.inverse.manipulability();
+  if (!(off <= off_path_) && walk.left.value == 0.0) walk.left = {time, tool, off};
+  take_larger({time, tool, off}, walk.error);
+  take_smaller({time, tool, manipulability}, walk.manipulability);
+  walk.largest_manipulability = std::max(walk.largest_manipulability, manipulability);
+  const TightestJoint tightest = tightest_joint(robot_, q);
+  if (!(tightest.margin >= walk.margin.value)) walk.joint = tightest.joint;
+  take_smaller({time, tool, tightest.margin}, walk.margin);
+  take_smaller({time, tool, lowest(robot_, arm.poses)}, walk.low);
+  take_smaller({time, tool, folded(arm.poses)}, walk.fold);
+  gravity_torque(loaded_, arm.poses, gravity_);
+  int heaviest = 0;
+  const double load = (gravity_.array().abs() / efforts_.array()).maxCoeff(&heaviest);
+  if (!(load <= walk.load.value)) walk.loaded = heaviest;
+  take_larger({time, tool, load}, walk.load);
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,113 @@
+#include "tuner/first_task/first_task.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/robot/rotor_estimate.hpp"
+#include "core/robot/urdf_writer.hpp"
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/gains_file.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::HasSubstr;
+
+/// Six joints as vendors publish them: light wrists, and no word about rotors.
+std::string light_wrists() {
+  RobotModel arm = test::ur10();
+  arm.chain.rotor_inertia.setZero();
+  return urdf_text(arm);
+}
+
+void expect_kept(const Metrics& metrics) {
+  EXPECT_LE(metrics[Metric::kJointVelocityMaxRatio], kFirstTaskRatio);
+  EXPECT_LE(metrics[Metric::kJointEffortMaxRatio], kFirstTaskRatio);
+  EXPECT_GE(metrics[Metric::kJointPositionMinMargin], 0.0);
+}
+
+TEST(FirstTask, IsCompletedWithinTheLimitsByTheFilesThatAreWritten) {
+  const test::TemporaryFolder folder;
+  const std::string urdf = folder.write("arm.urdf", light_wrists());
+  const FirstTask found = find_first_task(urdf, {});
+  const std::string task = folder / "task";
+  write_first_task(found, task);
+  const Study study = load_study(task + "/study.yaml");
+  ASSERT_EQ(study.scenarios.size(), 1U);
+  const Scenario& scenario = study.scenarios[0];
+  EXPECT_EQ(scenario.robot->estimated_rotors.size(), 6U);
+  const RolloutResult result = Rollout(scenario, Stepper::kMidpoint)
+                                   .run(load_gains(task + "/gains.yaml", joint_names(*scenario.robot)));
+  ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  expect_kept(result.metrics);
+  expect_kept(found.metrics);
+}
+
+TEST(FirstTask, IsCompletedWithAThirdAndThreeTimesTheEstimatedRotorInertia) {
+  const test::TemporaryFolder folder;
+  const FirstTask found = find_first_task(folder.write("arm.urdf", light_wrists()), {});
+  for (const double factor : {1.0 / 3.0, 3.0}) {
+    Scenario scenario = found.task.scenario;
+    scenario.plant.rotor_factors = JointVector::Constant(6, factor);
+    const RolloutResult result = Rollout(scenario, Stepper::kMidpoint).run(found.gains);
+    ASSERT_EQ(result.status, RolloutStatus::kCompleted) << factor << ": " << result.reason;
+    expect_kept(result.metrics);
+  }
+}
+
+TEST(FirstTask, OfAnArmWithRotorsNamesTheFileThatWasGiven) {
+  const FirstTask found = find_first_task("ur10", {});
+  EXPECT_EQ(found.robot_yaml, "");
+  EXPECT_EQ(found.robot_file, "ur10");
+}
+
+TEST(FirstTask, ARobotFileWithoutRotorsKeepsItsOtherKeys) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.urdf", light_wrists());
+  const std::string robot = folder.write(
+      "arm.yaml",
+      "tool: {xyz: [0, 0, 0.1]}\nurdf: arm.urdf   # ours\nviscous_friction: [1, 1, 1, 1, 1, 1]\n");
+  const FirstTask found = find_first_task(robot, {});
+  EXPECT_EQ(found.robot_file, "robot.yaml");
+  const auto own = load_robot(robot);
+  const auto estimated = load_robot(folder.write("robot.yaml", found.robot_yaml));
+  EXPECT_EQ(estimated->chain.p_BT, own->chain.p_BT);
+  EXPECT_EQ(estimated->chain.viscous_friction, own->chain.viscous_friction);
+  EXPECT_EQ(estimated->estimated_rotors, joint_names(*own));
+}
+
+TEST(FirstTask, ARobotFileThatCannotBeAddedToIsNamed) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.urdf", light_wrists());
+  const std::string robot = folder.write("arm.yaml", "{urdf: arm.urdf, tool: {xyz: [0, 0, 0.1]}}\n");
+  EXPECT_THAT(test::refusal([&] { find_first_task(robot, {}); }),
+              testing::AllOf(HasSubstr(robot), HasSubstr("rotor_inertia: estimated")));
+}
+
+TEST(FirstTask, RotorsThatAreSaidToBeZeroStayZero) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.urdf", light_wrists());
+  const std::string robot = folder.write("arm.yaml", "urdf: arm.urdf\nrotor_inertia: [0, 0, 0, 0, 0, 0]\n");
+  const FirstTask found = find_first_task(robot, {});
+  EXPECT_EQ(found.robot_yaml, "");
+  EXPECT_TRUE(found.task.scenario.robot->chain.rotor_inertia.isZero(0.0));
+  expect_kept(found.metrics);
+}
+
+TEST(FirstTask, WhatStandsInTheWayIsSaid) {
+  RobotModel weak = test::ur10();
+  for (JointInfo& joint : weak.joints) joint.limits.effort = 1.0;
+  const test::TemporaryFolder folder;
+  const std::string urdf = folder.write("arm.urdf", urdf_text(weak));
+  EXPECT_THAT(test::refusal([&] { find_first_task(urdf, {}); }), HasSubstr("to hold the arm"));
+}
+
+}  // namespace
+}  // namespace armtune::internal

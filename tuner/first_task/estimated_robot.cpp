@@ -1,0 +1,69 @@
+#include "tuner/first_task/estimated_robot.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sstream>
+#include <vector>
+
+#include "armtune/error.hpp"
+#include "core/common/file_path.hpp"
+#include "core/common/input_file.hpp"
+#include "sim/yaml/quoted.hpp"
+
+namespace armtune::internal {
+namespace {
+
+/// The file's lines, but for the one that names the URDF.
+std::string other_lines(const RobotFile& file) {
+  const yaml::Node* urdf = file.root->find("urdf");
+  std::istringstream lines(read_input_file(file.path, yaml::kMaxBytes, "a robot file"));
+  std::string kept, line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (number != urdf->line()) kept += line + "\n";
+  }
+  return kept;
+}
+
+/// Whether a text has the keys of `file` and nothing else but the estimate.
+bool says_the_same(const std::string& text, const RobotFile& file) {
+  try {
+    const yaml::Node root = yaml::parse_text(text, file.path);
+    std::size_t found = 0;
+    for (const auto& [key, value] : file.root->entries()) found += root.find(key) != nullptr ? 1 : 0;
+    return found == file.root->entries().size() && root.entries().size() == found + 1;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+bool lacks_rotors(const RobotFile& file, const RobotModel& robot) {
+  const bool told = file.root && file.root->find("rotor_inertia") != nullptr;
+  return !told && (robot.chain.rotor_inertia.array() == 0.0).any();
+}
+
+std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estimated) {
+  std::vector<std::string> figures;
+  for (int i = 0; i < estimated.n(); ++i)
+    figures.push_back(fmt::format("{:.3g}", estimated.chain.rotor_inertia[i]));
+  const std::string text =
+      fmt::format("urdf: {}\n{}", yaml::quoted(absolute_path(file.urdf)),
+                  file.root ? other_lines(file) : "") +
+      fmt::format(
+          "\n# No file gives the rotor inertia of {}. It is estimated from the limits of effort and velocity, in\n"
+          "# kg m^2: [{}].\n"
+          "# A list of the arm's own figures in place of 'estimated' is better.\nrotor_inertia: estimated\n",
+          estimated.estimated_rotors.size() == std::size_t(estimated.n())
+              ? "the joints"
+              : fmt::format("{}", fmt::join(estimated.estimated_rotors, ", ")),
+          fmt::join(figures, ", "));
+  if (file.root && !says_the_same(text, file)) {
+    throw InputError(fmt::format(
+        "{}: it gives no rotor inertia; add the line 'rotor_inertia: estimated' to it", file.path));
+  }
+  return text;
+}
+
+}  // namespace armtune::internal
