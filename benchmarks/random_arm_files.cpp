@@ -1,0 +1,55 @@
+// Writes arms made at random as robot files, for scripts/check-arms: FOLDER/random_K.urdf and .yaml, the
+// latter with what a URDF does not hold. Usage: benchmark_random_arms COUNT FOLDER
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "core/robot/urdf_writer.hpp"
+#include "tests/core/support/arms.hpp"
+
+namespace {
+
+using armtune::internal::JointVector;
+using armtune::internal::RobotModel;
+
+std::string list(const JointVector& values) {
+  return fmt::format("[{:.6g}]", fmt::join(values.data(), values.data() + values.size(), ", "));
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  if (!(file << text)) {
+    fmt::print(stderr, "{}: cannot be written\n", path);
+    std::exit(1);
+  }
+}
+
+/// Five to seven joints, every other arm with sliding ones.
+RobotModel arm_of(unsigned k) {
+  return armtune::internal::test::random_arm(5 + static_cast<int>(k % 3), 1000 + k, k % 2 == 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    fmt::print(stderr, "usage: benchmark_random_arms COUNT FOLDER\n");
+    return 2;
+  }
+  const std::string folder = argv[2];
+  for (unsigned k = 0; k < static_cast<unsigned>(std::atoi(argv[1])); ++k) {
+    const RobotModel arm = arm_of(k);
+    const std::string name = fmt::format("{}/random_{:02}", folder, k);
+    write(name + ".urdf", armtune::internal::urdf_text(arm));
+    write(name + ".yaml",
+          fmt::format("urdf: random_{:02}.urdf\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}\n"
+                      "viscous_friction: {}\ncoulomb_friction: {}\n",
+                      k, arm.base_link, armtune::internal::urdf_tool_link(arm), list(arm.chain.rotor_inertia),
+                      list(arm.chain.viscous_friction), list(arm.chain.coulomb_friction)));
+  }
+  return 0;
+}
