@@ -104,8 +104,8 @@ ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::
     check_along(*along, path, orientation);
   }
   if (const yaml::Node* waypoints = map.optional("waypoints")) {
-    const std::string file = file_beside(waypoints->as_string(), waypoints->file());
-    inputs.push_back(file);
+    const Waypoints file = read_waypoints_node(*waypoints);
+    inputs.push_back(file.path);
     orientation = load_orientations(file);
   }
   map.finish();

@@ -183,10 +183,10 @@ Path read_polyline(const yaml::Node& node, const Files&) {
 }
 
 Path read_waypoints(const yaml::Node& node, const Files& files) {
-  const std::string file = file_beside(node.as_string(), node.file());
-  files.inputs.push_back(file);
+  const Waypoints waypoints = read_waypoints_node(node);
+  files.inputs.push_back(waypoints.path);
   Path path;
-  path.spline = std::make_shared<const PositionSpline>(load_waypoints(file, files.of_poses));
+  path.spline = std::make_shared<const PositionSpline>(load_waypoints(waypoints, files.of_poses));
   return path;
 }
 
@@ -267,6 +267,13 @@ std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<s
   std::vector<MovingObstacle> obstacles;
   for (const yaml::Node& item : node.items()) {
     yaml::MapReader map(item);
+    for (const char* shape : {"box", "cylinder", "capsule", "sphere"}) {
+      if (const yaml::Node* other = item.find(shape)) {
+        other->fail(
+            "obstacles are balls, which the controller keeps away from: give 'radius'. Other shapes stand "
+            "under 'parts' of the scenario's 'cell'");
+      }
+    }
     NamedPath center = read_named_path(map, inputs);
     obstacles.push_back(
         {std::move(center.name), std::move(center.path), map.number_in("radius", 0.0, 0.0, kLargestBody)});

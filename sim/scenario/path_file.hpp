@@ -19,6 +19,7 @@ namespace armtune::internal {
 ///   polyline: {corners: [[x, y, z], ...], speed, blend, closed: false}   straight ways, corners rounded from `blend` before
 ///                                                                   to `blend` behind them (polyline.hpp)
 ///   waypoints: FILE.csv             columns time, x, y, z: the cubic spline through them, at rest at both ends (waypoints_file.hpp)
+///   waypoints: {file: FILE.csv, units: {time: ms, length: mm}, columns: [time, x, y, z]}
 ///   center, frequency, phase, terms: [{order, cos, sin}]          a sum of harmonics (path.hpp)
 ///
 /// start_deg is where on the curve it begins, of 360. Files are named from the folder of the file that names them, and

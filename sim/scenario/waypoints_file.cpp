@@ -1,11 +1,14 @@
 #include "sim/scenario/waypoints_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +19,10 @@
 #include "sim/csv/csv_parts.hpp"
 #include "sim/csv/csv_table.hpp"
 #include "sim/csv/line_cells.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "sim/scenario/motion_rows.hpp"
+#include "sim/yaml/map_reader.hpp"
+#include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -67,9 +73,50 @@ std::string with_commas(std::string_view text, const std::string& path) {
   return result;
 }
 
-CsvTable read_table(const std::string& path) {
-  CsvTable table = CsvTable::parse(with_commas(read_input_file(path, kMostBytes, "a CSV file"), path), path,
-                                   CsvOrigin::kUser);
+bool is_number(std::string_view text) {
+  double value = 0.0;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+/// Whether the first line of a table with commas holds numbers and no names.
+bool has_no_names(const std::string& text) {
+  std::vector<std::string_view> cells;
+  split_cells(std::string_view(text).substr(0, text.find('\n')), ',', cells);
+  return std::all_of(cells.begin(), cells.end(), is_number);
+}
+
+/// A table with its names, and what messages call it.
+struct NamedTable {
+  CsvTable table;
+  std::string name;
+};
+
+NamedTable parse_table(const Waypoints& waypoints) {
+  const std::string& path = waypoints.path;
+  std::string text = with_commas(read_input_file(path, kMostBytes, "a CSV file"), path);
+  std::string name = path;
+  if (has_no_names(text)) {
+    if (waypoints.columns.empty()) {
+      throw InputError(fmt::format(
+          "{}:1: the first line holds numbers and no names; add a line of names, or say where the file is "
+          "named which column is which: waypoints: {{file: {}, columns: [time, x, y, z]}}",
+          path, yaml::quoted(std::filesystem::path(path).filename().string())));
+    }
+    text = fmt::format("{}\n{}", fmt::join(waypoints.columns, ","), text);
+    name += " (below a line of names)";
+  } else if (!waypoints.columns.empty()) {
+    throw InputError(
+        fmt::format("{}:1: the first line holds names; leave 'columns' out, or take that line away", path));
+  }
+  return {CsvTable::parse(text, name, CsvOrigin::kUser), name};
+}
+
+NamedTable read_table(const Waypoints& waypoints) {
+  NamedTable named = parse_table(waypoints);
+  const CsvTable& table = named.table;
+  const std::string& path = named.name;
   for (const std::string& column : table.header()) {
     if (column == "time" || is_one_of(kPlace, column) || is_one_of(kTurn, column)) continue;
     throw InputError(
@@ -80,7 +127,14 @@ CsvTable read_table(const std::string& path) {
   if (table.rows() > kMostWaypoints)
     throw InputError(
         fmt::format("{}: {} rows; a path has at most {}: thin them out", path, table.rows(), kMostWaypoints));
-  return table;
+  return named;
+}
+
+/// Times in the table's unit, in seconds.
+std::vector<double> seconds(const NamedTable& named, const Waypoints& waypoints) {
+  std::vector<double> time = rising_times(named.table, named.name);
+  for (double& t : time) t *= waypoints.units.time;
+  return time;
 }
 
 /// These columns of every row.
@@ -98,8 +152,26 @@ std::vector<std::array<double, N>> numbers(const CsvTable& table, const std::arr
 
 }  // namespace
 
-PositionSpline load_waypoints(const std::string& path, bool of_poses) {
-  const CsvTable table = read_table(path);
+Waypoints read_waypoints_node(const yaml::Node& node) {
+  Waypoints waypoints;
+  if (node.kind() != yaml::Node::Kind::kMap) {
+    waypoints.path = file_beside(node.as_string(), node.file());
+    return waypoints;
+  }
+  yaml::MapReader map(node);
+  const yaml::Node& file = map.required("file");
+  waypoints.path = file_beside(file.as_string(), file.file());
+  if (const yaml::Node* units = map.optional("units"))
+    waypoints.units = yaml::read_file_units(*units, "time length");
+  if (const yaml::Node* columns = map.optional("columns")) waypoints.columns = columns->as_strings();
+  map.finish();
+  return waypoints;
+}
+
+PositionSpline load_waypoints(const Waypoints& waypoints, bool of_poses) {
+  const NamedTable named = read_table(waypoints);
+  const CsvTable& table = named.table;
+  const std::string& path = named.name;
   for (const std::string& column : table.header()) {
     if (of_poses || !is_one_of(kTurn, column)) continue;
     throw InputError(fmt::format(
@@ -107,10 +179,11 @@ PositionSpline load_waypoints(const std::string& path, bool of_poses) {
         "where this is the tool's path, or take the column out",
         path, column));
   }
-  const std::vector<double> time = rising_times(table, path);
+  const std::vector<double> time = seconds(named, waypoints);
   std::vector<Vec3> positions;
   positions.reserve(table.rows());
-  for (const auto& row : numbers(table, kPlace, path)) positions.emplace_back(row.data());
+  for (const auto& row : numbers(table, kPlace, path))
+    positions.push_back(waypoints.units.length * Vec3(row.data()));
   const auto knots = cubic_spline(time, positions);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (knots[k].velocity.norm() <= kFastest && knots[k].acceleration.norm() <= kFastest) continue;
@@ -122,9 +195,11 @@ PositionSpline load_waypoints(const std::string& path, bool of_poses) {
   return {time, knots, false};
 }
 
-ToolOrientation load_orientations(const std::string& path) {
-  const CsvTable table = read_table(path);
-  const std::vector<double> time = rising_times(table, path);
+ToolOrientation load_orientations(const Waypoints& waypoints) {
+  const NamedTable named = read_table(waypoints);
+  const CsvTable& table = named.table;
+  const std::string& path = named.name;
+  const std::vector<double> time = seconds(named, waypoints);
   std::vector<Eigen::Quaterniond> orientations;
   orientations.reserve(table.rows());
   for (const auto& row : numbers(table, kTurn, path)) {

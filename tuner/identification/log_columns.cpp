@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/yaml/file_units.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal {
@@ -53,6 +54,18 @@ std::vector<LogColumn> read_columns(const yaml::Node& node, const std::vector<st
   return columns;
 }
 
+/// Multiplies the scales: angles and lengths as the joints turn or slide; torque of joints that turn.
+void use_units(const yaml::FileUnits& units, const RobotModel& model, LogColumns& columns) {
+  columns.time.scale *= units.time;
+  for (std::size_t i = 0; i < columns.position.size(); ++i) {
+    const bool turns = model.chain.motion[i] == JointMotion::kRevolute;
+    const double motion = turns ? units.angle : units.length;
+    columns.position[i].scale *= motion;
+    if (!columns.velocity.empty()) columns.velocity[i].scale *= motion;
+    if (turns) columns.torque[i].scale *= units.torque;
+  }
+}
+
 }  // namespace
 
 LogColumns default_log_columns(const RobotModel& model) {
@@ -77,6 +90,8 @@ LogColumns load_log_columns(const std::string& path, const RobotModel& model) {
   columns.position = read_columns(map.required("position"), joints);
   if (const yaml::Node* node = map.optional("velocity")) columns.velocity = read_columns(*node, joints);
   columns.torque = read_columns(map.required("torque"), joints);
+  if (const yaml::Node* units = map.optional("units"))
+    use_units(yaml::read_file_units(*units, "time length angle torque"), model, columns);
   map.finish();
   return columns;
 }

@@ -29,7 +29,8 @@ LogColumns default_log_columns(const RobotModel& model);
 
 /// From a YAML file: `time`, `time_scale`, and `position`, `velocity` (optional) and `torque`. Each of the
 /// last three has `columns`, a list of n column names or a map from joint names to column names, and may have
-/// `scale`: one number, a list of n numbers or a map from joint names to numbers. Throws InputError.
+/// `scale`: one number, a list of n numbers or a map from joint names to numbers. `units` (file_units.hpp)
+/// says the same of all columns; velocities are per second. Throws InputError.
 LogColumns load_log_columns(const std::string& path, const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 const std::string kCommas = "time,x,y,z\n0,-0.65,0.16,0.5\n5,-0.7,0.16,0.5\n9,-0.7,0.2,0.4\n";
 
 Vec3 halfway(const std::string& path) {
-  return load_waypoints(path, false).at(2.5).position;
+  return load_waypoints({path, {}, {}}, false).at(2.5).position;
 }
 
 TEST(WaypointsFile, AnySeparatorAndCapitalsGiveTheSamePath) {
@@ -40,15 +40,38 @@ TEST(WaypointsFile, NumbersWithCommasAreNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("comma.csv", "time;x;y;z\n0;0,65;0;0\n1;0,7;0;0\n");
   EXPECT_THAT(
-      test::refusal([&] { load_waypoints(path, false); }),
+      test::refusal([&] {
+        load_waypoints({path, {}, {}}, false);
+      }),
       AllOf(HasSubstr("comma.csv:2:"), HasSubstr("0,65"), HasSubstr("semicolons"), HasSubstr("point")));
 }
 
 TEST(WaypointsFile, UnixTimeStampsAreNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("stamps.csv", "time,x,y,z\n1700000000.5,0,0,0\n1700000001,1,0,0\n");
-  EXPECT_THAT(test::refusal([&] { load_waypoints(path, false); }),
+  EXPECT_THAT(test::refusal([&] {
+                load_waypoints({path, {}, {}}, false);
+              }),
               AllOf(HasSubstr("stamps.csv:2:"), HasSubstr("1700000000.5"), HasSubstr("Unix")));
+}
+
+TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) {
+  const test::TemporaryFolder folder;
+  const Vec3 expected = halfway(folder.write("commas.csv", kCommas));
+  folder.write("robot.csv", "-650 160 500 0\n-700 160 500 5000\n-700 200 400 9000\n");
+  const auto read = [&](const std::string& keys) {
+    const std::string yaml = "{file: robot.csv" + keys + "}";
+    return load_waypoints(read_waypoints_node(yaml::parse_text(yaml, folder / "scenario.yaml")), false);
+  };
+  const PositionSpline path = read(", units: {time: ms, length: mm}, columns: [x, y, z, time]");
+  EXPECT_LT((path.at(2.5).position - expected).norm(), 1e-15);
+  const auto refused = [&](const std::string& keys) { return test::refusal([&] { read(keys); }); };
+  EXPECT_THAT(refused(""), AllOf(HasSubstr("robot.csv:1"), HasSubstr("columns: [time, x, y, z]")));
+  EXPECT_THAT(refused(", columns: [x, y, z]"), HasSubstr("robot.csv (below a line of names):2"));
+  EXPECT_THAT(refused(", units: {length: feet}"), HasSubstr("'feet' is none of: m, cm, mm, in"));
+  EXPECT_THAT(refused(", units: {angle: deg}"), AllOf(HasSubstr("'angle'"), HasSubstr("time")));
+  folder.write("robot.csv", kCommas);
+  EXPECT_THAT(refused(", columns: [time, x, y, z]"), HasSubstr("the first line holds names"));
 }
 
 }  // namespace

@@ -58,6 +58,19 @@ TEST_F(Logs, AColumnMapGivesNamesAndUnits) {
               AllOf(HasSubstr("m.yaml:1:"), HasSubstr("1 entries"), HasSubstr("2 joints")));
 }
 
+TEST_F(Logs, UnitsCountForAllColumnsBesideTheirScales) {
+  columns_ = load_log_columns(
+      folder_.write("map.yaml",
+                    "units: {time: ms, angle: deg, torque: mN m}\nposition: {columns: [a, b]}\n"
+                    "velocity: {columns: [c, d]}\ntorque: {columns: [e, f], scale: 2}\n"),
+      arm_);
+  const auto samples = read("time,a,b,c,d,e,f\n5000,180,90,360,0,1000,500\n6000,180,90,360,0,1000,500\n");
+  EXPECT_DOUBLE_EQ(samples[1].time, 1.0);
+  EXPECT_LT((samples[0].q - JointVector(Eigen::Vector2d(M_PI, M_PI / 2.0))).norm(), 1e-15);
+  EXPECT_LT((samples[0].qd - JointVector(Eigen::Vector2d(2.0 * M_PI, 0.0))).norm(), 1e-15);
+  EXPECT_EQ(samples[0].torque, JointVector(Eigen::Vector2d(2.0, 1.0)));
+}
+
 TEST_F(Logs, AByteOrderMarkIsSkippedAndALastRowNeedsNoLineEnd) {
   const auto samples = read("\xEF\xBB\xBFt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8");
   ASSERT_EQ(samples.size(), 2U);

@@ -1,0 +1,21 @@
+#pragma once
+// The units of the numbers in a user's table.
+
+#include "sim/yaml/document.hpp"
+
+namespace armtune::internal::yaml {
+
+/// Factors that make the numbers of a table SI.
+struct FileUnits {
+  double time = 1.0;
+  double length = 1.0;
+  double angle = 1.0;
+  double torque = 1.0;
+};
+
+/// {time: s, ms, us or ns, length: m, cm, mm or in, angle: rad or deg, torque: N m or mN m}, each of which
+/// may be left out. Throws InputError with file, line and key for any other, and for those that `allowed`
+/// does not name: a list of keys with blanks between them.
+FileUnits read_file_units(const Node& node, const char* allowed);
+
+}  // namespace armtune::internal::yaml
