@@ -6,6 +6,7 @@
 
 #include "core/robot/chain.hpp"
 #include "core/robot/shape.hpp"
+#include "core/robot/urdf_interfaces.hpp"
 
 namespace armtune::internal {
 
@@ -15,12 +16,14 @@ struct JointLimits {
   double upper = 0.0;
   double velocity = 0.0;  ///< largest |q'| [rad/s, m/s]
   double effort = 0.0;    ///< largest |tau| [N m, N]
+  bool soft = false;      ///< lower or upper is that of the URDF's safety controller
 };
 
 struct JointInfo {
   std::string name;
   std::string link;  ///< the link this joint moves (fixed links beyond it are merged into it)
   JointLimits limits;
+  JointInterfaces interfaces = {};  ///< that ros2_control gives it
 };
 
 struct RobotModel {

@@ -30,6 +30,7 @@ constexpr const char* name(ShapeKind kind) {
 struct Shape {
   int body = -1;           ///< index of the joint that moves it; -1: the base
   int link = 0;            ///< the same for all shapes of a link, of which a body may have several
+  std::string link_name;   ///< of that link, or "tool"
   bool collision = false;  ///< of the link's collision geometry, not of what is to be seen
   ShapeKind kind = ShapeKind::kSphere;
   Mat3 R_BS = Mat3::Identity();  ///< shape in the body frame B (see chain.hpp); lengths lie along its z

@@ -77,7 +77,7 @@ class ArmBuilder {
       open.pop_back();
       const Site site = sites_.at(link.name);
       if (site.body >= 0) add_inertia(link, site);
-      add_shapes(link, site);
+      add_shapes(link.name, shapes_of(link), site);
       for (const std::string& name : link.joints) {
         const UrdfJoint& joint = tree.joints.at(name);
         if (site.body < 0 && is_beside(joint)) continue;  // it moves on what stands still: not the arm
@@ -87,11 +87,22 @@ class ArmBuilder {
     }
   }
 
-  void add_shapes(const UrdfLink& link, const Site& site) {
+  /// What is to be seen of it, and what it collides with.
+  std::vector<Shape> shapes_of(const UrdfLink& link) const {
+    const auto given = options_.shapes.find(link.name);
+    if (given == options_.shapes.end()) return link.shapes;
+    std::vector<Shape> shapes = link.shapes;
+    std::erase_if(shapes, [](const Shape& shape) { return shape.collision; });
+    shapes.insert(shapes.end(), given->second.begin(), given->second.end());
+    return shapes;
+  }
+
+  void add_shapes(const std::string& link, const std::vector<Shape>& shapes, const Site& site) {
     const int number = model_.shapes.empty() ? 0 : model_.shapes.back().link + 1;
-    for (Shape shape : link.shapes) {
+    for (Shape shape : shapes) {
       shape.body = site.body;
       shape.link = number;
+      shape.link_name = link;
       shape.p_BS = site.p_BL + site.R_BL * shape.p_BS;
       shape.R_BS = site.R_BL * shape.R_BS;
       if (shape.R_BS.allFinite() && shape.p_BS.allFinite()) model_.shapes.push_back(shape);
@@ -132,6 +143,9 @@ class ArmBuilder {
         refuse("limits: joint '{}' is held, where only lower and upper count; leave velocity and effort out",
                name);
       }
+    }
+    for (const auto& [name, shapes] : options_.shapes) {
+      if (!sites_.contains(name)) refuse("shapes: link '{}' is no part of this arm; leave it out", name);
     }
     for (const auto& [name, inertia] : options_.inertia) {
       const auto site = sites_.find(name);
@@ -197,7 +211,7 @@ class ArmBuilder {
     chain.rotor_inertia[i] = joint.rotor_inertia;
     chain.viscous_friction[i] = joint.damping;
     chain.coulomb_friction[i] = joint.friction;
-    model_.joints.push_back({joint.name, joint.child, limits_of(joint)});
+    model_.joints.push_back({joint.name, joint.child, limits_of(joint), joint.interfaces});
     return {i, R_LB.transpose(), Vec3::Zero()};
   }
 
@@ -215,8 +229,12 @@ class ArmBuilder {
           joint.name);
     const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
     const auto [lower, upper] = range.value_or(std::pair(0.0, 0.0));
-    JointLimits limits{range.has_value(), lower, upper, given.velocity.value_or(file.velocity),
-                       given.effort.value_or(file.effort)};
+    JointLimits limits{range.has_value(),
+                       lower,
+                       upper,
+                       given.velocity.value_or(file.velocity),
+                       given.effort.value_or(file.effort),
+                       file.soft && !(given.lower && given.upper)};
     if (missing_ != nullptr) {
       if (lacks_position) {
         missing_->position.push_back(joint.name);
@@ -305,6 +323,15 @@ class ArmBuilder {
     const Site& tip = found->second;
     model_.chain.R_BT = tip.R_BL * options_.R_tip_T;
     model_.chain.p_BT = tip.p_BL + tip.R_BL * options_.p_tip_T;
+    mount_tool();
+  }
+
+  /// The tool moves with the last link.
+  void mount_tool() {
+    const Site at_tool{model_.n() - 1, model_.chain.R_BT, model_.chain.p_BT};
+    if (options_.tool_inertia)
+      link_inertias_.add("tool", in_link_frame(*options_.tool_inertia), at_tool, model_.chain);
+    add_shapes("tool", options_.tool_shapes, at_tool);
   }
 
   const UrdfOptions& options_;

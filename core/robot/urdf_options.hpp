@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/common/types.hpp"
+#include "core/robot/shape.hpp"
 
 namespace armtune::internal {
 
@@ -33,11 +34,15 @@ struct UrdfOptions {
   /// Tool frame in the tip link.
   Mat3 R_tip_T = Mat3::Identity();
   Vec3 p_tip_T = Vec3::Zero();
+  std::optional<GivenInertia> tool_inertia;  ///< of what is mounted at the tip, in the tool frame
+  std::vector<Shape> tool_shapes;            ///< of it, poses in the tool frame
   /// Joints that are held where they are, as if they were fixed there [rad, m]: a gripper's, a mimic's, an
   /// arm's own.
   std::map<std::string, double> held;
   std::map<std::string, GivenLimits> limits;    ///< by joint
   std::map<std::string, GivenInertia> inertia;  ///< by link
+  /// In place of a link's collision geometry, by link; poses in the link's frame.
+  std::map<std::string, std::vector<Shape>> shapes;
 };
 
 /// A link whose inertia no rigid body has, and a proposal for it.

@@ -97,6 +97,16 @@ UrdfMotion motion_of(const urdf::Joint& joint) {
   }
 }
 
+/// A safety controller keeps the joint within its soft limits, which lie within the hard ones.
+void narrow(const urdf::JointSafety& safety, UrdfJoint::Limits& limits) {
+  const double lower = std::max(limits.lower, safety.soft_lower_limit);
+  const double upper = std::min(limits.upper, safety.soft_upper_limit);
+  if (!(safety.soft_lower_limit < safety.soft_upper_limit) || !(lower < upper)) return;
+  limits.soft = lower > limits.lower || upper < limits.upper;
+  limits.lower = lower;
+  limits.upper = upper;
+}
+
 UrdfJoint joint_of(const urdf::Joint& from) {
   UrdfJoint joint;
   joint.name = from.name;
@@ -108,6 +118,7 @@ UrdfJoint joint_of(const urdf::Joint& from) {
   joint.axis = Vec3(from.axis.x, from.axis.y, from.axis.z);
   if (from.limits) {
     joint.limits = {from.limits->lower, from.limits->upper, from.limits->velocity, from.limits->effort};
+    if (from.safety && joint.motion != UrdfMotion::kContinuous) narrow(*from.safety, *joint.limits);
   }
   if (from.dynamics) {
     joint.damping = from.dynamics->damping;
@@ -141,6 +152,10 @@ UrdfTree read_tree(const std::string& path) {
   UrdfTree tree{parsed->getName(), parsed->getRoot()->name, {}, {}};
   for (const auto& [name, link] : parsed->links_) tree.links.emplace(name, link_of(*link));
   for (const auto& [name, joint] : parsed->joints_) tree.joints.emplace(name, joint_of(*joint));
+  for (auto& [name, interfaces] : ros2_control_interfaces(text)) {
+    if (const auto joint = tree.joints.find(name); joint != tree.joints.end())
+      joint->second.interfaces = std::move(interfaces);
+  }
   for (const auto& [name, inertia] : rotor_inertias(text, path)) {
     if (const auto joint = tree.joints.find(name); joint != tree.joints.end())
       joint->second.rotor_inertia = inertia;

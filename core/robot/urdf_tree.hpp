@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/robot/shape.hpp"
+#include "core/robot/urdf_interfaces.hpp"
 
 namespace armtune::internal {
 
@@ -18,6 +19,7 @@ struct UrdfJoint {
     double upper = 0.0;
     double velocity = 0.0;  ///< [rad/s, m/s]
     double effort = 0.0;    ///< [N m, N]
+    bool soft = false;      ///< lower or upper is that of a safety controller
   };
 
   std::string name;
@@ -32,6 +34,7 @@ struct UrdfJoint {
   double friction = 0.0;       ///< [N m, N]
   double rotor_inertia = 0.0;  ///< as the joint feels it [kg m^2, kg]
   std::string mimics;          ///< the joint it follows; empty: none
+  JointInterfaces interfaces;  ///< of ros2_control
 };
 
 struct UrdfInertial {

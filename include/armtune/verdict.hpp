@@ -14,6 +14,9 @@ enum class CheckKind {
   kPositionLimit,
   kEffortLimit,
   kContact,      ///< tool and joints, or links, stay outside every obstacle's radius
+  kSelf,         ///< links that are not neighbours do not touch each other
+  kCell,         ///< the arm touches no part of its cell
+  kFloor,        ///< nor the floor
   kConstraints,  ///< those of the study
   kTorqueDelay,  ///< the margins
   kGainFactor,

@@ -27,6 +27,11 @@ double gaze_rate_error(const Observation& o) {
       .norm();
 }
 
+/// A smallest value, or NaN where nothing had one.
+double finite_or_nan(double smallest) {
+  return smallest < kInfinity ? smallest : NAN;
+}
+
 }  // namespace
 
 void Reacquisition::start(double t) {
@@ -122,6 +127,7 @@ void MetricAccumulator::add_limits(const Observation& o) {
   }
   if (o.control->saturated) ++saturated_periods_;
   min_clearance_ = std::min(min_clearance_, o.clearance);
+  if (o.cell != nullptr) least_ = o.cell->least();
   if (!first_) effort_rate_.add((o.control->torque - last_torque_).norm() / period_);
   last_torque_ = o.control->torque;
 }
@@ -157,7 +163,7 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointVelocityMaxRatio:
       return first_ ? NAN : max_ratio_;
     case Metric::kJointPositionMinMargin:
-      return min_margin_ < kInfinity ? min_margin_ : NAN;
+      return finite_or_nan(min_margin_);
     case Metric::kJointEffortMaxRatio:
       // A torque over a limit of zero has no ratio.
       return first_ || max_effort_ratio_ == kInfinity ? NAN : max_effort_ratio_;
@@ -166,7 +172,13 @@ double MetricAccumulator::so_far(Metric m) const {
     case Metric::kJointErrorMax:
       return joint_error_.max();
     case Metric::kObstacleMinClearance:
-      return min_clearance_ < kInfinity ? min_clearance_ : NAN;
+      return finite_or_nan(min_clearance_);
+    case Metric::kClearanceSelf:
+      return finite_or_nan(least_of(Clearance::kSelf, least_).distance);
+    case Metric::kClearanceCell:
+      return finite_or_nan(least_of(Clearance::kCell, least_).distance);
+    case Metric::kClearanceFloor:
+      return finite_or_nan(least_of(Clearance::kFloor, least_).distance);
     default:
       return NAN;
   }

@@ -94,6 +94,7 @@ class MetricAccumulator {
   double max_effort_ratio_ = 0.0;
   long saturated_periods_ = 0;
   double min_clearance_;
+  LeastClearances least_;
   JointVector last_torque_;
 };
 

@@ -1,5 +1,7 @@
 #include "sim/metrics/metric.hpp"
 
+#include <fmt/format.h>
+
 namespace armtune::internal {
 
 // Tracking errors count in followTrajectory from 1 s after it was entered, outside a slerp; joint errors in
@@ -70,6 +72,13 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"obstacle/min_clearance", "m", kMore, kOnlyWorsens, "smallest obstacle clearance",
        "smallest distance of any joint origin or the tool, or of any link's surface, to an obstacle's "
        "surface"},
+      {"clearance/self", "m", kMore, kOnlyWorsens, "smallest distance between links",
+       "smallest distance between two links of the arm, but for neighbours and for links whose shapes meet at nearly "
+       "every position; empty without a cell, or where the links' shapes are not known"},
+      {"clearance/cell", "m", kMore, kOnlyWorsens, "smallest distance from the cell",
+       "smallest distance of any moving link from a part of the cell; empty without one"},
+      {"clearance/floor", "m", kMore, kOnlyWorsens, "smallest height above the floor",
+       "smallest height of any moving link above the cell's floor; empty without one"},
       {"compensation_error/rms", "N m", kLess, kEitherWay, "RMS compensation error",
        "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
       {"response/rise_time", "s", kLess, kEitherWay, "rise time",
@@ -101,6 +110,20 @@ std::optional<Metric> metric_from_name(std::string_view name) {
     if (name == fields[i].name) return static_cast<Metric>(i);
   }
   return std::nullopt;
+}
+
+std::string contact_text(const Metrics& metrics) {
+  constexpr double kKnownDepth = 1e-6;  // m: bodies of flat faces only know that they meet (closest.hpp)
+  constexpr std::array kTouched = {"an obstacle", "another link of the arm", "a part of the cell",
+                                   "the floor"};
+  static_assert(kTouched.size() == kContactMetrics.size());
+  for (std::size_t i = 0; i < kTouched.size(); ++i) {
+    const double clearance = metrics[kContactMetrics[i]];
+    if (clearance < -kKnownDepth)
+      return fmt::format("comes at least {:.3g} m into {}", -clearance, kTouched[i]);
+    if (clearance < 0.0) return fmt::format("touches {}", kTouched[i]);
+  }
+  return {};
 }
 
 }  // namespace armtune::internal

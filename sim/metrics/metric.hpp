@@ -42,6 +42,9 @@ enum class Metric : std::size_t {
   kJointErrorMax,
   kEffortRateRms,
   kObstacleMinClearance,
+  kClearanceSelf,
+  kClearanceCell,
+  kClearanceFloor,
   kCompensationErrorRms,
   kResponseRiseTime,
   kResponseOvershoot,
@@ -52,6 +55,10 @@ enum class Metric : std::size_t {
 };
 
 inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::kCount);
+
+/// Distances from what an arm must not touch: below zero it does.
+inline constexpr std::array kContactMetrics = {Metric::kObstacleMinClearance, Metric::kClearanceSelf,
+                                               Metric::kClearanceCell, Metric::kClearanceFloor};
 
 /// Which values of a metric are the better ones.
 enum class Better {
@@ -110,5 +117,9 @@ struct Metrics {
     return a;
   }
 };
+
+/// Returns what the arm touched, as a clause: "comes at least 0.02 m into the floor"; empty where it touched
+/// nothing.
+std::string contact_text(const Metrics& metrics);
 
 }  // namespace armtune::internal

@@ -3,6 +3,7 @@
 // controller did.
 
 #include "core/control/laws/controller.hpp"
+#include "sim/cell/clearance_watch.hpp"
 
 namespace armtune::internal {
 
@@ -22,9 +23,10 @@ struct Observation {
   const OrientationPoint* orientation = nullptr;  ///< wanted in place of a gaze at the target
   TaskMask mask = TaskMask::kPose;
   Vec6 error = Vec6::Zero();  ///< pose error (position, rotation vector); zero in states that track joints
-  Vec6 error_rate = Vec6::Zero();  ///< (v - vd, w - wd); likewise
-  double gaze_angle = 0.0;         ///< [rad]
-  double clearance = 0.0;          ///< of joint origins and tool, or of links [m], infinite without obstacles
+  Vec6 error_rate = Vec6::Zero();        ///< (v - vd, w - wd); likewise
+  double gaze_angle = 0.0;               ///< [rad]
+  const ClearanceWatch* cell = nullptr;  ///< the smallest distances so far; null: the scenario has no cell
+  double clearance = 0.0;  ///< of joint origins and tool, or of links [m], infinite without obstacles
   /// |Y (theta_hat - theta)| [N m]: theta_hat after this period's step of the adaptation, theta of the
   /// simulated arm with payload and friction, Y along the true motion and the references.
   double compensation_error = 0.0;

@@ -17,6 +17,12 @@ bool applies(Metric metric, const Scenario& scenario) {
   switch (metric) {
     case Metric::kObstacleMinClearance:
       return !scenario.obstacles.empty();
+    case Metric::kClearanceSelf:
+      return scenario.clearance && scenario.clearance->has(Clearance::kSelf);
+    case Metric::kClearanceCell:
+      return scenario.clearance && scenario.clearance->has(Clearance::kCell);
+    case Metric::kClearanceFloor:
+      return scenario.clearance && scenario.clearance->has(Clearance::kFloor);
     case Metric::kJointPositionMinMargin:
       return has_position_limits(*scenario.robot);
     case Metric::kReacquisitionTime:

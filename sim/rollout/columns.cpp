@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace armtune::internal {
 namespace {
@@ -61,6 +62,31 @@ void add_planned(std::vector<Column>& columns, const std::string& joint, int i, 
                      [i, planned](const Observation& o) { return (*o.q)[i] - planned(o); }});
 }
 
+/// The smallest distances of each kind, and the two points that are closest to each other.
+void add_clearance(std::vector<Column>& columns, const Scenario& scenario) {
+  const auto now = std::make_shared<ClearanceNow>(scenario.clearance);
+  const auto seen = [now](const Observation& o) -> const ClearanceNow& {
+    now->see(o.time, *o.q);
+    return *now;
+  };
+  const auto add = [&](const char* name, Clearance kind, const char* meaning) {
+    if (!scenario.clearance->has(kind)) return;
+    columns.push_back(
+        {name, "m", meaning,
+         [seen, kind](const Observation& o) { return least_of(kind, seen(o).least()).distance; },
+         Over::kSmallest});
+  };
+  add("clearance/self", Clearance::kSelf,
+      "least distance between two links that are not neighbours since the row before");
+  add("clearance/cell", Clearance::kCell,
+      "least distance of a link from a part of the cell since the row before");
+  add("clearance/floor", Clearance::kFloor, "least height of a link above the floor since the row before");
+  add_vector(columns, "closest/of", "m", "the point of the arm that is closest to what it must not touch",
+             [seen](const Observation& o) { return seen(o).closest().on_a; });
+  add_vector(columns, "closest/to", "m", "the point that it is closest to",
+             [seen](const Observation& o) { return seen(o).closest().on_b; });
+}
+
 }  // namespace
 
 std::vector<Column> rollout_columns(const Scenario& scenario) {
@@ -111,6 +137,7 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
          "before",
          [](const Observation& o) { return o.clearance; }, Over::kSmallest});
   }
+  if (scenario.clearance && !scenario.clearance->pairs().empty()) add_clearance(columns, scenario);
   columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller saw it",
                      [](const Observation& o) { return o.control->manipulability; }});
   columns.push_back({"compensation_error", "N m", "|Y (theta_hat - theta)|",

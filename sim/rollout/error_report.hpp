@@ -14,6 +14,7 @@ struct ScenarioResult {
   std::string scenario;
   RolloutResult result;
   std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were passed, the earliest first
+  LeastClearances nearest = {};          ///< of a scenario with a cell, whose clearance model it refers to
 };
 
 /// A column of errors.csv that is no metric of the rollout itself.

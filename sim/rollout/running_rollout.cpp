@@ -38,6 +38,10 @@ RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshol
         scenario_.active_target(std::max(0.0, scenario_.start_time - scenario_.control_period)));
   }
   if (scenario_.stimulus) response_.emplace(scenario_);
+  if (scenario_.clearance) {
+    cell_.emplace(scenario_.clearance);
+    observation_.cell = &*cell_;
+  }
 }
 
 JointVector RunningRollout::start_velocity() const {
@@ -78,6 +82,7 @@ Observation& RunningRollout::act(const ControlOutput& control, const ParameterVe
 }
 
 bool RunningRollout::judge(const Observer& observer) {
+  if (cell_) cell_->see(observation_.time, *observation_.q);
   const Observation& o = observation_;
   metrics_.add(o);
   if (response_) response_->add(o);

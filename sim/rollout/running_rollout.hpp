@@ -67,6 +67,7 @@ class RunningRollout {
   MetricAccumulator metrics_;
   JointVector diverged_velocity_;  ///< beyond which a joint will not come back
   std::optional<StimulusResponse> response_;
+  std::optional<ClearanceWatch> cell_;
   JointState measured_;
   Path path_;
   Scene scene_;

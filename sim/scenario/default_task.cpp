@@ -28,6 +28,7 @@ constexpr double kApart = 0.1;         // of the reach, each target from the mid
 constexpr double kEnoughMargin = 0.1;  // of a joint's range
 constexpr double kAboveFloor = 0.1;    // m
 constexpr double kFolded = 0.08;       // of the reach, from the tool to the arm itself
+constexpr double kFromCell = 0.02;     // m, of links; from each other they are anything above zero
 constexpr double kMostLoad = 0.75;     // of an effort limit
 constexpr double kUnlikely = 0.02;     // factor on the score of a place that will hardly do
 constexpr double kTurn = 10.0;         // s
@@ -45,7 +46,9 @@ struct Place {
 /// Height of the floor; without one, lower than anything.
 double floor_of(const RobotModel& robot, const TaskOptions& options) {
   const bool upright = height_of(Vec3::UnitZ(), robot) > 0.5;
-  return options.floor.value_or(upright ? 0.0 : -std::numeric_limits<double>::infinity());
+  const double none = -std::numeric_limits<double>::infinity();
+  if (options.cell) return options.cell->floor.value_or(none);
+  return options.floor.value_or(upright ? 0.0 : none);
 }
 
 /// Largest share of a joint's effort limit that holding the arm still takes.
@@ -143,10 +146,11 @@ class Placing {
           joint.name, lightest_.value * joint.limits.effort, joint.limits.effort, tool.x(), tool.y(),
           tool.z());
     }
-    if (low_) {
+    if (nears_ > lows_) return fmt::format("on the circles that {} can follow, {}", arm_.name, near_);
+    if (lows_ > 0) {
       return fmt::format(
-          "the circles that {} can follow come closer than {} m to the floor, which is {:.3g} m above its base "
-          "frame; --floor puts it elsewhere",
+          "the circles that {} can follow are less than {} m above the floor, which is at a height of {:.3g} m in the "
+          "base frame; --floor puts it elsewhere",
           arm_.name, kAboveFloor, floor_);
     }
     return folded_ ? fmt::format("the circles that {} can follow touch the arm itself", arm_.name) : "";
@@ -160,7 +164,7 @@ class Placing {
     forward_kinematics(arm_.chain, place.q, poses);
     const double ahead = distance_ahead(poses, arm_, floor_, size_);
     if (ahead < kNearest * size_) {
-      low_ = true;
+      ++lows_;
       return false;
     }
     put_task(poses, ahead, size_, shrunk, scenario);
@@ -177,14 +181,34 @@ class Placing {
     return true;
   }
 
+  /// Two bodies that come too close to each other, as a clause; empty: none do.
+  std::string too_near(const PathWalk& walk) const {
+    for (const LeastClearance& least : walk.nearest) {
+      if (least.pair == nullptr) continue;
+      const std::string pair = task_.scenario.clearance->name(*least.pair);
+      const bool self = least.pair->of == Clearance::kSelf;
+      if (least.distance <= 0.0) return pair + " touch";
+      // The first two links are where the arm stands, whatever its task.
+      const int body = task_.scenario.clearance->arm().solids[least.pair->solid].body;
+      if (!self && body > 1 && least.distance < kFromCell)
+        return fmt::format("{} come closer than {} m to each other", pair, kFromCell);
+    }
+    return {};
+  }
+
   /// Whether nothing but the arm's own motion stands in the way of a walk that is clear.
   bool is_free(const PathWalk& walk) {
     if (walk.low.value < floor_ + kAboveFloor) {
-      low_ = true;
+      ++lows_;
       return false;
     }
     if (walk.fold.value < kFolded * size_) {
       folded_ = true;
+      return false;
+    }
+    if (const std::string near = too_near(walk); !near.empty()) {
+      near_ = near;
+      ++nears_;
       return false;
     }
     if (walk.load.value <= kMostLoad) return true;
@@ -203,7 +227,9 @@ class Placing {
   WalkPlace lightest_{0.0, Vec3::Zero(),
                       PathWalk::kUnseen};  ///< of the walks that only their load was against
   int loaded_ = 0;                         ///< joint whose load it is
-  bool low_ = false;
+  std::string near_;                       ///< two bodies that would come too close
+  int lows_ = 0;                           ///< places that are too low
+  int nears_ = 0;                          ///< and those where bodies come too close
   bool folded_ = false;
 };
 
@@ -215,6 +241,12 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOpti
   scenario.name = "task";
   scenario.robot = std::move(robot);
   const RobotModel& arm = *scenario.robot;
+  Cell cell = options.cell.value_or(Cell{});
+  if (const double floor = floor_of(arm, options); std::isfinite(floor)) cell.floor = floor;
+  scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, std::move(cell));
+  task.in_given_cell = options.cell.has_value();
+  // Of an arm whose shapes are not known there is nothing to say.
+  if (scenario.clearance->pairs().empty()) scenario.clearance.reset();
   scenario.duration = kDuration * options.slowness;
   scenario.control_period = 0.002;
   scenario.switch_every = kSwitch * options.slowness;
@@ -261,6 +293,12 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
       s.path.frequency, list(s.path.terms[0].cosine), list(s.path.terms[0].sine), s.switch_every);
   for (const NamedPath& target : s.targets)
     text += fmt::format("  - {{name: {}, center: {}}}\n", target.name, list(target.path.center));
+  if (s.clearance && !task.in_given_cell) {
+    text += s.clearance->cell().floor
+                ? fmt::format("cell: {{floor: {}}}   # m; the arm is to touch neither it nor itself\n",
+                              *s.clearance->cell().floor)
+                : "cell: {}   # the arm is not to touch itself\n";
+  }
   text += fmt::format(
       "\n# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
       "{}}}\nplant:\n"

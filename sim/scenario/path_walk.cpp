@@ -31,10 +31,18 @@ constexpr unsigned kPlacesTried = 30;
 constexpr int kTimesLooked = 20;    // at a path that was lost, for where it cannot be reached at all
 constexpr double kAtTarget = 0.02;  // m: as close no gaze can turn as fast as the line does
 
+/// Whether nothing in the cell moves.
+bool parts_rest(const Scenario& scenario) {
+  if (!scenario.clearance) return true;
+  const auto& parts = scenario.clearance->cell().parts;
+  return std::all_of(parts.begin(), parts.end(), [](const CellPart& part) { return part.path.rests(); });
+}
+
 /// One turn is as good as many where nothing else moves.
 double walked_time(const Scenario& scenario) {
-  const bool targets_rest = std::all_of(scenario.targets.begin(), scenario.targets.end(),
-                                        [](const NamedPath& target) { return target.path.rests(); });
+  const bool targets_rest =
+      parts_rest(scenario) && std::all_of(scenario.targets.begin(), scenario.targets.end(),
+                                          [](const NamedPath& target) { return target.path.rests(); });
   const double rest = scenario.next_switch(0.0) < scenario.duration ? scenario.duration : 1.0;
   // A turn through waypoints does not come round with the path.
   const bool turns = scenario.orientation && scenario.orientation->turn;
@@ -91,10 +99,25 @@ bool is_singular(const PathWalk& walk) {
   return !(walk.manipulability.value >= kSingular * walk.largest_manipulability);
 }
 
+/// Where the arm touches itself or its cell; null: nowhere.
+const LeastClearance* contact(const PathWalk& walk) {
+  for (const LeastClearance& least : walk.nearest) {
+    if (least.distance < 0.0) return &least;
+  }
+  return nullptr;
+}
+
+/// How deep the arm comes into itself or its cell [m].
+double depth(const PathWalk& walk) {
+  double deepest = 0.0;
+  for (const LeastClearance& least : walk.nearest) deepest = std::max(deepest, -least.distance);
+  return deepest;
+}
+
 }  // namespace
 
 bool is_clear(const PathWalk& walk) {
-  return !is_off_path(walk) && !is_singular(walk) && walk.margin.value >= 0.0;
+  return !is_off_path(walk) && !is_singular(walk) && walk.margin.value >= 0.0 && contact(walk) == nullptr;
 }
 
 namespace {
@@ -225,6 +248,11 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
         "give another start",
         scenario.robot->name, place(walk.error), walk.error.value);
   }
+  if (walk.margin.value >= 0.0) {
+    const LeastClearance& touched = *contact(walk);
+    return fmt::format("on the path {} touch, at {:.4g} s; move the path, or give another start",
+                       scenario.clearance->name(*touched.pair), touched.time);
+  }
   return fmt::format(
       "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",
       scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
@@ -238,7 +266,8 @@ JointVector best_start_of_task(const Scenario& scenario) {
         const PathWalk walk = walk_path(scenario, q, kCentering);
         const double ease = walk.manipulability.value * std::min(1.0, walk.margin.value / kEnoughMargin);
         // Where the whole walk fails, still the pose that does best.
-        return is_clear(walk) ? ease : -1.0 - walk.error.value - std::max(0.0, -walk.margin.value);
+        return is_clear(walk) ? ease
+                              : -1.0 - walk.error.value - std::max(0.0, -walk.margin.value) - depth(walk);
       });
   if (best) return *best;
   const Vec3& tool = goal.tool;

@@ -19,6 +19,15 @@ Vec3 read_vec3(const yaml::Node& node) {
 
 }  // namespace
 
+Payload read_payload(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  Payload payload;
+  payload.mass = map.number_in("mass", 0.0, 0.0, kInfinity);
+  if (const yaml::Node* center = map.optional("center")) payload.center = read_vec3(*center);
+  map.finish();
+  return payload;
+}
+
 PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string>& joints) {
   yaml::MapReader map(node);
   PlantConditions plant;
@@ -30,10 +39,7 @@ PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string
   }
   plant.torque_delay_periods = static_cast<int>(delay);
   if (const yaml::Node* payload_node = map.optional("payload")) {
-    yaml::MapReader payload(*payload_node);
-    plant.payload.mass = payload.number_in("mass", 0.0, 0.0, kInfinity);
-    if (const yaml::Node* center = payload.optional("center")) plant.payload.center = read_vec3(*center);
-    payload.finish();
+    plant.payload = read_payload(*payload_node);
   }
   for (const auto& [key, values] : {std::pair{"viscous_friction", &plant.viscous_friction},
                                     std::pair{"coulomb_friction", &plant.coulomb_friction}}) {

@@ -9,8 +9,9 @@
 
 namespace armtune::internal {
 
-/// Both throw InputError with file and line.
+/// All throw InputError with file and line.
 PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string>& joints);
+Payload read_payload(const yaml::Node& node);
 Camera read_camera(const yaml::Node& node);
 
 }  // namespace armtune::internal

@@ -14,7 +14,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr double kLightest =
-    5e-4;  // kg for each N m or N of the joint's effort: arms have ten times that and more
+    5e-4;  // kg for each N m or N of the joint's effort: arms have seven times that and more
 constexpr double kWidest = 0.5;         // of the reach: radius of gyration of a link
 constexpr double kNarrowest = 2e-3;     // m
 constexpr double kManyTurns = 25.0;     // rad

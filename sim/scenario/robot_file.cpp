@@ -7,7 +7,9 @@
 #include "core/robot/link_radius.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
+#include "sim/scenario/cell_file.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/plant_file.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
@@ -56,6 +58,8 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   const std::string urdf = map.required("urdf").as_string();
   file.urdf = urdf.starts_with('/') ? urdf : folder_of(file.path) + "/" + urdf;
   for (const char* key : kJointKeys) map.ignore(key);
+  map.ignore("payload");
+  map.ignore("cell");
   map.finish();
   return file;
 }
@@ -77,10 +81,17 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
     }
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
   }
+  if (const yaml::Node* payload = file.root ? file.root->find("payload") : nullptr)
+    *model = with_payload(*model, read_payload(*payload));
   validate(*model);
   // Its rule divides by limits, which are valid from here on.
   if (asks_for_estimate(file)) estimate_rotors(*model);
   return model;
+}
+
+std::optional<Cell> cell_of(const RobotFile& file, std::vector<std::string>& inputs) {
+  const yaml::Node* cell = file.root ? file.root->find("cell") : nullptr;
+  return cell == nullptr ? std::nullopt : std::optional(read_cell(*cell, inputs));
 }
 
 }  // namespace armtune::internal

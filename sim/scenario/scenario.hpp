@@ -15,6 +15,7 @@
 #include "core/trajectory/joint_spline.hpp"
 #include "core/trajectory/path.hpp"
 #include "core/trajectory/tool_orientation.hpp"
+#include "sim/cell/clearance_model.hpp"
 #include "sim/scenario/stimulus.hpp"
 
 namespace armtune::internal {
@@ -79,7 +80,8 @@ struct Scenario {
   std::vector<TargetTurn> schedule;  ///< rising; the first target before it; empty: `switch_every` counts
   std::optional<Camera> camera;      ///< none: the controller knows the targets' motion
   std::vector<MovingObstacle> obstacles;
-  std::optional<Stimulus> stimulus;  ///< added to path or target, unknown to the controller
+  std::shared_ptr<const ClearanceModel> clearance;  ///< of the arm from itself and its cell; null: no cell
+  std::optional<Stimulus> stimulus;                 ///< added to path or target, unknown to the controller
   ThetaStart theta;
   PlantConditions plant;
   std::uint64_t seed = 1;  ///< of the noise

@@ -10,6 +10,7 @@
 #include "core/common/file_name.hpp"
 #include "core/robot/kinematics.hpp"
 #include "core/robot/link_radius.hpp"
+#include "sim/scenario/cell_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/orientation_file.hpp"
 #include "sim/scenario/path_file.hpp"
@@ -19,6 +20,7 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "sim/scenario/stimulus_file.hpp"
+#include "sim/scenario/waypoints_file.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
 
@@ -128,6 +130,16 @@ void hold_the_end(Scenario& scenario) {
   scenario.targets = {{"ahead", Path{poses.p_0T + kAhead * poses.R_0T.col(2), 0.0, 0.0, {}}}};
 }
 
+/// Whether orientation and path come from one file of waypoints, which is then read in one way.
+bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
+  const Waypoints a = read_waypoints_node(turns);
+  const Waypoints b = read_waypoints_node(points);
+  if (a.path != b.path) return false;
+  if (a.units.time != b.units.time || a.columns != b.columns)
+    turns.fail("the path reads the same file with other 'units' or 'columns'; give both the same");
+  return true;
+}
+
 /// The tool's path, and what it looks at or how it is turned.
 void read_task(yaml::MapReader& map, Scenario& scenario) {
   const bool has_task = map.has("path") || map.has("orientation") || map.has("targets");
@@ -137,7 +149,7 @@ void read_task(yaml::MapReader& map, Scenario& scenario) {
   // Tool poses stand in one file.
   const yaml::Node* turns = orientation == nullptr ? nullptr : orientation->find("waypoints");
   const yaml::Node* points = map.required("path").find("waypoints");
-  const bool of_poses = turns != nullptr && points != nullptr && path_in(*turns) == path_in(*points);
+  const bool of_poses = turns != nullptr && points != nullptr && is_one_file(*turns, *points);
   scenario.path = read_path(tool_path, scenario.inputs, of_poses);
   tool_path.finish();
   if (orientation == nullptr) {
@@ -173,6 +185,13 @@ double read_duration(const yaml::Node* node, const Scenario& scenario) {
                                           duration, kMaxPeriods, period);
   if (node == nullptr) throw InputError(scenario.source + ": the planned trajectory takes " + message);
   node->fail(message);
+}
+
+/// The scenario's cell, or that of the robot's file. node: null where the scenario has none of its own.
+void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& scenario) {
+  const std::optional<Cell> cell =
+      node != nullptr ? std::optional(read_cell(*node, scenario.inputs)) : cell_of(robot, scenario.inputs);
+  if (cell) scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, *cell);
 }
 
 }  // namespace
@@ -214,6 +233,7 @@ Scenario load_scenario(const std::string& name_or_path) {
     if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
       schedule->fail("stands beside 'switch_every', by which targets take turns; set that to 0");
   }
+  read_clearance(map.optional("cell"), read_robot_file(robot, robot_folder), scenario);
   // A plan has a start of its own, over a base's.
   if (const yaml::Node* start = map.optional("start_position_deg"); start != nullptr && !scenario.planned) {
     read_start(*start, scenario);

@@ -5,23 +5,13 @@
 #include <Eigen/Geometry>
 #include <map>
 
+#include "core/robot/body_inertia.hpp"
+#include "core/robot/link_inertias.hpp"
+#include "sim/scenario/solid_keys.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
 namespace {
-
-void read_tool(const yaml::Node& node, UrdfOptions& options) {
-  yaml::MapReader map(node);
-  if (const yaml::Node* xyz = map.optional("xyz")) options.p_tip_T = Vec3(xyz->as_numbers(3).data());
-  if (const yaml::Node* rpy = map.optional("rpy")) {
-    const auto angles = rpy->as_numbers(3);
-    options.R_tip_T =
-        (Eigen::AngleAxisd(angles[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
-         Eigen::AngleAxisd(angles[0], Vec3::UnitX()))
-            .toRotationMatrix();
-  }
-  map.finish();
-}
 
 std::optional<double> number_of(yaml::MapReader& map, const char* key) {
   const yaml::Node* node = map.optional(key);
@@ -36,8 +26,8 @@ GivenLimits read_limits(const yaml::Node& node) {
   return limits;
 }
 
-GivenInertia read_inertia(const yaml::Node& node) {
-  yaml::MapReader map(node);
+/// mass, center and moments.
+GivenInertia read_inertia(yaml::MapReader& map) {
   GivenInertia given;
   const yaml::Node& mass = map.required("mass");
   given.mass = mass.as_number();
@@ -47,8 +37,70 @@ GivenInertia read_inertia(const yaml::Node& node) {
   given.about_center << m[0], m[1], m[2],  //
       m[1], m[3], m[4],                    //
       m[2], m[4], m[5];
+  return given;
+}
+
+GivenInertia read_link_inertia(const yaml::Node& node) {
+  yaml::MapReader map(node);
+  const GivenInertia given = read_inertia(map);
   map.finish();
   return given;
+}
+
+ShapeKind kind_of(SolidKind kind) {
+  switch (kind) {
+    case SolidKind::kSphere:
+      return ShapeKind::kSphere;
+    case SolidKind::kCapsule:
+      return ShapeKind::kCapsule;
+    case SolidKind::kBox:
+      return ShapeKind::kBox;
+    default:
+      return ShapeKind::kCylinder;
+  }
+}
+
+/// Shapes that are both seen and collided with.
+std::vector<Shape> read_shapes(const yaml::Node& node) {
+  std::vector<Shape> shapes;
+  for (const yaml::Node& item : node.items()) {
+    yaml::MapReader map(item);
+    const PlacedSolid placed = read_placed_solid(map);
+    map.finish();
+    Shape shape;
+    shape.collision = true;
+    shape.kind = kind_of(placed.solid.kind);
+    shape.size = placed.solid.size;
+    if (placed.solid.radius > 0.0) shape.size = Vec3(placed.solid.radius, placed.solid.size[0], 0.0);
+    shape.R_BS = placed.R_BS;
+    shape.p_BS = placed.p_BS;
+    shapes.push_back(shape);
+  }
+  return shapes;
+}
+
+void read_tool(const yaml::Node& node, UrdfOptions& options) {
+  yaml::MapReader map(node);
+  if (const yaml::Node* xyz = map.optional("xyz")) options.p_tip_T = Vec3(xyz->as_numbers(3).data());
+  if (const yaml::Node* rpy = map.optional("rpy")) {
+    const auto angles = rpy->as_numbers(3);
+    options.R_tip_T =
+        (Eigen::AngleAxisd(angles[2], Vec3::UnitZ()) * Eigen::AngleAxisd(angles[1], Vec3::UnitY()) *
+         Eigen::AngleAxisd(angles[0], Vec3::UnitX()))
+            .toRotationMatrix();
+  }
+  if (map.has("mass") || map.has("center") || map.has("moments")) {
+    options.tool_inertia = read_inertia(map);
+    if (!(options.tool_inertia->mass > 0.0))
+      map.required("mass").fail(
+          "a tool has a mass above zero; leave mass and moments out where nothing is mounted");
+    if (!is_physical(in_link_frame(*options.tool_inertia)))
+      map.required("moments").fail(
+          "no rigid body has these moments of inertia: none of the principal ones may be negative, or larger "
+          "than the sum of the other two");
+  }
+  if (const yaml::Node* shapes = map.optional("shapes")) options.tool_shapes = read_shapes(*shapes);
+  map.finish();
 }
 
 }  // namespace
@@ -65,7 +117,10 @@ UrdfOptions read_urdf_options(yaml::MapReader& map) {
     for (const auto& [joint, value] : limits->entries()) options.limits[joint] = read_limits(value);
   }
   if (const yaml::Node* inertia = map.optional("inertia")) {
-    for (const auto& [link, value] : inertia->entries()) options.inertia[link] = read_inertia(value);
+    for (const auto& [link, value] : inertia->entries()) options.inertia[link] = read_link_inertia(value);
+  }
+  if (const yaml::Node* shapes = map.optional("shapes")) {
+    for (const auto& [link, value] : shapes->entries()) options.shapes[link] = read_shapes(value);
   }
   return options;
 }

@@ -53,7 +53,9 @@ WalkExtremes::WalkExtremes(const Scenario& scenario, double off_path)
     : robot_(*scenario.robot),
       off_path_(off_path),
       loaded_(with_payload(robot_, scenario.plant.payload).chain),
-      efforts_(robot_.effort_limits()) {}
+      efforts_(robot_.effort_limits()) {
+  if (scenario.clearance) cell_.emplace(scenario.clearance);
+}
 
 void WalkExtremes::see(double time, const Vec3& tool, const MeasuredArm& arm, const JointVector& q,
                        PathWalk& walk) {
@@ -68,6 +70,10 @@ void WalkExtremes::see(double time, const Vec3& tool, const MeasuredArm& arm, co
   take_smaller({time, tool, tightest.margin}, walk.margin);
   take_smaller({time, tool, lowest(robot_, arm.poses)}, walk.low);
   take_smaller({time, tool, folded(arm.poses)}, walk.fold);
+  if (cell_) {
+    cell_->see(time, q);
+    walk.nearest = cell_->least();
+  }
   gravity_torque(loaded_, arm.poses, gravity_);
   int heaviest = 0;
   const double load = (gravity_.array().abs() / efforts_.array()).maxCoeff(&heaviest);

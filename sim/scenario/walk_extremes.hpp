@@ -3,8 +3,10 @@
 // arm itself, and what holding the arm still takes.
 
 #include <limits>
+#include <optional>
 
 #include "core/control/measured_arm.hpp"
+#include "sim/cell/clearance_watch.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune::internal {
@@ -31,7 +33,9 @@ struct PathWalk {
                 kUnseen};  ///< least height of the tool and of the third and later joints [m]
   WalkPlace fold{0.0, Vec3::Zero(),
                  kUnseen};  ///< least distance of the tool from the arm's first n - 2 joints [m]
-  WalkPlace load;           ///< largest share of a joint's effort limit that holding the arm still takes
+  /// Smallest distances of the arm from itself and its cell; infinite in a scenario without a cell.
+  LeastClearances nearest;
+  WalkPlace load;  ///< largest share of a joint's effort limit that holding the arm still takes
   double largest_manipulability = 0.0;
   int joint = 0;       ///< whose margin it is
   int loaded = 0;      ///< joint whose load it is
@@ -57,6 +61,7 @@ class WalkExtremes {
  private:
   const RobotModel& robot_;
   double off_path_;
+  std::optional<ClearanceWatch> cell_;
   Chain loaded_;
   JointVector efforts_;
   JointVector gravity_;

@@ -1,10 +1,10 @@
 // Whatever the bytes of a mesh: as many triangles as it says, which come through scene.json to the page, or
 // none.
 
+#include "sim/cell/stl_file.hpp"
 #include "tests/fuzz/support/run_folder.hpp"
 #include "tuner/report/base64.hpp"
 #include "tuner/report/scene.hpp"
-#include "tuner/report/stl_file.hpp"
 
 namespace armtune::internal::fuzz {
 namespace {
@@ -14,7 +14,7 @@ void check(std::string_view bytes) {
   static const RunFolder folder;
   static const report::Scene scene = report::read_scene(folder.path() + "/scene.json");
   folder.write("mesh.stl", bytes);
-  const auto corners = report::read_binary_stl(folder.path() + "/mesh.stl", kMost);
+  const auto corners = read_binary_stl(folder.path() + "/mesh.stl", kMost);
   if (!corners) return;
   require(corners->size() % 9 == 0 && !corners->empty() && corners->size() <= 9 * kMost);
   for (const float corner : *corners) require(std::isfinite(corner));

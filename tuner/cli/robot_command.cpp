@@ -12,6 +12,7 @@
 #include "core/common/path_state.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
+#include "sim/cell/clearance_model.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/plausibility.hpp"
@@ -71,6 +72,59 @@ void show_rotors(const RobotModel& model) {
       fmt::join(figures, ", ")));
 }
 
+void show_soft_limits(const RobotModel& model) {
+  std::vector<std::string> soft;
+  for (const JointInfo& joint : model.joints) {
+    if (joint.limits.soft) soft.push_back(joint.name);
+  }
+  if (!soft.empty())
+    say(fmt::format("Position limits are the soft ones of the URDF's safety controllers for {}.\n",
+                    fmt::join(soft, ", ")));
+}
+
+void add_new(const std::vector<std::string>& names, std::vector<std::string>& all) {
+  for (const std::string& name : names) {
+    if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+  }
+}
+
+/// What ros2_control can command, where the URDF says so.
+void show_interfaces(const RobotModel& model) {
+  std::vector<std::string> command, state, without_effort;
+  for (const JointInfo& joint : model.joints) {
+    const std::vector<std::string>& own = joint.interfaces.command;
+    add_new(own, command);
+    add_new(joint.interfaces.state, state);
+    if (std::find(own.begin(), own.end(), "effort") == own.end()) without_effort.push_back(joint.name);
+  }
+  if (command.empty() && state.empty()) return;
+  say(fmt::format("ros2_control commands: {}; it reads: {}.\n",
+                  command.empty() ? "nothing" : fmt::format("{}", fmt::join(command, ", ")),
+                  state.empty() ? "nothing" : fmt::format("{}", fmt::join(state, ", "))));
+  if (!without_effort.empty())
+    say(fmt::format("The controllers that armtune simulates command effort, which {} cannot be given.\n",
+                    without_effort.size() == model.joints.size()
+                        ? "these joints"
+                        : fmt::format("{}", fmt::join(without_effort, ", "))));
+}
+
+/// Which links self-collision is looked for between.
+void show_contacts(const RobotModel& model) {
+  const ClearanceModel contacts(std::make_shared<const RobotModel>(model), Cell{});
+  std::vector<std::string> unknown = contacts.arm().unknown;
+  if (!unknown.empty())
+    say(fmt::format("Shapes that could be read are missing for {}: nothing touches them.\n",
+                    fmt::join(unknown, ", ")));
+  if (!contacts.has(Clearance::kSelf)) return;
+  say(fmt::format(
+      "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",
+      contacts.pairs().size()));
+  const std::vector<std::string> left_out = contacts.left_out_by_their_make();
+  if (!left_out.empty())
+    say(fmt::format("Left out, as their shapes meet at nearly every position: {}.\n",
+                    fmt::join(left_out, "; ")));
+}
+
 void show(const RobotModel& model) {
   double mass = 0.0;
   for (int i = 0; i < model.n(); ++i) mass += model.chain.link[static_cast<std::size_t>(i)].mass;
@@ -79,7 +133,10 @@ void show(const RobotModel& model) {
       model.name, model.source, model.n(), model.base_link, model.tip_link, mass, reach(model)));
   show_joints(model);
   say(fmt::format("\nSI units: rad, m, rad/s, m/s, N m, N, kg m^2.\n"));
+  show_soft_limits(model);
+  show_interfaces(model);
   show_rotors(model);
+  show_contacts(model);
   for (const std::string& doubt : doubts(model)) print_warning(doubt);
 }
 

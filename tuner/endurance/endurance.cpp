@@ -23,20 +23,28 @@ std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario
   result.engine = engine;
   LimitWatch limits(*scenario.robot);
   ErrorWindows errors(scenario.start_time, scenario.duration, scenario.control_period);
+  LeastClearance touched;  // what the arm touches first
   const RolloutResult rollout = Rollout(scenario, stepper, engine).run(gains, [&](const Observation& o) {
     limits.look(o);
     errors.look(o);
-    return !stop && !limits.any();
+    if (o.cell != nullptr) {
+      for (const LeastClearance& least : o.cell->least()) {
+        if (least.distance < 0.0) touched = least;
+      }
+    }
+    return !stop && !limits.any() && touched.pair == nullptr;
   });
   result.simulated = rollout.end_time;
   if (limits.any()) {
     result.broken = limits.broken().front();
+  } else if (touched.pair != nullptr) {
+    result.ended = scenario.clearance->name(*touched.pair) + " touch";
   } else if (rollout.status == RolloutStatus::kInterrupted) {
     return std::nullopt;
   } else if (rollout.status != RolloutStatus::kCompleted) {
     result.ended = rollout.reason;
-  } else if (const double clearance = rollout.metrics[Metric::kObstacleMinClearance]; clearance < 0.0) {
-    result.ended = fmt::format("comes {:.3g} m into an obstacle", -clearance);
+  } else {
+    result.ended = contact_text(rollout.metrics);
   }
   const bool compared = rollout.end_time - scenario.start_time >= kShortestCompared;
   result.rms_growth = compared ? errors.rms_growth() : NAN;

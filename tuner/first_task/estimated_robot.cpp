@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -37,6 +38,15 @@ bool says_the_same(const std::string& text, const RobotFile& file) {
   }
 }
 
+/// Whether its cell names files, whose paths are from its folder.
+bool names_waypoints(const RobotFile& file) {
+  const yaml::Node* cell = file.root->find("cell");
+  const yaml::Node* parts = cell == nullptr ? nullptr : cell->find("parts");
+  if (parts == nullptr) return false;
+  return std::any_of(parts->items().begin(), parts->items().end(),
+                     [](const yaml::Node& part) { return part.find("waypoints") != nullptr; });
+}
+
 }  // namespace
 
 bool lacks_rotors(const RobotFile& file, const RobotModel& robot) {
@@ -59,7 +69,7 @@ std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estima
               ? "the joints"
               : fmt::format("{}", fmt::join(estimated.estimated_rotors, ", ")),
           fmt::join(figures, ", "));
-  if (file.root && !says_the_same(text, file)) {
+  if (file.root && (!says_the_same(text, file) || names_waypoints(file))) {
     throw InputError(fmt::format(
         "{}: it gives no rotor inertia; add the line 'rotor_inertia: estimated' to it", file.path));
   }

@@ -38,7 +38,7 @@ bool keeps_limits(const RolloutResult& result) {
   return result.status == RolloutStatus::kCompleted &&
          metrics[Metric::kJointVelocityMaxRatio] <= kFirstTaskRatio &&
          metrics[Metric::kJointEffortMaxRatio] <= kFirstTaskRatio &&
-         !(metrics[Metric::kJointPositionMinMargin] < 0.0);
+         !(metrics[Metric::kJointPositionMinMargin] < 0.0) && contact_text(metrics).empty();
 }
 
 /// What a rollout that does not keep its limits has to say.
@@ -46,6 +46,7 @@ std::string failure(const RolloutResult& result) {
   if (result.status != RolloutStatus::kCompleted) return result.reason;
   const Metrics& metrics = result.metrics;
   if (metrics[Metric::kJointPositionMinMargin] < 0.0) return "a joint leaves its position limits";
+  if (const std::string contact = contact_text(metrics); !contact.empty()) return "the arm " + contact;
   if (metrics[Metric::kJointVelocityMaxRatio] > kFirstTaskRatio) {
     return fmt::format("{} reaches {:.3g} of its velocity limit", metrics.max_ratio_joint,
                        metrics[Metric::kJointVelocityMaxRatio]);
@@ -121,9 +122,19 @@ FirstTask find_first_task(const std::string& robot, const TaskOptions& options) 
     robot_yaml = estimated_robot_yaml(file, estimated);
     arm = std::make_shared<const RobotModel>(std::move(estimated));
   }
+  TaskOptions in_cell = options;
+  std::vector<std::string> inputs;
+  if (const auto cell = cell_of(file, inputs)) {
+    if (options.floor) {
+      throw InputError(fmt::format(
+          "{}: its 'cell' says what stands around the arm; leave --floor out, and give 'floor' there",
+          file.path));
+    }
+    in_cell.cell = *cell;
+  }
   std::string failed;
   for (const double slowness : kSlowness) {
-    TaskOptions slower = options;
+    TaskOptions slower = in_cell;
     slower.slowness *= slowness;
     Trial trial(default_task(arm, slower));
     if (auto found = trial.find()) {

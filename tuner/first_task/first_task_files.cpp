@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/csv/text_file.hpp"
+#include "sim/rollout/applies.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/yaml/quoted.hpp"
 #include "tuner/first_task/first_task.hpp"
@@ -28,7 +29,7 @@ constraints:
   - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
   - {{metric: joint_position/min_margin, at_least: 0}}
   - {{metric: joint_effort/max_ratio, at_most: 0.9}}
-
+{clearances}
 # Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for
 # each stability margin must hold on the arm of the model.
 robust: {{samples: 6, measure: worst}}
@@ -40,9 +41,20 @@ search:
   seed: 1
 )";
 
-std::string study_text(const RobotModel& robot, bool looks) {
+/// Constraints for what the arm can touch.
+std::string clearances(const Scenario& scenario) {
+  std::string text;
+  for (const Metric contact : kContactMetrics) {
+    if (applies(contact, scenario)) text += fmt::format("  - {{metric: {}, at_least: 0}}\n", name(contact));
+  }
+  return text;
+}
+
+std::string study_text(const Scenario& scenario) {
+  const RobotModel& robot = *scenario.robot;
+  const bool looks = tracks_orientation(scenario.mask);
   return fmt::format("description: {}\n", yaml::quoted("first gains for " + robot.name)) +
-         fmt::format(kStudy,
+         fmt::format(kStudy, fmt::arg("clearances", clearances(scenario)),
                      fmt::arg("orientation_parameters", looks ? "  - {name: slerpDurationErrorGain}\n" : ""),
                      fmt::arg("orientation_terms", looks ? "  - {metric: error/orientation/max, weight: 1}\n"
                                                            "  - {metric: error/orientation/rms, weight: 1}\n"
@@ -62,7 +74,7 @@ void write_first_task(const FirstTask& found, const std::string& folder) {
   if (!found.robot_yaml.empty()) write_text_file(folder + "/robot.yaml", found.robot_yaml);
   write_text_file(folder + "/task.yaml", default_task_yaml(found.task, found.robot_file));
   write_text_file(folder + "/gains.yaml", gains_yaml(found.gains, comments));
-  write_text_file(folder + "/study.yaml", study_text(*scenario.robot, tracks_orientation(scenario.mask)));
+  write_text_file(folder + "/study.yaml", study_text(scenario));
 }
 
 }  // namespace armtune::internal

@@ -8,7 +8,10 @@ inline constexpr const char* kTorque = "torque";
 inline constexpr const char* kToolPath = "tool path";
 inline constexpr const char* kGaze = "gaze";
 inline constexpr const char* kPathCoordinate = "path coordinate";
-inline constexpr const char* kDistanceTo = "distance to ";  ///< an obstacle's name follows
+inline constexpr const char* kDistanceTo = "distance to ";           ///< an obstacle's name follows
+inline constexpr const char* kDistanceToPart = "distance to part ";  ///< of the cell; its name follows
+inline constexpr const char* kDistanceToFloor = "distance to the floor";
+inline constexpr const char* kDistanceBetweenLinks = "distance between links";
 
 /// What became of an event, and of the plan that it is held against, in yardstick.csv.
 inline constexpr const char* kAlreadyThere = "already there";

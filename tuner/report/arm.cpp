@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/cell/mesh_path.hpp"
+#include "sim/cell/stl_file.hpp"
 #include "tuner/report/base64.hpp"
-#include "tuner/report/mesh_path.hpp"
-#include "tuner/report/stl_file.hpp"
 
 namespace armtune::internal::report {
 namespace {

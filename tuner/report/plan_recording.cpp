@@ -44,9 +44,13 @@ void place(PlanLimit& limit, const Arm* arm) {
   } else if (limit.limit == kept_words::kGaze) {
     limit.group = "gaze";
     limit.column = "gaze/angle";
-  } else if (limit.limit.starts_with(kept_words::kDistanceTo)) {
+  } else if (limit.limit.starts_with(kept_words::kDistanceTo) ||
+             limit.limit == kept_words::kDistanceBetweenLinks) {
     limit.group = "clearance";
-    limit.column = "obstacle/distance";
+    limit.column = limit.limit == kept_words::kDistanceBetweenLinks       ? "clearance/self"
+                   : limit.limit == kept_words::kDistanceToFloor          ? "clearance/floor"
+                   : limit.limit.starts_with(kept_words::kDistanceToPart) ? "clearance/cell"
+                                                                          : "obstacle/distance";
   } else {
     limit.group = joint_group(slides(arm, limit.part), limit.limit);
     limit.column = "joint/" + limit.part + "/" + limit.limit;

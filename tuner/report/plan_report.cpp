@@ -98,6 +98,8 @@ class PlanAssembly {
     shown.arm = static_cast<long>(scene.arm);
     shown.influence_radius = scene.influence_radius;
     if (!scene.path.rests()) shown.path = drawn_path(scene.path);
+    for (const ScenePart& part : scene.cell) shown.cell.push_back({part.name, part.shape});
+    shown.floor = scene.floor;
   }
 
   NumberTable read_motion(ReportScenario& shown) {

@@ -124,7 +124,7 @@ Resolution resolution_for(std::size_t bytes, std::size_t columns, std::size_t re
 NumberTable read_recording(const std::string& path) {
   return NumberTable::read(path, [](std::string_view name) {
     return name == "time" || name == "state" || name == "slerping" || name.starts_with("joint/") ||
-           name.starts_with("target/position/") || is_task_column(name);
+           name.starts_with("target/position/") || name.starts_with("closest/") || is_task_column(name);
   });
 }
 

@@ -117,6 +117,10 @@ Replay replay_of(const NumberTable& rollout, const SceneScenario& scenario, cons
   const std::vector<double> times = picked(time, rows);
   for (const SceneObstacle& obstacle : scenario.obstacles)
     replay.obstacles.push_back(center_of(obstacle.path, times));
+  for (const ScenePart& part : scenario.cell) replay.cell.push_back(center_of(part.path, times));
+  replay.closest = vector_series(rollout, "closest/of", rows);
+  for (Series& axis : vector_series(rollout, "closest/to", rows)) replay.closest.push_back(std::move(axis));
+  if (replay.closest.size() != 6) replay.closest.clear();
   return replay;
 }
 

@@ -28,6 +28,7 @@ constexpr GroupOf kGroups[] = {{"tool/position/", "position", "m"},
                                {"gaze/angle", "gaze", "rad"},
                                {"compensation_error", "theta", "N m"},
                                {"obstacle/distance", "clearance", "m"},
+                               {"clearance/", "clearance", "m"},
                                {"manipulability", "manipulability", "m^3"}};
 
 /// Times of the rows [s]. Throws InputError naming file and line.

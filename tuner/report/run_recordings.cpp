@@ -15,8 +15,8 @@
 namespace armtune::internal::report {
 namespace {
 
-constexpr std::size_t kColumnsBesideJoints = 22;
-constexpr std::size_t kSeriesBesideJoints = 7;      // target, tool and error of a replay
+constexpr std::size_t kColumnsBesideJoints = 25;
+constexpr std::size_t kSeriesBesideJoints = 13;     // target, tool, error and closest points of a replay
 constexpr std::size_t kForObstaclesAtLeast = 8000;  // [bytes] about eight of them
 
 class Recordings {
@@ -127,7 +127,8 @@ class Recordings {
     const auto& times = recording.numbers(recording.column("time"));
     const double seconds = times.empty() ? 0.0 : times.back() - times.front();
     const std::size_t series =
-        kSeriesBesideJoints + 2 * joints + 3 * (scenario != nullptr ? scenario->obstacles.size() : 0);
+        kSeriesBesideJoints + 2 * joints +
+        3 * (scenario != nullptr ? scenario->obstacles.size() + scenario->cell.size() : 0);
     Run run = run_of(recording, scenario, arm,
                      resolution_for(share, kColumnsBesideJoints + 2 * joints, series, seconds));
     run.set = file.set;
@@ -170,6 +171,8 @@ class Recordings {
       with_runs.path = drawn_path(scenario->path);
       for (const SceneObstacle& obstacle : scenario->obstacles)
         with_runs.obstacles.push_back(obstacle.radius);
+      for (const ScenePart& part : scenario->cell) with_runs.cell.push_back({part.name, part.shape});
+      with_runs.floor = scenario->floor;
     }
     const std::size_t size = record::json_of(with_runs).size();
     if (size > room_) {

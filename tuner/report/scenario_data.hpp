@@ -1,6 +1,7 @@
 #pragma once
 // What a report page shows of a scenario: its runs, their plots and replays, and the limits of a plan.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +42,8 @@ struct Replay {
   double dt = 0.0;
   std::size_t n = 0;
   std::vector<Series> q, target;
-  std::vector<std::vector<Series>> obstacles;
+  std::vector<std::vector<Series>> obstacles, cell;
+  std::vector<Series> closest;
   std::vector<Series> tool;
   Series error;
   std::vector<Series> velocity_ratio;
@@ -52,6 +54,9 @@ struct Replay {
     f("q", replay.q, "Per joint, rad or m.");
     f("target", replay.target, "x, y, z of the active target in the base frame; empty without one.");
     f("obstacles", replay.obstacles, "Per obstacle: x, y, z of its centre.")("tool", replay.tool, "x, y, z.");
+    f("cell", replay.cell, "Per part of the cell: x, y, z of its centre.");
+    f("closest", replay.closest,
+      "x, y, z of the arm's point that is closest to what it must not touch, then of the point that it is closest to; empty where nobody looked.");
     f("error", replay.error, "Norm of the position error, m; no value where the state tracks no position.");
     f("velocity_ratio", replay.velocity_ratio,
       "Per joint, |velocity| over its limit: the largest within dt / 2 of the sample, so that no peak is missed.");
@@ -118,12 +123,23 @@ struct PlanLimit {
   }
 };
 
+struct ReportPart {
+  std::string name;
+  ArmShape shape;
+
+  static void declare(auto& f, auto& part) {
+    f.type("CellPart")("name", part.name)("shape", part.shape, "Turned as `q` says, about its centre.");
+  }
+};
+
 struct ReportScenario {
   std::string name;
   double duration = 0.0;
   std::vector<Vec3> path;
   double influence_radius = 0.0;
   std::vector<double> obstacles;
+  std::vector<ReportPart> cell;
+  std::optional<double> floor;
   long arm = -1;
   std::vector<Run> runs;
   std::vector<PlanLimit> limits;
@@ -133,6 +149,8 @@ struct ReportScenario {
     f("path", scenario.path, "Closed polyline of the desired path, m.");
     f("influence_radius", scenario.influence_radius, "m; 0 without obstacles.");
     f("obstacles", scenario.obstacles, "Radius of the body of each, m.");
+    f("cell", scenario.cell, "What stands around the arm.");
+    f("floor", scenario.floor, "Height above the base frame's origin, m; null: none is known.");
     f("states", record::names_of<ControlState>(), "Names of the controller's states.");
     f("robot", scenario.arm,
       "Index into `robots`; -1 where the folder does not say: its runs have no replay.");

@@ -3,9 +3,38 @@
 #include <algorithm>
 
 #include "sim/csv/csv_table.hpp"
+#include "sim/scenario/walk_extremes.hpp"
 #include "tuner/run/run_file.hpp"
 
 namespace armtune::internal::report {
+namespace {
+
+ArmShape drawn(const CellPart& part) {
+  ArmShape shape;
+  shape.pose.q = Eigen::Quaterniond(part.R_0S).normalized();
+  const Vec3& size = part.solid.size;
+  switch (part.solid.kind) {
+    case SolidKind::kSphere:
+      shape.kind = ShapeKind::kSphere;
+      shape.size = {part.solid.radius};
+      break;
+    case SolidKind::kCapsule:
+      shape.kind = ShapeKind::kCapsule;
+      shape.size = {part.solid.radius, size.x()};
+      break;
+    case SolidKind::kCylinder:
+      shape.kind = ShapeKind::kCylinder;
+      shape.size = {size.x(), size.y()};
+      break;
+    default:
+      shape.kind = ShapeKind::kBox;
+      shape.size = {size.x(), size.y(), size.z()};
+  }
+  return shape;
+}
+
+}  // namespace
+
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
   switch (kind) {
     case RunKind::kTune:
@@ -43,6 +72,13 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
     for (const MovingObstacle& obstacle : scenario.obstacles)
       s.obstacles.push_back({obstacle.path, obstacle.radius});
     if (!s.obstacles.empty()) s.influence_radius = influence_radius;
+    if (scenario.clearance) {
+      for (const CellPart& part : scenario.clearance->cell().parts)
+        s.cell.push_back({part.name, drawn(part), part.path});
+      // It is drawn across the base frame's z.
+      const bool upright = height_of(Vec3::UnitZ(), *scenario.robot) > 1.0 - 1e-6;
+      if (upright) s.floor = scenario.clearance->cell().floor;
+    }
     Arm arm = arm_of(*scenario.robot);
     const auto known = std::find(scene.arms.begin(), scene.arms.end(), arm);
     s.arm = static_cast<std::size_t>(known - scene.arms.begin());

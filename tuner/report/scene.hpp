@@ -1,6 +1,7 @@
 #pragma once
 // What a run's CSV files do not say and its replay needs: scene.json, written beside them.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ struct SceneObstacle {
   static void declare(auto& f, auto& obstacle) { f("radius", obstacle.radius)("path", obstacle.path); }
 };
 
+/// A part of the cell; its shape belongs to no joint, and the path is that of its centre.
+struct ScenePart {
+  std::string name;
+  ArmShape shape;
+  Path path;
+
+  static void declare(auto& f, auto& part) { f("name", part.name)("shape", part.shape)("path", part.path); }
+};
+
 struct SceneScenario {
   std::string name;
   double duration = 0.0;  ///< [s]
@@ -34,10 +44,14 @@ struct SceneScenario {
   Path path;              ///< of the tool
   std::vector<SceneObstacle> obstacles;
   double influence_radius = 0.0;  ///< [m], of the first set's gains; 0 without obstacles
+  std::vector<ScenePart> cell;
+  std::optional<double> floor;  ///< height above the base frame's origin [m]
 
   static void declare(auto& f, auto& scenario) {
     f("name", scenario.name)("duration", scenario.duration)("robot", scenario.arm)("path", scenario.path);
     f("obstacles", scenario.obstacles)("influence_radius", scenario.influence_radius);
+    f("cell", scenario.cell, "", record::Presence::kLater)("floor", scenario.floor, "",
+                                                           record::Presence::kLater);
   }
 };
 

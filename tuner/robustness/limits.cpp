@@ -12,9 +12,10 @@
 namespace armtune::internal {
 
 std::vector<MetricLimit> arm_limits() {
-  return {{Metric::kJointVelocityMaxRatio, true, 1.0},
-          {Metric::kJointPositionMinMargin, false, 0.0},
-          {Metric::kObstacleMinClearance, false, 0.0}};
+  std::vector<MetricLimit> limits = {{Metric::kJointVelocityMaxRatio, true, 1.0},
+                                     {Metric::kJointPositionMinMargin, false, 0.0}};
+  for (const Metric contact : kContactMetrics) limits.push_back({contact, false, 0.0});
+  return limits;
 }
 
 MetricLimit parse_limit(const std::string& text) {

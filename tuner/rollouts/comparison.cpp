@@ -39,6 +39,9 @@ const std::vector<Metric>& headline_metrics() {
                                               Metric::kJointEffortMaxRatio,
                                               Metric::kJointPositionMinMargin,
                                               Metric::kObstacleMinClearance,
+                                              Metric::kClearanceSelf,
+                                              Metric::kClearanceCell,
+                                              Metric::kClearanceFloor,
                                               Metric::kEffortRateRms};
   return metrics;
 }

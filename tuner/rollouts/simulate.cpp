@@ -48,6 +48,7 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     results[i].result = rollout.run(gains_of(scenarios[i]), [&](const Observation& o) {
       if (recorder) (*recorder)(o);
       limits.look(o);
+      if (o.cell != nullptr) results[i].nearest = o.cell->least();
       late = time.look() > deadline;
       return !late && !stop;
     });

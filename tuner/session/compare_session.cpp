@@ -71,7 +71,7 @@ void CompareSession::check() {
     extended = check_rollouts(settings_, outcome_.sets[i].results, outcome_.endured.back(), sets_[i].name,
                               outcome_.verdict);
   }
-  add_unchecked(extended, outcome_.verdict);
+  add_unchecked(settings_.scenarios, extended, outcome_.verdict);
   add_engine_assumption(settings_.engine, "the scenarios", outcome_.verdict);
   add_assumptions(settings_.scenarios, settings_.stepper, outcome_.verdict);
 }

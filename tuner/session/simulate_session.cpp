@@ -17,7 +17,7 @@ bool check_rollouts(const RolloutSettings& settings, const std::vector<ScenarioR
                     const std::optional<std::vector<EnduranceResult>>& endured, const std::string& set,
                     SimulationVerdict& verdict) {
   add_rollout_checks(results, set, verdict);
-  add_contact_check(settings.scenarios, results, set, verdict);
+  add_contact_checks(settings.scenarios, results, set, verdict);
   if (!endured || endured->size() < settings.scenarios.size()) return false;
   add_endurance_checks(*endured, VerdictThresholds(), set, verdict);
   return true;
@@ -70,7 +70,8 @@ SimulateOutcome SimulateSession::run() {
   observer_.part_is_over();
   if (!folder.empty()) write_files();  // before what takes longer: an endurance may take hours
   outcome_.endured = extend_scenarios(settings_, gains_, observer_, context_.stop);
-  add_unchecked(check_rollouts(settings_, outcome_.results, outcome_.endured, "", outcome_.verdict),
+  add_unchecked(settings_.scenarios,
+                check_rollouts(settings_, outcome_.results, outcome_.endured, "", outcome_.verdict),
                 outcome_.verdict);
   add_engine_assumption(settings_.engine, "the scenarios", outcome_.verdict);
   add_assumptions(scenarios, settings_.stepper, outcome_.verdict);

@@ -51,7 +51,7 @@ void TuneSession::check(bool analysed) {
   SimulationVerdict& verdict = outcome_.verdict;
   add_search_checks(study_, result, *outcome_.objective, verdict);
   add_rollout_checks(outcome_.sets[1].results, "", verdict);
-  add_contact_check(study_.scenarios, outcome_.sets[1].results, "", verdict);
+  add_contact_checks(study_.scenarios, outcome_.sets[1].results, "", verdict);
   if (analysed) {
     add_deep_checks(study_, result.best.gains, settings_.workers, context_.stop, observer_, verdict);
   } else {
@@ -60,6 +60,7 @@ void TuneSession::check(bool analysed) {
       verdict.not_checked.emplace_back(what);
     }
   }
+  add_unchecked_contacts(study_.scenarios, verdict);
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
   add_assumptions(study_.scenarios, study_.stepper, verdict);
   verdict.notes = loosened(study_.thresholds);

@@ -49,8 +49,8 @@ double missing_to_hold(const RolloutResult& result, const Scenario& corner) {
   if (applies(Metric::kJointPositionMinMargin, corner)) {
     missing = std::max(missing, -result.metrics[Metric::kJointPositionMinMargin]);
   }
-  if (applies(Metric::kObstacleMinClearance, corner)) {
-    missing = std::max(missing, -result.metrics[Metric::kObstacleMinClearance]);
+  for (const Metric contact : kContactMetrics) {
+    if (applies(contact, corner)) missing = std::max(missing, -result.metrics[contact]);
   }
   return std::max(missing, (saturated - allowed) / std::max(1.0, allowed));
 }

@@ -16,9 +16,9 @@ namespace {
 std::string rotors_text(const RobotModel& robot) {
   if (!robot.estimated_rotors.empty()) {
     const bool all = robot.estimated_rotors.size() == static_cast<std::size_t>(robot.n());
-    return fmt::format("the rotor inertia of {} is estimated from its limits of effort and velocity{}",
-                       robot.name,
-                       all ? "" : fmt::format(", that of {}", fmt::join(robot.estimated_rotors, ", ")));
+    return fmt::format("the rotor inertia of {} is estimated from limits of effort and velocity",
+                       all ? "all joints of " + robot.name
+                           : fmt::format("{} of {}", fmt::join(robot.estimated_rotors, ", "), robot.name));
   }
   std::vector<std::string> without;
   for (int i = 0; i < robot.n(); ++i) {
@@ -65,6 +65,15 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
     for (const std::string& doubt : doubts(robot))
       add_once(fmt::format("the file of {} is right where armtune doubts it: {}", robot.name, doubt),
                verdict.assumes);
+    if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
+      add_once(fmt::format("{} of {} touch nothing, as no shape of them could be read",
+                           fmt::join(scenario.clearance->arm().unknown, ", "), robot.name),
+               verdict.assumes);
+    if (scenario.clearance) {
+      for (const std::string& pair : scenario.clearance->left_out_by_their_make())
+        add_once(fmt::format("{} do not touch: their shapes meet at nearly every position", pair),
+                 verdict.assumes);
+    }
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {

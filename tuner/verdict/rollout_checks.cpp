@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -38,6 +39,11 @@ void describe(const BrokenLimit& broken, Check& check) {
   }
 }
 
+/// Of kContactMetrics, in their order; behind the first, that of the kinds of clearance.
+constexpr std::array kContactKinds = {CheckKind::kContact, CheckKind::kSelf, CheckKind::kCell,
+                                      CheckKind::kFloor};
+static_assert(kContactKinds.size() == kContactMetrics.size() && kContactKinds.size() == kClearances + 1);
+
 bool is_point(const MovingObstacle& obstacle) {
   return obstacle.radius == 0.0;
 }
@@ -69,21 +75,52 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
   }
 }
 
-void add_contact_check(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
-                       const std::string& set, SimulationVerdict& verdict) {
-  Check contact{CheckKind::kContact};
-  contact.threshold = 0.0;
-  contact.unit = "m";
-  for (std::size_t s = 0; s < results.size(); ++s) {
-    // Nothing comes nearer to a point than its own place, whatever it does.
-    if (std::all_of(scenarios[s].obstacles.begin(), scenarios[s].obstacles.end(), is_point)) continue;
-    const double clearance = results[s].result.metrics[Metric::kObstacleMinClearance];
-    if (std::isnan(clearance) || clearance >= contact.value) continue;
-    contact.value = clearance;
-    contact.passed = clearance >= 0.0;
-    contact.scenario = named(results[s].scenario, set);
+void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
+                        const std::string& set, SimulationVerdict& verdict) {
+  for (std::size_t i = 0; i < kContactMetrics.size(); ++i) {
+    const Metric metric = kContactMetrics[i];
+    Check contact{kContactKinds[i]};
+    contact.threshold = 0.0;
+    contact.unit = "m";
+    for (std::size_t s = 0; s < results.size(); ++s) {
+      // Nothing comes nearer to a point than its own place, whatever it does.
+      if (metric == Metric::kObstacleMinClearance &&
+          std::all_of(scenarios[s].obstacles.begin(), scenarios[s].obstacles.end(), is_point))
+        continue;
+      const double clearance = results[s].result.metrics[metric];
+      if (std::isnan(clearance) || clearance >= contact.value) continue;
+      contact.value = clearance;
+      contact.passed = clearance >= 0.0;
+      contact.scenario = named(results[s].scenario, set);
+      if (metric == Metric::kObstacleMinClearance) continue;
+      const LeastClearance& least = results[s].nearest[i - 1];
+      if (least.pair == nullptr) continue;
+      contact.detail = scenarios[s].clearance->name(*least.pair);
+      contact.time = least.time;
+    }
+    if (!std::isnan(contact.value)) verdict.checks.push_back(std::move(contact));
   }
-  if (!std::isnan(contact.value)) verdict.checks.push_back(std::move(contact));
+}
+
+void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {
+  const auto without = [&](Clearance kind) {
+    std::vector<std::string> names;
+    for (const Scenario& scenario : scenarios) {
+      if (!scenario.clearance || !scenario.clearance->has(kind)) names.push_back(scenario.name);
+    }
+    return names;
+  };
+  const auto add = [&](const std::string& what, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    const bool all = names.size() == scenarios.size();
+    add_once(all ? what : fmt::format("{} in {}", what, fmt::join(names, ", ")), verdict.not_checked);
+  };
+  add("self-collision", without(Clearance::kSelf));
+  const auto no_floor = without(Clearance::kFloor);
+  const auto no_parts = without(Clearance::kCell);
+  if (no_floor == no_parts) return add("collisions with floor and table", no_floor);
+  add("collisions with the floor", no_floor);
+  add("collisions with a table or other things around the arm", no_parts);
 }
 
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,
@@ -129,10 +166,11 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   }
 }
 
-void add_unchecked(bool extended, SimulationVerdict& verdict) {
+void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict) {
   if (!extended) verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
   verdict.not_checked.emplace_back("stability margins (armtune margins)");
   verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
+  add_unchecked_contacts(scenarios, verdict);
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
 }
 

@@ -17,10 +17,15 @@ namespace armtune::internal {
 void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::string& set,
                         SimulationVerdict& verdict);
 
-/// Adds the check that no obstacle is touched, if one of the scenarios has an obstacle with a radius.
-/// results: one per scenario, in their order.
-void add_contact_check(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
-                       const std::string& set, SimulationVerdict& verdict);
+/// Adds a check for each kind of contact that the scenarios can have: with an obstacle that has a radius, and
+/// where there is a cell of the arm with itself, with a part of the cell and with the floor. results: one per
+/// scenario, in their order.
+void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
+                        const std::string& set, SimulationVerdict& verdict);
+
+/// Lists as not checked the kinds of contact that some of the scenarios cannot have: without a cell none of
+/// them is looked for.
+void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
 
 /// Adds a check for limits in the extended scenarios, and one for the growth of errors. Where no scenario ran
 /// to its end with errors to compare, the growth is listed as not checked instead.
@@ -29,6 +34,6 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
 
 /// Lists as not checked what simulating the scenarios leaves out, each with the command that checks it, and
 /// what no simulation can check. extended: whether every scenario was extended.
-void add_unchecked(bool extended, SimulationVerdict& verdict);
+void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict);
 
 }  // namespace armtune::internal

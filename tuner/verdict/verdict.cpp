@@ -46,8 +46,7 @@ void add_once(std::string text, std::vector<std::string>& list) {
 }
 
 const std::vector<std::string>& never_checked() {
-  static const std::vector<std::string> all = {"self-collision", "collisions with floor and table",
-                                               "cables and hoses", "flexible joints and links"};
+  static const std::vector<std::string> all = {"cables and hoses", "flexible joints and links"};
   return all;
 }
 
@@ -56,11 +55,25 @@ const std::vector<std::string>& never_checked() {
 namespace armtune {
 
 const char* name(CheckKind kind) {
-  constexpr const char* kNames[] = {
-      "completion",          "velocity limit", "position limit",        "effort limit",
-      "clear of obstacles",  "constraints",    "delay margin",          "gain margin",
-      "control rate margin", "noise margin",   "rotor estimate",        "yield",
-      "endurance",           "error growth",   "better than the start", ""};
+  constexpr const char* kNames[] = {"completion",
+                                    "velocity limit",
+                                    "position limit",
+                                    "effort limit",
+                                    "clear of obstacles",
+                                    "clear of itself",
+                                    "clear of the cell",
+                                    "clear of the floor",
+                                    "constraints",
+                                    "delay margin",
+                                    "gain margin",
+                                    "control rate margin",
+                                    "noise margin",
+                                    "rotor estimate",
+                                    "yield",
+                                    "endurance",
+                                    "error growth",
+                                    "better than the start",
+                                    ""};
   static_assert(std::size(kNames) == static_cast<std::size_t>(CheckKind::kBetterThanStart) + 2);
   return kNames[static_cast<std::size_t>(kind)];
 }

@@ -9,6 +9,7 @@
 #include "tuner/samples/statistics.hpp"
 #include "tuner/study/thresholds.hpp"
 #include "tuner/verdict/assumptions.hpp"
+#include "tuner/verdict/rollout_checks.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -89,6 +90,7 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                      100.0 * kSaturatedShare),
                          "what happens after the scenarios end (armtune simulate --endurance)",
                          "stability margins (armtune margins)"};
+  add_unchecked_contacts(scenarios, verdict);
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
   for (const MetricLimit& own : arm_limits()) {
     const bool kept = std::any_of(options.limits.begin(), options.limits.end(), [&own](const MetricLimit& l) {

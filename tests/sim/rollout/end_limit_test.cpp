@@ -46,7 +46,12 @@ void expect_worse_and_worse(const Scenario& whole, std::set<Metric>& looked_at) 
 
 TEST(EndLimit, AMetricThatOnlyWorsensNeverGetsBetterInALongerRollout) {
   std::set<Metric> looked_at;
-  const Scenario obstacles = scenario_of("obstacle_pass");
+  Scenario obstacles = scenario_of("obstacle_pass");
+  Cell cell;
+  cell.floor = -0.5;
+  cell.parts.push_back(
+      {"post", capsule(0.05, 1.0), Mat3::Identity(), Path{Vec3(1.5, 0.0, 0.5), 0.0, 0.0, {}}});
+  obstacles.clearance = std::make_shared<const ClearanceModel>(obstacles.robot, cell);
   expect_worse_and_worse(obstacles, looked_at);
   // Joint errors are those of plans only.
   const test::TemporaryFolder folder;

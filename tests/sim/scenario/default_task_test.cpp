@@ -74,7 +74,10 @@ TEST_P(BundledRobots, FirstTaskStaysAboveTheFloorClearOfTheArmAndLight) {
 }
 
 TEST(DefaultTask, KeepsAboveTheFloorThatIsGiven) {
-  const auto robot = load_robot("ur10");
+  // A floor above the shoulder, of an arm whose links have no shapes that would be in it.
+  RobotModel bare = *load_robot("ur10");
+  bare.shapes.clear();
+  const auto robot = std::make_shared<const RobotModel>(bare);
   TaskOptions options;
   options.floor = 0.6;
   const DefaultTask task = default_task(robot, options);
@@ -89,6 +92,9 @@ TEST(DefaultTask, IsTheSameWhereverTheArmStands) {
   const auto robot = load_robot("ur10");
   RobotModel moved = *robot;
   moved.chain.p_PB0[0] += Vec3(4.0, -2.0, 1.0);
+  for (Shape& shape : moved.shapes) {
+    if (shape.body < 0) shape.p_BS += Vec3(4.0, -2.0, 1.0);
+  }
   TaskOptions options;
   options.floor = 1.0;
   const DefaultTask here = default_task(robot);

@@ -101,6 +101,24 @@ TEST(FirstTask, RotorsThatAreSaidToBeZeroStayZero) {
   expect_kept(found.metrics);
 }
 
+TEST(FirstTask, InTheCellOfARobotFileItsStudyCanBeLoaded) {
+  const test::TemporaryFolder folder;
+  const std::string robot = folder.write(
+      "arm.yaml",
+      "urdf: " ARMTUNE_SOURCE_DIR
+      "/sim/robots/panda.urdf\ntip_link: tool0\nrotor_inertia: [0.3, 0.3, 0.3, 0.3, 0.1, 0.1, 0.1]\n"
+      "cell: {parts: [{name: wall, box: [0.1, 2, 2], center: [-1, 0, 0]}]}\n");
+  const FirstTask found = find_first_task(robot, {});
+  write_first_task(found, folder / "task");
+  const Study study = load_study(folder / "task/study.yaml");
+  ASSERT_TRUE(study.scenarios[0].clearance);
+  EXPECT_EQ(study.scenarios[0].clearance->cell().parts.size(), 1U);
+  EXPECT_FALSE(study.scenarios[0].clearance->has(Clearance::kFloor)) << "the cell has none";
+  TaskOptions floor;
+  floor.floor = 0.1;
+  EXPECT_THAT(test::refusal([&] { find_first_task(robot, floor); }), HasSubstr("leave --floor out"));
+}
+
 TEST(FirstTask, WhatStandsInTheWayIsSaid) {
   RobotModel weak = test::ur10();
   for (JointInfo& joint : weak.joints) joint.limits.effort = 1.0;

@@ -171,7 +171,7 @@ TEST(PlanTaskFile, SaysWhatIsWrong) {
   EXPECT_THAT(message_of("task: return\nscenario: moving_target\n"), HasSubstr("needs a start"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nknots: 2\n"), HasSubstr("12 .. 100000"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nclearance: 0.3\n"),
-              HasSubstr("no obstacles"));
+              HasSubstr("neither obstacles nor a cell"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {velocity: 2}\n"),
               HasSubstr("velocity"));
   EXPECT_THAT(message_of("task: fastest\nscenario: moving_target\nlimits: {jerk: [1, 1, 0, 1, 1, 1]}\n"),

@@ -9,6 +9,7 @@
 #include "tests/core/support/arms.hpp"
 #include "tests/core/support/states.hpp"
 #include "tests/core/support/worst_error.hpp"
+#include "tests/sim/cell/rods.hpp"
 #include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/planning/transcription/state_term.hpp"
 
@@ -71,6 +72,13 @@ TrajectoryTask everything(const RobotModel& arm) {
           },
           0.02),
   };
+  Cell cell;
+  cell.floor = -0.2;
+  cell.parts.push_back({"ball", sphere(0.05), Mat3::Identity(), circle(Vec3(0.3, -0.2, 0.6), 0.2, 1.3)});
+  cell.parts.push_back(test::part("post", capsule(0.05, 0.7), Vec3(-0.4, 0.3, 0.4)));
+  const auto shaped = std::make_shared<const RobotModel>(test::with_rods(arm));
+  for (KnotTerm& term : clear_of_cell(std::make_shared<const ClearanceModel>(shaped, cell), {0, last}, 0.1))
+    task.terms.push_back(std::move(term));
   task.smoothness = {0.3, 0.02};
   task.duration_cost = 1.0;
   return task;

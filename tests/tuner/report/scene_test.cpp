@@ -7,11 +7,11 @@
 
 #include "core/robot/kinematics.hpp"
 #include "core/trajectory/polyline.hpp"
+#include "sim/cell/stl_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
 #include "tuner/report/base64.hpp"
-#include "tuner/report/stl_file.hpp"
 
 namespace armtune::internal::report {
 namespace {

@@ -104,15 +104,15 @@ TEST(RolloutChecks, FailWhereAnObstacleIsTouchedAndSayNothingWithoutObstacles) {
   Scenario balls = points;
   for (MovingObstacle& obstacle : balls.obstacles) obstacle.radius = 0.1;
   SimulationVerdict none, of_points, kept, touched;
-  add_contact_check({empty}, {free}, "", none);
+  add_contact_checks({empty}, {free}, "", none);
   EXPECT_TRUE(none.checks.empty());
-  add_contact_check({points}, {near}, "", of_points);
+  add_contact_checks({points}, {near}, "", of_points);
   EXPECT_TRUE(of_points.checks.empty()) << "a check that cannot fail";
-  add_contact_check({empty, balls}, {free, near}, "", kept);
+  add_contact_checks({empty, balls}, {free, near}, "", kept);
   ASSERT_EQ(kept.checks.size(), 1U);
   EXPECT_EQ(kept.checks.back().kind, CheckKind::kContact);
   EXPECT_TRUE(kept.passed());
-  add_contact_check({balls, balls, empty}, {near, inside, free}, "", touched);
+  add_contact_checks({balls, balls, empty}, {near, inside, free}, "", touched);
   EXPECT_FALSE(touched.passed());
   EXPECT_EQ(touched.checks.back().scenario, "inside");
   EXPECT_EQ(touched.checks.back().value, -0.06);
@@ -136,7 +136,7 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   EXPECT_THAT(assumed(), HasSubstr("ur10 has no rotor inertia"));
   estimate_rotors(robot);
   scenario.robot = std::make_shared<const RobotModel>(robot);
-  EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of ur10 is estimated"));
+  EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of all joints of ur10 is estimated"));
   EXPECT_THAT(assumed(), Not(HasSubstr("as it stands")));
   robot.joints[1].limits.effort = 10.0;
   scenario.robot = std::make_shared<const RobotModel>(robot);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "tuner/planning/transcription/arm_terms.hpp"
 #include "tuner/record/words.hpp"
 
 namespace armtune::internal {
@@ -22,10 +24,37 @@ struct Measured {
 /// Share of the room between the middle and a bound that is used; of a single bound the share of itself.
 double used(const LimitUse& limit, double value) {
   if (!std::isfinite(limit.lower)) return value / limit.upper;
-  if (!std::isfinite(limit.upper)) return limit.lower / value;
+  // A distance that is asked for, and its opposite, which is no part of it.
+  if (!std::isfinite(limit.upper)) return value > 0.0 || limit.lower <= 0.0 ? limit.lower / value : kInfinity;
   const double middle = 0.5 * (limit.lower + limit.upper);
   return std::abs(value - middle) / (0.5 * (limit.upper - limit.lower));
 }
+
+/// The rows of a term between its knots.
+class TermValues {
+ public:
+  explicit TermValues(const KnotTerm& term) : term_(term), values_(term.rows.size()) {}
+
+  /// The row's value as users know it. It does not depend on velocities and accelerations.
+  double at(const PlanSample& sample, std::size_t row) {
+    if (sample.time != time_) {
+      time_ = sample.time;
+      Knot knot;
+      knot.time = sample.time;
+      knot.q = sample.q;
+      knot.poses = sample.poses;
+      KnotRows rows;
+      rows.value = values_.data();
+      term_.evaluate(knot, rows);
+    }
+    return term_.natural(row, values_[row]);
+  }
+
+ private:
+  const KnotTerm& term_;
+  std::vector<double> values_;
+  double time_ = std::numeric_limits<double>::quiet_NaN();
+};
 
 class Limits {
  public:
@@ -81,6 +110,7 @@ class Limits {
 
   /// Of the program's terms the names and the knots; the values are computed anew.
   void add_term(const KnotTerm& term) {
+    const auto values = std::make_shared<TermValues>(term);
     for (std::size_t row = 0; row < term.rows.size(); ++row) {
       const std::string& part = term.rows[row];
       if (term.name == kept_words::kTorque) {
@@ -95,26 +125,14 @@ class Limits {
       } else if (term.name == kept_words::kGaze) {
         add(term.name, part, "rad", -kInfinity, task_.gaze_threshold, term.first_knot, term.last_knot,
             [](const PlanSample& at) { return at.gaze; });
-      } else if (term.name.starts_with(kept_words::kDistanceTo)) {
-        add_distance(term, part);
+      } else if (term.name.starts_with(kept_words::kDistanceTo) ||
+                 term.name == kept_words::kDistanceBetweenLinks) {
+        const bool links = term.name == kept_words::kDistanceBetweenLinks;
+        const double kept = links ? std::min(task_.clearance, kBetweenLinks) : task_.clearance;
+        add(term.name, part, "m", kept, kInfinity, term.first_knot, term.last_knot,
+            [values, row](const PlanSample& at) { return values->at(at, row); });
       }
     }
-  }
-
-  void add_distance(const KnotTerm& term, const std::string& part) {
-    const std::string name = term.name.substr(std::string(kept_words::kDistanceTo).size());
-    const auto& obstacles = task_.scenario.obstacles;
-    const auto obstacle = std::find_if(obstacles.begin(), obstacles.end(),
-                                       [&](const MovingObstacle& o) { return o.name == name; });
-    if (obstacle == obstacles.end()) return;
-    const auto joint = std::find_if(robot_.joints.begin(), robot_.joints.end(),
-                                    [&](const JointInfo& info) { return info.name == part; });
-    const bool tool = joint == robot_.joints.end();
-    const auto i = static_cast<std::size_t>(joint - robot_.joints.begin());
-    add(term.name, part, "m", task_.clearance, kInfinity, term.first_knot, term.last_knot,
-        [i, tool, path = obstacle->path, radius = obstacle->radius](const PlanSample& at) {
-          return ((tool ? at.poses.p_0T : at.poses.p_0B[i]) - path.at(at.time).position).norm() - radius;
-        });
   }
 
   const PlanTask& task_;

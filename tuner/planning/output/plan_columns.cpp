@@ -113,7 +113,17 @@ std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& r
                        [](const PlanSample& at) { return at.target; });
     columns.add_gaze();
   }
-  if (task.clearance > 0.0) {
+  if (task.clearance > 0.0 && task.scenario.clearance) {
+    const auto add = [&](const char* column, Clearance kind, const char* meaning) {
+      if (!task.scenario.clearance->has(kind)) return;
+      columns.add(column, "m", meaning,
+                  [kind](const PlanSample& at) { return least_of(kind, at.cell).distance; });
+    };
+    add("clearance/self", Clearance::kSelf, "least distance between two links that are not neighbours");
+    add("clearance/cell", Clearance::kCell, "least distance of a link from a part of the cell");
+    add("clearance/floor", Clearance::kFloor, "least height of a link above the floor");
+  }
+  if (task.clearance > 0.0 && !task.scenario.obstacles.empty()) {
     columns.add("obstacle/distance", "m",
                 "least distance of a joint's origin that can move, or of the tool, to an obstacle's surface",
                 [](const PlanSample& at) { return at.clearance; });

@@ -16,7 +16,9 @@ ToolDemands tool_demands(const PlanTask& task) {
 }
 
 PlanSampler::PlanSampler(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory)
-    : task_(task), problem_(problem), trajectory_(trajectory) {}
+    : task_(task), problem_(problem), trajectory_(trajectory) {
+  if (task.clearance > 0.0 && task.scenario.clearance) cell_.emplace(task.scenario.clearance);
+}
 
 const PlanSample& PlanSampler::at_knot(Eigen::Index k) {
   const Eigen::Index interval = std::min(k, trajectory_.position.cols() - 2);
@@ -64,6 +66,10 @@ void PlanSampler::set(double time, const Eigen::VectorXd& position, const Eigen:
   to.desired = task_.scenario.path.at(task_.kind == PlanKind::kFastest ? task_.at + to.s : time).position;
   to.target = problem_.gaze_target(time).position;
   to.gaze = gaze_angle(to.poses.R_0T, to.poses.p_0T, to.target);
+  if (cell_) {
+    cell_->see(time, to.q);
+    to.cell = cell_->least();
+  }
   to.clearance = clearance_at(robot.chain, to.poses, time, task_.scenario.obstacles);
 }
 

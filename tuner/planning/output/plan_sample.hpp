@@ -1,6 +1,9 @@
 #pragma once
 // The arm at one time of a plan: at a knot, or between two of them, where the motion is an exact cubic.
 
+#include <optional>
+
+#include "sim/cell/clearance_watch.hpp"
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune::internal {
@@ -22,6 +25,7 @@ struct PlanSample {
   Vec3 target = Vec3::Zero();           ///< where the gaze is to be [m]
   double gaze = 0.0;                    ///< angle between tool z and the line to that target [rad]
   double clearance = INFINITY;  ///< of joints' origins that can move, and the tool, from obstacles [m]
+  LeastClearances cell;         ///< of the links from each other and the cell, where the task keeps some
 };
 
 class PlanSampler {
@@ -45,6 +49,7 @@ class PlanSampler {
   const PlanProblem& problem_;
   const Trajectory& trajectory_;
   PlanSample sample_;
+  std::optional<ClearanceNow> cell_;
 };
 
 }  // namespace armtune::internal

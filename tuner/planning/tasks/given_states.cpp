@@ -47,10 +47,14 @@ void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const 
 void check_given_states(const PlanCommon& common) {
   const PlanTask& task = common.task;
   Knot knot = at_rest(*common.robot, common.start.position, task.at);
+  constexpr const char* kElsewhere = "ask for less, or start elsewhere";
   if (task.clearance > 0.0) {
     for (const MovingObstacle& obstacle : task.scenario.obstacles)
-      check(clear_of(*common.robot, {0, 0}, obstacle, task.clearance), knot, task, "clearance",
-            "ask for less, or start elsewhere");
+      check(clear_of(*common.robot, {0, 0}, obstacle, task.clearance), knot, task, "clearance", kElsewhere);
+    if (task.scenario.clearance) {
+      for (const KnotTerm& term : clear_of_cell(task.scenario.clearance, {0, 0}, task.clearance))
+        check(term, knot, task, "clearance", kElsewhere);
+    }
   }
   constexpr const char* kLessTorque = "choose a state that takes less, or a larger limits/effort";
   const KnotTerm torque = torque_limits(*common.robot, {0, 0}, task.limits.effort);

@@ -58,6 +58,10 @@ TrajectoryTask PlanCommon::on(const TimeGrid& grid) const {
   if (task.clearance > 0.0) {
     for (const MovingObstacle& obstacle : task.scenario.obstacles)
       program.terms.push_back(clear_of(*robot, {0, last}, obstacle, task.clearance));
+    if (task.scenario.clearance) {
+      for (KnotTerm& term : clear_of_cell(task.scenario.clearance, {0, last}, task.clearance))
+        program.terms.push_back(std::move(term));
+    }
   }
   return program;
 }

@@ -232,8 +232,9 @@ PlanTask load_plan_task(const std::string& name_or_path) {
       task.scenario.active_target(task.at + task.scenario.control_period) ==
           task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
     map.required("at").fail(no_switch(task));
-  if (task.clearance > 0.0 && task.scenario.obstacles.empty())
-    map.required("clearance").fail(task.scenario.name + " has no obstacles");
+  const bool has_cell = task.scenario.clearance && !task.scenario.clearance->pairs().empty();
+  if (task.clearance > 0.0 && task.scenario.obstacles.empty() && !has_cell)
+    map.required("clearance").fail(task.scenario.name + " has neither obstacles nor a cell");
   return task;
 }
 

@@ -53,7 +53,8 @@ struct PlanTask {
   double path_tolerance = 1e-3;    ///< of the tool along x, y, z [m]
   double gaze_threshold = 0.15;    ///< [rad]
   bool end_gaze = false;           ///< kReturn: with the gaze within its threshold at the end
-  double clearance = 0.0;          ///< of joints' origins and tool from every obstacle's surface [m]; 0: none
+  double clearance = 0.0;          ///< of joints' origins and tool from every obstacle's surface, and of
+                                   ///< links from each other and the cell [m]; 0: none
   PlanLimits limits;
   int knots = 200;
   double smoothness = 1e-9;  ///< cost of jerk beside time and errors: picks one of many optima

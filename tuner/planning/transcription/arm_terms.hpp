@@ -6,6 +6,7 @@
 #include "core/control/obstacle.hpp"
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/path.hpp"
+#include "sim/cell/clearance_model.hpp"
 #include "tuner/planning/transcription/knot_term.hpp"
 
 namespace armtune::internal {
@@ -38,6 +39,15 @@ KnotTerm gaze_cost(const RobotModel& robot, KnotRange knots, const Path& target,
 
 /// Every joint's origin that can move, and the tool, at least `radius` [m] from the obstacle's surface.
 KnotTerm clear_of(const RobotModel& robot, KnotRange knots, const MovingObstacle& obstacle, double radius);
+
+/// Between links no more than this is asked for [m]: on many arms the shoulder is always close to the base.
+inline constexpr double kBetweenLinks = 0.005;
+
+/// Every pair of bodies that must not meet at least `radius` [m] apart, links of the arm kBetweenLinks at
+/// most: a term for each part of the cell, one for the floor and one for the arm itself, with a row for each
+/// pair.
+std::vector<KnotTerm> clear_of_cell(const std::shared_ptr<const ClearanceModel>& model, KnotRange knots,
+                                    double radius);
 
 /// Returns the smallest distance [m] of the points that clear_of looks at from the surfaces of the obstacles
 /// at `time` [s]; infinite without obstacles.

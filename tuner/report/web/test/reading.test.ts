@@ -50,14 +50,14 @@ test("a column's gap stays one when runs of different times share an axis, and o
 
 test("bands end with the run", () => {
   const constant = { lo: 0, hi: 0, u16: "" };
-  const replay = { dt: 1, n: 0, q: [], target: [], obstacles: [], tool: [], error: constant, velocity_ratio: [] };
+  const replay = { dt: 1, n: 0, q: [], target: [], obstacles: [], cell: [], closest: [], tool: [], error: constant, velocity_ratio: [] };
   const run = {
     set: 0, status: "diverged", reason: "", start: 0, end: 4, time: constant, columns: [], replay,
     states: [{ t: 0, state: 1 }, { t: 1, state: 0 }, { t: 3, state: 1 }],
     slerps: [[3, 9]] as [number, number][],
   };
   const scenario = {
-    name: "", duration: 10, path: [], influence_radius: 0, obstacles: [], states: ["followTrajectory", "avoidObstacles"], robot: 0, runs: [run],
+    name: "", duration: 10, path: [], influence_radius: 0, obstacles: [], cell: [], floor: null, states: ["followTrajectory", "avoidObstacles"], robot: 0, runs: [run],
   };
   const bands = bandsOf(run, scenario).map(({ from, to }) => [from, to]);
   assert.deepEqual(bands, [[0, 1], [3, 4], [3, 4]]);

@@ -5,7 +5,7 @@ import { endOf, isOver, lastEnd, noReplay, openingTime, timeLabel } from "../src
 
 function run(end: number, status = "completed", reason = ""): Run {
   const constant = { lo: 0, hi: 0, u16: "" };
-  const replay: Replay = { dt: 0.04, n: 2, q: [], target: [], obstacles: [], tool: [], error: constant, velocity_ratio: [] };
+  const replay: Replay = { dt: 0.04, n: 2, q: [], target: [], obstacles: [], cell: [], closest: [], tool: [], error: constant, velocity_ratio: [] };
   return { set: 0, status, reason, start: 0, end, states: [], slerps: [], time: constant, columns: [], replay };
 }
 

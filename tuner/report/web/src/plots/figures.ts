@@ -46,7 +46,7 @@ export const FIGURES: Figure[] = [
   { group: "theta", title: "Distance of theta’s torque from the true one", axis: "torque", fromZero: true, lines: none },
   {
     group: "clearance",
-    title: "Distance to the nearest obstacle",
+    title: "Distance to what the arm must not touch",
     axis: "distance",
     fromZero: true,
     lines: (scenario) =>

@@ -12,6 +12,8 @@ export class Recording {
   private readonly positions: Float64Array[];
   private readonly target: Float64Array[];
   private readonly obstacles: Float64Array[][];
+  private readonly cell: Float64Array[][];
+  private readonly closest: Float64Array[];
   private readonly ratios: Float64Array[];
 
   constructor(readonly run: Run) {
@@ -22,6 +24,8 @@ export class Recording {
     this.positions = replay.q.map(decodeSeries);
     this.target = replay.target.map(decodeSeries);
     this.obstacles = replay.obstacles.map((centre) => centre.map(decodeSeries));
+    this.cell = replay.cell.map((centre) => centre.map(decodeSeries));
+    this.closest = replay.closest.map(decodeSeries);
     this.tool = replay.tool.map(decodeSeries);
     this.error = decodeSeries(replay.error);
     this.ratios = replay.velocity_ratio.map(decodeSeries);
@@ -40,6 +44,16 @@ export class Recording {
   }
   obstacleAt(index: number, time: number): Vec3 | null {
     return this.pointAt(this.obstacles[index] ?? [], time);
+  }
+
+  partAt(index: number, time: number): Vec3 | null {
+    return this.pointAt(this.cell[index] ?? [], time);
+  }
+  /** The point of the arm that is closest to what it must not touch, and the point that it is closest to. */
+  closestAt(time: number): [Vec3, Vec3] | null {
+    const of = this.pointAt(this.closest.slice(0, 3), time);
+    const to = this.pointAt(this.closest.slice(3), time);
+    return of === null || to === null || time > this.end ? null : [of, to];
   }
 
   /** An error that nearly all of the run stays below; the few peaks beyond it take the last colour. */

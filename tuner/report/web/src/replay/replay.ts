@@ -234,6 +234,8 @@ export class Replay {
       replays.some((replay) => replay.target.length > 0) && item("gaze", "tool’s z axis"),
       this.hasGhost() && item("ghost", `${this.data.sets[0] ?? ""} (ghost)`),
       replays.some((replay) => replay.obstacles.length > 0) && item("obstacle", this.obstacleWords()),
+      scenario.cell.length > 0 && item("cell", "part of the cell"),
+      replays.some((replay) => replay.closest.length > 0) && item("closest", "closest points, of the arm and of what it must not touch"),
       item("hot", "joint above 80 % of its velocity limit"),
     );
   }

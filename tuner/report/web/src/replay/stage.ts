@@ -73,6 +73,8 @@ export class Stage {
     const world = ghost !== null && time > shown.end && ghost.end > shown.end ? ghost : shown;
     const obstacles = this.scenario.obstacles.map((_, i) => world.obstacleAt(i, time));
     this.around.update(point, direction, world.targetAt(time), obstacles);
+    this.around.moveCell(this.scenario.cell.map((_, i) => world.partAt(i, time)));
+    this.around.markClosest(shown.closestAt(time));
     const last = Math.min(Math.floor(time / shown.dt), shown.n - 1);
     showSegments(this.trail, Math.max(0, last - Math.round(this.trailLength / shown.dt)), last);
     this.viewer.draw();

@@ -12,9 +12,10 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
-import type { Scenario, Vec3 } from "../data";
+import type { CellPart, Scenario, Vec3 } from "../data";
 import { GREEN, PURPLE, VERMILLION } from "../palette";
 import { cssColor } from "../theme";
+import { geometryOf } from "./shapes";
 import { shellMaterial } from "./shell";
 import { tube } from "./tube";
 
@@ -35,12 +36,28 @@ class Rod {
   }
 }
 
+/** A part of the cell: grey, so that the arm and what is marked stand out. */
+function part(of: CellPart): Mesh {
+  const mesh = new Mesh(
+    geometryOf(of.shape),
+    new MeshStandardMaterial({ color: "#9aa0a6", roughness: 0.9, transparent: true, opacity: 0.75 }),
+  );
+  const [w, x, y, z] = of.shape.q;
+  mesh.quaternion.set(x, y, z, w);
+  mesh.castShadow = mesh.receiveShadow = true;
+  return mesh;
+}
+
 export class Surroundings {
   readonly group = new Group();
   private readonly target: Mesh;
   private readonly sight: Rod;
   private readonly gaze: Rod;
   private readonly obstacles: Group[];
+  private readonly cell: Mesh[];
+  private readonly closest: Rod;
+  private readonly ends: Mesh[];
+  private readonly height: number;
   private floor: GridHelper | null = null;
   private pathMaterial: MeshBasicMaterial | null = null;
 
@@ -55,9 +72,18 @@ export class Surroundings {
     this.sight = new Rod(0.0022 * reach, PURPLE, 0.9);
     this.gaze = new Rod(0.0014 * reach, GREEN, 0.9);
     this.obstacles = scenario.obstacles.map((radius) => this.obstacle(radius, scenario.influence_radius));
+    this.cell = scenario.cell.map(part);
+    this.closest = new Rod(0.004 * reach, VERMILLION, 1);
+    this.ends = [0, 1].map(
+      () => new Mesh(new SphereGeometry(0.009 * reach, 20, 14), new MeshBasicMaterial({ color: VERMILLION })),
+    );
+    this.height = scenario.floor ?? 0;
     const shadow = new Mesh(new PlaneGeometry(6 * reach, 6 * reach), new ShadowMaterial({ opacity: 0.22 }));
     shadow.receiveShadow = true;
+    shadow.position.z = this.height;
     this.group.add(this.target, this.sight.mesh, this.gaze.mesh, ...this.obstacles, shadow, this.path(scenario));
+    this.group.add(...this.cell, this.closest.mesh, ...this.ends);
+    this.markClosest(null);
     this.setTheme();
   }
 
@@ -66,7 +92,7 @@ export class Surroundings {
     const size = Math.max(2, 2 * Math.ceil(1.6 * this.reach));
     this.floor = new GridHelper(size, size * 4, cssColor("floor-axis"), cssColor("floor"));
     this.floor.rotation.x = Math.PI / 2;
-    this.floor.position.z = -0.002;
+    this.floor.position.z = this.height - 0.002;
     this.group.add(this.floor);
     this.pathMaterial?.color.set(cssColor("ink-2"));
   }
@@ -85,6 +111,26 @@ export class Surroundings {
       body.visible = centre !== null;
       if (centre !== null) body.position.set(...centre);
     });
+  }
+
+  /** The centre of each part. */
+  moveCell(centres: (Vec3 | null)[]): void {
+    this.cell.forEach((mesh, i) => {
+      const centre = centres[i] ?? null;
+      mesh.visible = centre !== null;
+      if (centre !== null) mesh.position.set(...centre);
+    });
+  }
+
+  /** The two points that are closest to each other. */
+  markClosest(points: [Vec3, Vec3] | null): void {
+    this.closest.mesh.visible = points !== null;
+    this.ends.forEach((mesh, i) => {
+      const point = points?.[i];
+      mesh.visible = point !== undefined;
+      if (point !== undefined) mesh.position.set(...point);
+    });
+    if (points !== null) this.closest.lay(new Vector3(...points[0]), new Vector3(...points[1]));
   }
 
   private path(scenario: Scenario): Mesh {

@@ -1,4 +1,4 @@
-#include "tuner/report/stl_file.hpp"
+#include "sim/cell/stl_file.hpp"
 
 #include <bit>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace armtune::internal::report {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,4 +45,4 @@ std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::
   return corners;
 }
 
-}  // namespace armtune::internal::report
+}  // namespace armtune::internal

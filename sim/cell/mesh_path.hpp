@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace armtune::internal::report {
+namespace armtune::internal {
 
 /// Folders beside the robot's own from which meshes may be read, as in PATH: `ARMTUNE_MESHES`. One that is
 /// written NAME=FOLDER is the package of that name.
@@ -17,4 +17,4 @@ inline constexpr const char* kMeshFolders = "ARMTUNE_MESHES";
 /// there is none the URDF's own, or the one that holds its `urdf`) or an allowed one, links followed.
 std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf);
 
-}  // namespace armtune::internal::report
+}  // namespace armtune::internal

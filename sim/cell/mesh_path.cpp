@@ -1,4 +1,4 @@
-#include "tuner/report/mesh_path.hpp"
+#include "sim/cell/mesh_path.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 
 #include "core/common/file_path.hpp"
 
-namespace armtune::internal::report {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -107,4 +107,4 @@ std::optional<std::string> mesh_path(const std::string& named, const std::string
   return std::nullopt;
 }
 
-}  // namespace armtune::internal::report
+}  // namespace armtune::internal

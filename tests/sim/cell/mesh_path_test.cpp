@@ -1,4 +1,4 @@
-#include "tuner/report/mesh_path.hpp"
+#include "sim/cell/mesh_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/sim/support/files.hpp"
 
-namespace armtune::internal::report {
+namespace armtune::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST_F(MeshPath, LeavesItWhereThatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace armtune::internal::report
+}  // namespace armtune::internal

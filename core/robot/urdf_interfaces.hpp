@@ -1,0 +1,23 @@
+#pragma once
+// Which interfaces ros2_control gives a robot's joints, as its URDF says.
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace armtune::internal {
+
+/// Of one joint: "position", "velocity", "effort" and whatever else the file names.
+struct JointInterfaces {
+  std::vector<std::string> command;
+  std::vector<std::string> state;
+  bool operator==(const JointInterfaces& other) const {
+    return command == other.command && state == other.state;
+  }
+};
+
+/// Returns the interfaces of every joint in the `<ros2_control>` elements of a URDF's text, by joint name. A
+/// joint that stands in several of them has those of all.
+std::map<std::string, JointInterfaces> ros2_control_interfaces(const std::string& urdf);
+
+}  // namespace armtune::internal

@@ -1,0 +1,84 @@
+#include "sim/cell/arm_solids.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim/cell/hull.hpp"
+#include "sim/cell/mesh_path.hpp"
+#include "sim/cell/stl_file.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr std::size_t kMostTriangles = 500000;
+
+std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf) {
+  const auto path = mesh_path(shape.file, urdf);
+  if (!path) return std::nullopt;
+  const auto corners = read_binary_stl(*path, kMostTriangles);
+  if (!corners) return std::nullopt;
+  std::vector<Vec3> points;
+  points.reserve(corners->size() / 3);
+  for (std::size_t i = 0; i + 2 < corners->size(); i += 3) {
+    const Eigen::Vector3f point((*corners)[i], (*corners)[i + 1], (*corners)[i + 2]);
+    points.push_back(shape.size.cwiseProduct(point.cast<double>()));
+  }
+  return convex_hull(points);
+}
+
+std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf) {
+  switch (shape.kind) {
+    case ShapeKind::kBox:
+      return box(shape.size);
+    case ShapeKind::kCylinder:
+      return cylinder(shape.size[0], shape.size[1]);
+    case ShapeKind::kSphere:
+      return sphere(shape.size[0]);
+    case ShapeKind::kCapsule:
+      return capsule(shape.size[0], shape.size[1]);
+    case ShapeKind::kMesh:
+      break;
+  }
+  return hull_of_mesh(shape, urdf);
+}
+
+/// The shapes of one link that count.
+std::vector<const Shape*> counting(const RobotModel& robot, int link) {
+  std::vector<const Shape*> collision, seen;
+  for (const Shape& shape : robot.shapes) {
+    if (shape.link == link) (shape.collision ? collision : seen).push_back(&shape);
+  }
+  return collision.empty() ? seen : collision;
+}
+
+/// Bodies without any shape, by their links' names.
+void add_bare_bodies(const RobotModel& robot, ArmSolids& arm) {
+  for (int body = -1; body < robot.n(); ++body) {
+    const auto is_on = [body](const auto& shape) { return shape.body == body; };
+    if (std::any_of(robot.shapes.begin(), robot.shapes.end(), is_on)) continue;
+    arm.unknown.push_back(body < 0 ? robot.base_link : robot.joints[static_cast<std::size_t>(body)].link);
+  }
+}
+
+}  // namespace
+
+ArmSolids arm_solids(const RobotModel& robot) {
+  ArmSolids arm;
+  const int links = robot.shapes.empty() ? 0 : robot.shapes.back().link + 1;
+  for (int link = 0; link < links; ++link) {
+    const std::vector<const Shape*> shapes = counting(robot, link);
+    bool whole = true;
+    for (const Shape* shape : shapes) {
+      const auto solid = solid_of(*shape, robot.source);
+      whole = whole && solid;
+      if (solid) arm.solids.push_back({shape->body, shape->link_name, {*solid, shape->R_BS, shape->p_BS}});
+    }
+    if (!whole) arm.unknown.push_back(shapes.front()->link_name);
+  }
+  add_bare_bodies(robot, arm);
+  std::stable_sort(arm.solids.begin(), arm.solids.end(),
+                   [](const ArmSolid& a, const ArmSolid& b) { return a.body < b.body; });
+  return arm;
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,27 @@
+#pragma once
+// The convex bodies that an arm consists of, for distances.
+
+#include <string>
+#include <vector>
+
+#include "core/robot/robot_model.hpp"
+#include "sim/cell/closest.hpp"
+
+namespace armtune::internal {
+
+struct ArmSolid {
+  int body = -1;     ///< index of the joint that moves it; -1: the base
+  std::string link;  ///< its name, or "tool"
+  PlacedSolid placed;
+};
+
+struct ArmSolids {
+  std::vector<ArmSolid> solids;
+  std::vector<std::string> unknown;  ///< links with a shape that could not be read, and bodies without any
+};
+
+/// Returns the solids of the arm, one for each shape: of each link its collision geometry, and where it has
+/// none what is to be seen of it. Meshes become their convex hulls: binary STL files that mesh_path() finds.
+ArmSolids arm_solids(const RobotModel& robot);
+
+}  // namespace armtune::internal

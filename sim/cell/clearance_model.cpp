@@ -1,0 +1,162 @@
+#include "sim/cell/clearance_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/control/pose_search.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr unsigned kPositions = 200;  // at which links are looked at that may meet by their make
+constexpr unsigned kFewest = 3;       // of these: at fewer free ones two shapes are made to meet
+
+/// By how much one radian, or metre, of each of the joints first .. placed.body moves a point of the solid,
+/// at most, at any position within the joints' limits (n).
+JointVector levers(const RobotModel& robot, const PlacedSolid& placed, int body, int first) {
+  JointVector lever = JointVector::Zero(robot.n());
+  double from_origin = farthest(placed, Vec3::Zero());  // of the points from the body's origin
+  for (int i = body; i >= first; --i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool slides = robot.chain.motion[k] == JointMotion::kPrismatic;
+    const double about_axis = i == body ? farthest_from_z(placed) : from_origin;
+    lever[i] = slides ? 1.0 : about_axis;
+    const JointLimits& limits = robot.joints[k].limits;
+    from_origin += robot.chain.p_PB0[k].norm();
+    if (slides) from_origin += std::max(std::abs(limits.lower), std::abs(limits.upper));
+  }
+  return lever;
+}
+
+}  // namespace
+
+ClearanceModel::ClearanceModel(std::shared_ptr<const RobotModel> robot, Cell cell)
+    : robot_(std::move(robot)),
+      cell_(std::move(cell)),
+      up_(-robot_->chain.gravity.normalized()),
+      arm_(arm_solids(*robot_)) {
+  add_self_pairs();
+  add_cell_pairs();
+  add_floor_pairs();
+}
+
+bool ClearanceModel::has(Clearance kind) const {
+  return std::any_of(pairs_.begin(), pairs_.end(),
+                     [kind](const ContactPair& pair) { return pair.of == kind; });
+}
+
+ContactPair ClearanceModel::pair(Clearance of, std::size_t solid, std::size_t other) const {
+  const ArmSolid& moved = arm_.solids[solid];
+  const int first = of == Clearance::kSelf ? arm_.solids[other].body + 1 : 0;
+  return {of, solid, other, levers(*robot_, moved.placed, moved.body, first)};
+}
+
+bool ClearanceModel::is_free_at(unsigned fewest, const ContactPair& pair) const {
+  unsigned free = 0;
+  Poses poses;
+  for (unsigned sample = 0; sample < kPositions && free < fewest; ++sample) {
+    forward_kinematics(robot_->chain, sample_position(*robot_, sample), poses);
+    if (distance(pair, poses, Vec3::Zero()).distance > 0.0) ++free;
+  }
+  return free >= fewest;
+}
+
+void ClearanceModel::add_self_pairs() {
+  const auto& solids = arm_.solids;
+  std::vector<LinkPair> left_out;
+  for (std::size_t b = 0; b < solids.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (solids[a].body == solids[b].body) continue;
+      const ContactPair both = pair(Clearance::kSelf, b, a);
+      if (solids[b].body - solids[a].body > 1 && is_free_at(kFewest, both)) {
+        pairs_.push_back(both);
+      } else {
+        left_out.push_back({solids[a].link, solids[b].link});
+      }
+    }
+  }
+  for (const LinkPair& links : left_out) {
+    // Of links with several shapes some pairs may be looked at.
+    const bool looked_at = std::any_of(pairs_.begin(), pairs_.end(), [&](const ContactPair& pair) {
+      return solids[pair.other].link == links[0] && solids[pair.solid].link == links[1];
+    });
+    if (!looked_at && std::find(left_out_.begin(), left_out_.end(), links) == left_out_.end())
+      left_out_.push_back(links);
+  }
+}
+
+void ClearanceModel::add_cell_pairs() {
+  for (std::size_t s = 0; s < arm_.solids.size(); ++s) {
+    if (arm_.solids[s].body < 0) continue;
+    for (std::size_t p = 0; p < cell_.parts.size(); ++p) pairs_.push_back(pair(Clearance::kCell, s, p));
+  }
+}
+
+void ClearanceModel::add_floor_pairs() {
+  if (!cell_.floor) return;
+  for (std::size_t s = 0; s < arm_.solids.size(); ++s) {
+    const int body = arm_.solids[s].body;
+    if (body < 0) continue;
+    const ContactPair both = pair(Clearance::kFloor, s, 0);
+    // The first link may stand on the floor that the arm stands on.
+    if (body > 0 || is_free_at(1, both)) pairs_.push_back(both);
+  }
+}
+
+Closest ClearanceModel::distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const {
+  const auto placed = [&](const ArmSolid& solid, Mat3& R_0S, Vec3& p_0S) {
+    R_0S = solid.placed.R_BS;
+    p_0S = solid.placed.p_BS;
+    if (solid.body < 0) return;
+    const auto k = static_cast<std::size_t>(solid.body);
+    p_0S = poses.p_0B[k] + poses.R_0B[k] * p_0S;
+    R_0S = poses.R_0B[k] * R_0S;
+  };
+  const ArmSolid& solid = arm_.solids[pair.solid];
+  Mat3 R_0S;
+  Vec3 p_0S;
+  placed(solid, R_0S, p_0S);
+  if (pair.of == Clearance::kFloor) {
+    const Vec3 down = -(R_0S.transpose() * up_);
+    Closest found;
+    found.on_a = p_0S + R_0S * extreme_of_core(solid.placed.solid, down) - solid.placed.solid.radius * up_;
+    found.distance = up_.dot(found.on_a) - *cell_.floor;
+    found.on_b = found.on_a - found.distance * up_;
+    found.away = up_;
+    return found;
+  }
+  if (pair.of == Clearance::kCell) {
+    const CellPart& part = cell_.parts[pair.other];
+    return closest(solid.placed.solid, R_0S, p_0S, part.solid, part.R_0S, at);
+  }
+  const ArmSolid& other = arm_.solids[pair.other];
+  Mat3 R_0O;
+  Vec3 p_0O;
+  placed(other, R_0O, p_0O);
+  return closest(solid.placed.solid, R_0S, p_0S, other.placed.solid, R_0O, p_0O);
+}
+
+std::string ClearanceModel::name(const ContactPair& pair) const {
+  const std::string& link = arm_.solids[pair.solid].link;
+  if (pair.of == Clearance::kFloor) return link + " and the floor";
+  return fmt::format(
+      "{} and {}", link,
+      pair.of == Clearance::kSelf ? arm_.solids[pair.other].link : cell_.parts[pair.other].name);
+}
+
+std::vector<std::string> ClearanceModel::left_out_by_their_make() const {
+  const auto body_of = [this](const std::string& link) {
+    const auto found = std::find_if(arm_.solids.begin(), arm_.solids.end(),
+                                    [&link](const ArmSolid& solid) { return solid.link == link; });
+    return found->body;
+  };
+  std::vector<std::string> names;
+  for (const auto& [a, b] : left_out_) {
+    if (body_of(b) - body_of(a) > 1) names.push_back(a + " and " + b);
+  }
+  return names;
+}
+
+}  // namespace armtune::internal

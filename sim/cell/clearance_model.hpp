@@ -1,0 +1,71 @@
+#pragma once
+// Which bodies of an arm and its cell must not meet, and how far apart they are.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/robot/kinematics.hpp"
+#include "sim/cell/arm_solids.hpp"
+#include "sim/cell/cell.hpp"
+
+namespace armtune::internal {
+
+/// What a body of the arm is to stay clear of.
+enum class Clearance : std::size_t { kSelf, kCell, kFloor, kCount };
+inline constexpr std::size_t kClearances = static_cast<std::size_t>(Clearance::kCount);
+
+/// A body of the arm, and what it must not meet.
+struct ContactPair {
+  Clearance of = Clearance::kSelf;
+  std::size_t solid = 0;  ///< of the arm
+  std::size_t other = 0;  ///< kSelf: another solid of the arm, on a body before it; kCell: a part of the cell
+  /// By how much a joint's motion can change the distance, at most, at any position (n) [m/rad, m/m].
+  JointVector lever;
+};
+
+/// Names of two links, the one closer to the base first.
+using LinkPair = std::array<std::string, 2>;
+
+class ClearanceModel {
+ public:
+  /// A robot without known shapes has no pairs.
+  ClearanceModel(std::shared_ptr<const RobotModel> robot, Cell cell);
+
+  const std::vector<ContactPair>& pairs() const { return pairs_; }
+  bool has(Clearance kind) const;
+  const Cell& cell() const { return cell_; }
+  const ArmSolids& arm() const { return arm_; }
+  const RobotModel& robot() const { return *robot_; }
+  /// Pairs of links of the arm between which nothing is looked for: neighbours, and those whose shapes meet
+  /// at nearly every position within the joints' limits.
+  const std::vector<LinkPair>& left_out() const { return left_out_; }
+  /// Of these, the pairs that are no neighbours, such as "link_5 and link_7".
+  std::vector<std::string> left_out_by_their_make() const;
+
+  /// The distance of a pair at the poses, and the part of the cell where `at` has it.
+  Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
+
+  /// Such as "forearm_link and table".
+  std::string name(const ContactPair& pair) const;
+
+ private:
+  void add_self_pairs();
+  void add_cell_pairs();
+  void add_floor_pairs();
+  /// Whether the pair does not meet at so many of the positions that are looked at, at least.
+  bool is_free_at(unsigned fewest, const ContactPair& pair) const;
+  ContactPair pair(Clearance of, std::size_t solid, std::size_t other) const;
+
+  std::shared_ptr<const RobotModel> robot_;
+  Cell cell_;
+  Vec3 up_;
+  ArmSolids arm_;
+  std::vector<ContactPair> pairs_;
+  std::vector<LinkPair> left_out_;
+};
+
+}  // namespace armtune::internal

@@ -1,0 +1,41 @@
+#include "sim/scenario/cell_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/common/message_text.hpp"
+#include "sim/scenario/path_file.hpp"
+#include "sim/scenario/solid_keys.hpp"
+#include "sim/yaml/map_reader.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr double kFarthest = 1000.0;  // m
+
+}  // namespace
+
+Cell read_cell(const yaml::Node& node, std::vector<std::string>& inputs) {
+  yaml::MapReader map(node);
+  Cell cell;
+  if (map.has("floor")) cell.floor = map.number_in("floor", 0.0, -kFarthest, kFarthest);
+  if (const yaml::Node* parts = map.optional("parts")) {
+    for (const yaml::Node& item : parts->items()) {
+      yaml::MapReader part(item);
+      const yaml::Node& name = part.required("name");
+      const bool known = std::any_of(cell.parts.begin(), cell.parts.end(), [&name](const CellPart& other) {
+        return other.name == name.as_string();
+      });
+      if (known) name.fail(fmt::format("{} is the name of two parts; rename one", shown(name.as_string())));
+      const Solid solid = read_solid(part);
+      const Mat3 R_0S = read_turn(part);
+      cell.parts.push_back({name.as_string(), solid, R_0S, read_path(part, inputs)});
+      part.finish();
+    }
+  }
+  map.finish();
+  return cell;
+}
+
+}  // namespace armtune::internal

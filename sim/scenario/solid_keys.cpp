@@ -1,0 +1,107 @@
+#include "sim/scenario/solid_keys.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace armtune::internal {
+namespace {
+
+constexpr double kLargest = 1000.0;  // m
+
+double length(double value, const yaml::Node& node, const char* what) {
+  if (value > 0.0 && value <= kLargest) return value;
+  node.fail(fmt::format("{} is {} m; it must lie above 0 and up to {}", what, value, kLargest));
+}
+
+Vec3 place(const yaml::Node& node) {
+  const Vec3 point(node.as_numbers(3).data());
+  if (!(point.cwiseAbs().maxCoeff() <= kLargest))
+    node.fail(fmt::format("a coordinate is beyond {} m", kLargest));
+  return point;
+}
+
+Solid read_round(const yaml::Node& node, SolidKind kind) {
+  yaml::MapReader map(node);
+  const double radius = length(map.number("radius"), map.required("radius"), "a radius");
+  if (kind == SolidKind::kSphere) {
+    map.finish();
+    return sphere(radius);
+  }
+  const double along = length(map.number("length"), map.required("length"), "a length");
+  map.finish();
+  return kind == SolidKind::kCapsule ? capsule(radius, along) : cylinder(radius, along);
+}
+
+/// A cylinder or capsule from point to point; nothing where it is not given so.
+std::optional<PlacedSolid> read_between(const yaml::Node* node, SolidKind kind) {
+  if (node == nullptr || (node->find("from") == nullptr && node->find("to") == nullptr)) return std::nullopt;
+  yaml::MapReader map(*node);
+  const double radius = length(map.number("radius"), map.required("radius"), "a radius");
+  const Vec3 from = place(map.required("from"));
+  const Vec3 to = place(map.required("to"));
+  map.finish();
+  const Vec3 line = to - from;
+  PlacedSolid placed;
+  placed.p_BS = 0.5 * (from + to);
+  if (line.isZero(0.0)) {
+    if (kind == SolidKind::kCylinder) node->fail("a cylinder from a point to the same has no length");
+    placed.solid = sphere(radius);
+    return placed;
+  }
+  placed.R_BS = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), line).toRotationMatrix();
+  placed.solid = kind == SolidKind::kCapsule ? capsule(radius, line.norm()) : cylinder(radius, line.norm());
+  return placed;
+}
+
+Solid read_box(const yaml::Node& node) {
+  const Vec3 edges(node.as_numbers(3).data());
+  for (const double edge : edges) length(edge, node, "an edge");
+  return box(edges);
+}
+
+}  // namespace
+
+Solid read_solid(yaml::MapReader& map) {
+  std::optional<Solid> solid;
+  const auto take = [&solid](const yaml::Node* node, auto read) {
+    if (node == nullptr) return;
+    if (solid) node->fail("this is a second shape; keep one of them, and give the other an entry of its own");
+    solid = read(*node);
+  };
+  take(map.optional("box"), read_box);
+  take(map.optional("cylinder"), [](const yaml::Node& n) { return read_round(n, SolidKind::kCylinder); });
+  take(map.optional("capsule"), [](const yaml::Node& n) { return read_round(n, SolidKind::kCapsule); });
+  take(map.optional("sphere"), [](const yaml::Node& n) { return read_round(n, SolidKind::kSphere); });
+  if (!solid) map.required("box");
+  return *solid;
+}
+
+Mat3 read_turn(yaml::MapReader& map) {
+  const yaml::Node* node = map.optional("rpy_deg");
+  if (node == nullptr) return Mat3::Identity();
+  const auto degrees = node->as_numbers(3);
+  const auto turn = [&degrees](std::size_t i, const Vec3& axis) {
+    return Eigen::AngleAxisd(degrees[i] * std::numbers::pi / 180.0, axis);
+  };
+  return (turn(2, Vec3::UnitZ()) * turn(1, Vec3::UnitY()) * turn(0, Vec3::UnitX())).toRotationMatrix();
+}
+
+PlacedSolid read_placed_solid(yaml::MapReader& map) {
+  for (const auto& [key, kind] :
+       {std::pair{"capsule", SolidKind::kCapsule}, std::pair{"cylinder", SolidKind::kCylinder}}) {
+    if (!map.has(key)) continue;
+    if (const auto placed = read_between(map.optional(key), kind)) return *placed;
+  }
+  PlacedSolid placed;
+  placed.solid = read_solid(map);
+  placed.R_BS = read_turn(map);
+  if (const yaml::Node* center = map.optional("center")) placed.p_BS = place(*center);
+  return placed;
+}
+
+}  // namespace armtune::internal

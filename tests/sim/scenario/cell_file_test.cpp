@@ -1,0 +1,177 @@
+#include "sim/scenario/cell_file.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/cell/clearance_model.hpp"
+#include "sim/scenario/path_walk.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/scenario.hpp"
+#include "tests/core/support/states.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+Cell cell(const std::string& text) {
+  std::vector<std::string> inputs;
+  return read_cell(yaml::parse_text(text, "cell.yaml"), inputs);
+}
+
+TEST(CellFile, HasAFloorAndPartsThatRestOrMove) {
+  const Cell read = cell(
+      "floor: -0.4\n"
+      "parts:\n"
+      "  - {name: table, box: [1.2, 0.8, 0.04], rpy_deg: [0, 0, 90], hold: [0.5, 0, -0.2]}\n"
+      "  - {name: post, cylinder: {radius: 0.05, length: 1}, center: [0.4, 0.4, 0.5]}\n"
+      "  - {name: rail, capsule: {radius: 0.02, length: 2}, center: [0, -0.5, 0]}\n"
+      "  - {name: ball, sphere: {radius: 0.1}, circle: {center: [0, 0, 1], radius: 0.3, period: 4}}\n");
+  EXPECT_EQ(read.floor, -0.4);
+  ASSERT_EQ(read.parts.size(), 4U);
+  const CellPart& table = read.parts[0];
+  EXPECT_EQ(table.solid.kind, SolidKind::kBox);
+  EXPECT_LT((table.R_0S * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_EQ(table.path.at(7.0).position, Vec3(0.5, 0.0, -0.2));
+  EXPECT_EQ(read.parts[1].solid.kind, SolidKind::kCylinder);
+  EXPECT_EQ(read.parts[1].solid.size.x(), 0.05);
+  EXPECT_EQ(read.parts[2].solid.radius, 0.02);
+  EXPECT_LT((read.parts[3].path.at(1.0).position - Vec3(0.0, 0.3, 1.0)).norm(), 1e-12);
+}
+
+TEST(CellFile, WhatIsNoCellIsNamed) {
+  const auto refused = [](const std::string& part) {
+    return test::refusal([&] { cell("parts:\n  - {name: a, " + part + "}\n"); });
+  };
+  EXPECT_THAT(refused("center: [0, 0, 0]"), AllOf(HasSubstr("cell.yaml:2"), HasSubstr("'box'")));
+  EXPECT_THAT(refused("box: [1, 1, 1], sphere: {radius: 1}, center: [0, 0, 0]"), HasSubstr("second shape"));
+  EXPECT_THAT(refused("box: [1, 0, 1], center: [0, 0, 0]"), HasSubstr("an edge is 0 m"));
+  EXPECT_THAT(refused("capsule: {radius: -1, length: 1}, center: [0, 0, 0]"), HasSubstr("a radius is -1 m"));
+  EXPECT_THAT(refused("sphere: {radius: 1}"), HasSubstr("center"));
+  EXPECT_THAT(
+      refused(
+          "sphere: {radius: 1}, center: [0, 0, 0]}\n  - {name: a, sphere: {radius: 1}, center: [0, 0, 0]"),
+      HasSubstr("two parts"));
+  EXPECT_THAT(test::refusal([] { cell("flor: 0\n"); }), HasSubstr("floor"));
+  EXPECT_THAT(test::refusal([] { cell("floor: 1e9\n"); }), HasSubstr("floor"));
+}
+
+const std::string kRobot = "urdf: " ARMTUNE_SOURCE_DIR "/sim/robots/ur5e.urdf\nrotor_inertia: estimated\n";
+
+TEST(RobotFile, AToolHasMassInertiaAndShapes) {
+  const test::TemporaryFolder folder;
+  const auto bare =
+      load_robot(folder.write("bare.yaml", kRobot + "tool: {xyz: [0, 0, 0.1], rpy: [0, 1, 0]}\n"));
+  const auto mounted = load_robot(folder.write(
+      "tool.yaml", kRobot + "tool: {xyz: [0, 0, 0.1], rpy: [0, 1, 0], mass: 0.8, center: [0, 0.01, -0.05],\n"
+                            "  moments: [0.002, 0, 0, 0.003, 0, 0.001],\n"
+                            "  shapes: [{box: [0.1, 0.1, 0.2], center: [0, 0, -0.1]}]}\n"));
+  EXPECT_EQ(mounted->chain.p_BT, bare->chain.p_BT);
+  // Gravity of the tool's mass at its centre, wherever the arm is.
+  std::mt19937 generator(1);
+  for (int k = 0; k < 20; ++k) {
+    const JointVector q = test::random_configuration(generator, *bare);
+    const Poses poses = test::poses_at(bare->chain, q);
+    const Vec3 center = poses.p_0T + poses.R_0T * Vec3(0.0, 0.01, -0.05);
+    Jacobian J;
+    point_jacobian(bare->chain, poses, 5, center, J);
+    const JointVector expected = -J.topRows<3>().transpose() * (0.8 * bare->chain.gravity);
+    const JointVector found =
+        test::gravity_torque_at(mounted->chain, q) - test::gravity_torque_at(bare->chain, q);
+    EXPECT_LT((found - expected).norm(), 1e-12);
+  }
+  // Its kinetic energy when the last joint turns alone: the moment about that joint's axis.
+  const JointMatrix more = test::mass_matrix_at(mounted->chain, JointVector::Zero(6)) -
+                           test::mass_matrix_at(bare->chain, JointVector::Zero(6));
+  const Poses poses = test::poses_at(bare->chain, JointVector::Zero(6));
+  const Vec3 axis = poses.R_0T.transpose() * poses.R_0B[5].col(2);
+  const Vec3 arm = poses.p_0T + poses.R_0T * Vec3(0.0, 0.01, -0.05) - poses.p_0B[5];
+  const Vec3 moments(0.002, 0.003, 0.001);
+  const double expected =
+      axis.dot(moments.cwiseProduct(axis)) + 0.8 * poses.R_0B[5].col(2).cross(arm).squaredNorm();
+  EXPECT_NEAR(more(5, 5), expected, 1e-12);
+  EXPECT_EQ(mounted->shapes.size(), bare->shapes.size() + 1);
+  const Shape& shape = mounted->shapes.back();
+  EXPECT_EQ(shape.body, 5);
+  const Vec3 in_base = poses.p_0B[5] + poses.R_0B[5] * shape.p_BS;
+  EXPECT_LT((in_base - poses.p_0T - poses.R_0T * Vec3(0.0, 0.0, -0.1)).norm(), 1e-12);
+}
+
+TEST(RobotFile, APayloadIsAPointMassThatTheControllerKnows) {
+  const test::TemporaryFolder folder;
+  const auto bare = load_robot(folder.write("bare.yaml", kRobot));
+  const auto loaded =
+      load_robot(folder.write("loaded.yaml", kRobot + "payload: {mass: 2, center: [0, 0, 0.1]}\n"));
+  const RobotModel expected = with_payload(*bare, {2.0, Vec3(0.0, 0.0, 0.1)});
+  EXPECT_EQ(loaded->chain.link[5].mass, expected.chain.link[5].mass);
+  EXPECT_EQ(loaded->chain.link[5].inertia, expected.chain.link[5].inertia);
+}
+
+TEST(RobotFile, ShapesStandForTheCollisionGeometryOfALink) {
+  const test::TemporaryFolder folder;
+  const auto arm = load_robot(folder.write(
+      "arm.yaml", kRobot + "shapes:\n  forearm_link:\n"
+                           "    - {capsule: {radius: 0.05, from: [0, 0, 0.01], to: [-0.39, 0, 0.01]}}\n"));
+  const ArmSolids solids = arm_solids(*arm);
+  int found = 0;
+  for (const ArmSolid& solid : solids.solids) {
+    if (solid.link != "forearm_link") continue;
+    ++found;
+    EXPECT_EQ(solid.placed.solid.kind, SolidKind::kCapsule);
+    EXPECT_NEAR(solid.placed.solid.size.x(), 0.39, 1e-12);
+  }
+  EXPECT_EQ(found, 1);
+  EXPECT_THAT(test::refusal([&] {
+                load_robot(folder.write("wrong.yaml", kRobot + "shapes: {elbow: [{sphere: {radius: 1}}]}\n"));
+              }),
+              HasSubstr("link 'elbow' is no part of this arm"));
+  EXPECT_THAT(
+      test::refusal([&] {
+        load_robot(folder.write("tool.yaml", kRobot + "tool: {mass: 1, moments: [1, 0, 0, 1, 0, 3]}\n"));
+      }),
+      AllOf(HasSubstr("tool.yaml:3"), HasSubstr("no rigid body")));
+}
+
+TEST(ScenarioCell, TakesTheCellOfTheRobotUnlessItHasItsOwn) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.yaml",
+               kRobot + "cell: {floor: -0.5, parts: [{name: wall, box: [0.1, 2, 2], center: [-1, 0, 0]}]}\n");
+  const std::string text =
+      "robot: arm.yaml\ncontrol_period: 0.002\nduration: 1\nstart_position_deg: [0, -90, 90, -90, -90, 0]\n"
+      "path: {hold: [0.4, 0.1, 0.4]}\ntargets: [{name: a, hold: [0.4, 0.1, 0]}]\ntheta_start: {model_scale: 1}\n";
+  const Scenario of_robot = load_scenario(folder.write("a.yaml", text));
+  ASSERT_TRUE(of_robot.clearance);
+  EXPECT_EQ(of_robot.clearance->cell().floor, -0.5);
+  EXPECT_EQ(of_robot.clearance->cell().parts.size(), 1U);
+  const Scenario own = load_scenario(folder.write("b.yaml", text + "cell: {floor: 0}\n"));
+  EXPECT_EQ(own.clearance->cell().floor, 0.0);
+  EXPECT_TRUE(own.clearance->cell().parts.empty());
+  folder.write("arm.yaml", kRobot);
+  EXPECT_FALSE(load_scenario(folder.write("c.yaml", text)).clearance);
+}
+
+TEST(ScenarioCell, FindsAStartThatTouchesNothingOfTheCell) {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "robot: ur5e\ncontrol_period: 0.002\nduration: 4\npath: {circle: {center: [0.45, 0.1, 0.35], radius: 0.05, "
+      "period: 4}}\ntargets: [{name: a, hold: [0.45, 0.1, 0]}]\ntheta_start: {model_scale: 1}\n";
+  const Scenario free = load_scenario(folder.write("free.yaml", text + "cell: {}\n"));
+  const PathWalk before = walk_path(free, free.goal_position, 0.2);
+  // A post where the arm's elbow would be.
+  Poses poses;
+  forward_kinematics(free.robot->chain, free.goal_position, poses);
+  const Vec3 elbow = poses.p_0B[2];
+  const Scenario post = load_scenario(
+      folder.write("post.yaml", text + fmt::format("cell: {{parts: [{{name: post, sphere: {{radius: 0.05}}, "
+                                                   "center: [{}, {}, {}]}}]}}\n",
+                                                   elbow.x(), elbow.y(), elbow.z())));
+  ASSERT_LT(before.error.value, 1e-3);
+  EXPECT_GT(least_of(Clearance::kCell, walk_path(post, post.goal_position, 0.2).nearest).distance, 0.0);
+  EXPECT_NE(post.goal_position, free.goal_position);
+}
+
+}  // namespace
+}  // namespace armtune::internal

@@ -1,0 +1,97 @@
+// The arm's distance from itself and from its cell.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tuner/planning/transcription/joint_axis.hpp"
+#include "tuner/planning/transcription/term_parts.hpp"
+#include "tuner/record/words.hpp"
+
+namespace armtune::internal {
+namespace {
+
+/// What the distances of a pair are called: one name for all pairs with the same part of the cell.
+std::string term_name(const ClearanceModel& model, const ContactPair& pair) {
+  switch (pair.of) {
+    case Clearance::kCell:
+      return kept_words::kDistanceToPart + model.cell().parts[pair.other].name;
+    case Clearance::kFloor:
+      return kept_words::kDistanceToFloor;
+    default:
+      return kept_words::kDistanceBetweenLinks;
+  }
+}
+
+std::string row_name(const ClearanceModel& model, const ContactPair& pair) {
+  const auto& solids = model.arm().solids;
+  const std::string& link = solids[pair.solid].link;
+  return pair.of == Clearance::kSelf ? fmt::format("{} and {}", link, solids[pair.other].link) : link;
+}
+
+/// Writes the distance of a pair over `radius`, and its derivatives.
+class PairRow {
+ public:
+  PairRow(const ClearanceModel& model, const ContactPair& pair, double radius)
+      : model_(model), pair_(pair), radius_(radius) {}
+
+  void write(const Knot& knot, int row, const KnotRows& out) const {
+    MotionPoint<Vec3> at{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    if (pair_.of == Clearance::kCell) at = model_.cell().parts[pair_.other].path.at(knot.time);
+    const Closest closest = model_.distance(pair_, knot.poses, at.position);
+    out.value[row] = closest.distance / radius_;
+    if (out.by_q == nullptr) return;
+    double* by_q = out.by_q + static_cast<std::ptrdiff_t>(row) * out.columns;
+    add(knot, model_.arm().solids[pair_.solid].body, closest.on_a, closest.away / radius_, by_q);
+    if (pair_.of == Clearance::kSelf)
+      add(knot, model_.arm().solids[pair_.other].body, closest.on_b, -closest.away / radius_, by_q);
+    out.by_time[row] = -closest.away.dot(at.velocity) / radius_;
+  }
+
+ private:
+  /// d / dq of direction . p, a point p of a body.
+  void add(const Knot& knot, int body, const Vec3& p, const Vec3& direction, double* by_q) const {
+    for (int j = 0; j <= body; ++j)
+      by_q[j] += direction.dot(point_rate(axis_of(model_.robot().chain, knot.poses, j), p));
+  }
+
+  const ClearanceModel& model_;
+  const ContactPair& pair_;
+  double radius_;
+};
+
+}  // namespace
+
+std::vector<KnotTerm> clear_of_cell(const std::shared_ptr<const ClearanceModel>& model, KnotRange knots,
+                                    double radius) {
+  std::map<std::string, std::vector<std::size_t>> by_name;
+  const auto& pairs = model->pairs();
+  for (std::size_t k = 0; k < pairs.size(); ++k) by_name[term_name(*model, pairs[k])].push_back(k);
+  std::vector<KnotTerm> terms;
+  for (const auto& [name, of_term] : by_name) {
+    std::vector<std::string> rows;
+    std::map<std::string, int> used;
+    for (const std::size_t k : of_term) {
+      // A link of several bodies has a row for each of them.
+      std::string row = row_name(*model, pairs[k]);
+      if (const int count = ++used[row]; count > 1) row += fmt::format(" ({})", count);
+      rows.push_back(std::move(row));
+    }
+    const double kept = name == kept_words::kDistanceBetweenLinks ? std::min(radius, kBetweenLinks) : radius;
+    KnotTerm term = over(knots, name, rows);
+    in_meters(1.0 / kept, term);
+    term.on_time = true;
+    term.lower = 1.0;
+    term.evaluate = [model, of_term, kept](const Knot& knot, const KnotRows& out) {
+      if (out.by_q != nullptr)
+        std::fill(out.by_q, out.by_q + static_cast<std::ptrdiff_t>(of_term.size()) * out.columns, 0.0);
+      for (std::size_t i = 0; i < of_term.size(); ++i)
+        PairRow(*model, model->pairs()[of_term[i]], kept).write(knot, static_cast<int>(i), out);
+    };
+    terms.push_back(std::move(term));
+  }
+  return terms;
+}
+
+}  // namespace armtune::internal
