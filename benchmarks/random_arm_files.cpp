@@ -2,23 +2,18 @@
 // latter with what a URDF does not hold. Usage: benchmark_random_arms COUNT FOLDER
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <string>
 
 #include "core/robot/urdf_writer.hpp"
+#include "sim/scenario/robot_writer.hpp"
 #include "tests/core/support/arms.hpp"
 
 namespace {
 
-using armtune::internal::JointVector;
 using armtune::internal::RobotModel;
-
-std::string list(const JointVector& values) {
-  return fmt::format("[{:.6g}]", fmt::join(values.data(), values.data() + values.size(), ", "));
-}
 
 void write(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
@@ -45,11 +40,7 @@ int main(int argc, char** argv) {
     const RobotModel arm = arm_of(k);
     const std::string name = fmt::format("{}/random_{:02}", folder, k);
     write(name + ".urdf", armtune::internal::urdf_text(arm));
-    write(name + ".yaml",
-          fmt::format("urdf: random_{:02}.urdf\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}\n"
-                      "viscous_friction: {}\ncoulomb_friction: {}\n",
-                      k, arm.base_link, armtune::internal::urdf_tool_link(arm), list(arm.chain.rotor_inertia),
-                      list(arm.chain.viscous_friction), list(arm.chain.coulomb_friction)));
+    write(name + ".yaml", armtune::internal::robot_yaml(arm, fmt::format("random_{:02}.urdf", k)));
   }
   return 0;
 }

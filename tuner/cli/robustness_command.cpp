@@ -37,6 +37,7 @@ int run(const Arguments& args, RankGroup& team) {
   if (args.only >= 0) {
     options.first = static_cast<std::uint64_t>(args.only);
     options.samples = 1;
+    settings.writes_arm = true;
   }
   // Unless others are asked for: the ones that come near limits.
   settings.scenarios = load_inputs(settings.place, [&args] {
@@ -74,8 +75,10 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0L, 1000000000000L))
       ->capture_default_str();
   command
-      ->add_option("--sample", args->only,
-                   "simulate only this sample; it is byte-identical to the one among the others")
+      ->add_option(
+          "--sample", args->only,
+          "simulate only this sample; it is byte-identical to the one among the others. With --out, its arm "
+          "is written as arm.urdf and arm.yaml")
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option(
       "--limit", args->limits,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/csv/cell.hpp"
+#include "tuner/robustness/drawn_arm.hpp"
 #include "tuner/samples/statistics.hpp"
 
 namespace armtune::internal {
@@ -131,28 +132,32 @@ std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
   return Drawing(pool, gains, options).run(stop);
 }
 
-std::string samples_header() {
+std::string samples_header(const std::vector<Scenario>& scenarios) {
   std::string text = "sample,scenario,status,broken_limit,joint_velocity/max_ratio_joint";
   for (const Metric metric : all_metrics()) text += fmt::format(",{}", name(metric));
+  for (const std::string& column : drawn_columns(scenarios)) text += "," + cell(column);
   return text + '\n';
 }
 
-std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloSample& sample) {
+std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
+                        const MonteCarloSample& sample) {
   std::string text;
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
     const RolloutResult& result = sample.results[s];
     text += fmt::format("{},{},{},{},{}", sample.number, cell(scenarios[s].name), name(result.status),
                         cell(sample.broken[s]), cell(result.metrics.max_ratio_joint));
     for (const Metric metric : all_metrics()) text += "," + cell(result.metrics[metric]);
+    const Scenario drawn = perturbed(scenarios[s], options.perturbation, options.seed, sample.number);
+    for (const double value : drawn_values(scenarios, scenarios[s], drawn)) text += "," + cell(value);
     text += '\n';
   }
   return text;
 }
 
-std::string samples_csv(const std::vector<Scenario>& scenarios,
+std::string samples_csv(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const std::vector<MonteCarloSample>& samples) {
-  std::string text = samples_header();
-  for (const MonteCarloSample& sample : samples) text += sample_rows(scenarios, sample);
+  std::string text = samples_header(scenarios);
+  for (const MonteCarloSample& sample : samples) text += sample_rows(scenarios, options, sample);
   return text;
 }
 

@@ -52,11 +52,14 @@ std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios
 std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 
-/// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric.
-/// Numbers read back to the same bits.
-std::string samples_header();
-std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloSample& sample);
-std::string samples_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
+/// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric, and
+/// what was drawn (drawn_arm.hpp). Numbers read back to the same bits. options: that the samples were drawn
+/// with.
+std::string samples_header(const std::vector<Scenario>& scenarios);
+std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
+                        const MonteCarloSample& sample);
+std::string samples_csv(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
+                        const std::vector<MonteCarloSample>& samples);
 
 /// A metric over the samples that completed a scenario, worst last: largest, or smallest for what should be
 /// large.

@@ -8,6 +8,7 @@
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "tuner/robustness/drawn_arm.hpp"
 #include "tuner/rollouts/recording_memory.hpp"
 #include "tuner/rollouts/simulate.hpp"
 #include "tuner/run/file_hash.hpp"
@@ -92,13 +93,13 @@ void MonteCarloSession::begin() {
 void MonteCarloSession::keep_samples() {
   MonteCarloOptions& options = settings_.options;
   rows_.emplace(folder() + "/samples.csv", AppendFile::Open::kReplace);
-  rows_->append(samples_header(), false);
+  rows_->append(samples_header(settings_.scenarios), false);
   options.known = [this](std::uint64_t number) {
     auto record = run_->journal().find(number);
     return record ? std::optional(std::move(record->results)) : std::nullopt;
   };
   options.finished = [this](const MonteCarloSample& sample) {
-    rows_->append(sample_rows(settings_.scenarios, sample), false);
+    rows_->append(sample_rows(settings_.scenarios, settings_.options, sample), false);
   };
   options.whole = [this](const MonteCarloSample& sample) {
     run_->journal().append({sample.number, "sample", run_->seconds(), {}, sample.results});
@@ -152,6 +153,7 @@ void MonteCarloSession::write_results(int workers) {
   }
   write_provenance(folder(), p);
   outcome_.files = {"samples.csv", "summary.csv", "run.yaml", "inputs/"};
+  if (settings_.writes_arm && outcome_.samples.size() == 1) write_arm();
   if (!outcome_.verdict.checks.empty()) {
     write_verdict(folder(), outcome_.verdict);
     outcome_.files.emplace_back("verdict.yaml");
@@ -160,6 +162,17 @@ void MonteCarloSession::write_results(int workers) {
   const auto pages = add_report(
       folder(), [this] { return scene(); }, observer_);
   outcome_.files.insert(outcome_.files.end(), pages.begin(), pages.end());
+}
+
+/// The one arm that was drawn, as files that other programs read.
+void MonteCarloSession::write_arm() {
+  const MonteCarloOptions& options = settings_.options;
+  const Scenario drawn =
+      perturbed(settings_.scenarios.front(), options.perturbation, options.seed, options.first);
+  for (const auto& [name, text] : drawn_arm_files(drawn)) {
+    write_text_file(folder() + "/" + name, text);
+    outcome_.files.push_back(name);
+  }
 }
 
 /// What the report replays: the arm of the scenarios themselves.

@@ -22,6 +22,7 @@ struct MonteCarloSettings {
   Gains gains;
   std::string gains_path;     ///< of the file that the gains are from; empty: of none
   double deadline = 0.0;      ///< of one rollout, wall clock [s]; 0: by its duration
+  bool writes_arm = false;    ///< one sample's arm is written as a URDF and a robot YAML
   MonteCarloOptions options;  ///< but for its functions, which are the session's own
 };
 
@@ -61,6 +62,7 @@ class MonteCarloSession {
   void draw(RolloutPool& pool);
   void keep_samples();
   void write_results(int workers);
+  void write_arm();
   report::Scene scene() const;
 
   MonteCarloSettings settings_;

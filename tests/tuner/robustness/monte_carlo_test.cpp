@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "sim/scenario/gains_file.hpp"
+#include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/read_back.hpp"
+#include "tuner/robustness/drawn_arm.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -27,7 +29,7 @@ class MonteCarlo : public ::testing::Test {
     gains_ = load_gains("extended_tuned", joint_names(*scenarios_.front().robot));
   }
   std::string csv() const {
-    return samples_csv(scenarios_, monte_carlo(scenarios_, gains_, options_, kNever));
+    return samples_csv(scenarios_, options_, monte_carlo(scenarios_, gains_, options_, kNever));
   }
 
   std::vector<Scenario> scenarios_;
@@ -106,6 +108,7 @@ struct Awkward {
   Awkward() {
     scenarios[0].name = "plain";
     scenarios[1].name = test::kAwkwardText;
+    for (Scenario& scenario : scenarios) scenario.robot = load_robot("ur10");
     for (std::size_t k = 0; k < samples.size(); ++k) {
       samples[k].number = k + (std::uint64_t{1} << 60U);
       samples[k].results.resize(2);
@@ -123,7 +126,7 @@ struct Awkward {
 
 TEST(SamplesCsv, ReadsBackToTheBitAndIsEmptyWithItsStatus) {
   const Awkward a;
-  test::ReadBack read(samples_csv(a.scenarios, a.samples));
+  test::ReadBack read(samples_csv(a.scenarios, {}, a.samples));
   std::size_t row = 0;
   for (const MonteCarloSample& sample : a.samples) {
     for (std::size_t s = 0; s < 2; ++s, ++row) {
@@ -134,9 +137,48 @@ TEST(SamplesCsv, ReadsBackToTheBitAndIsEmptyWithItsStatus) {
       read.text(row, "broken_limit", sample.broken[s]);
       read.text(row, "joint_velocity/max_ratio_joint", result.metrics.max_ratio_joint);
       for (const Metric m : all_metrics()) read.number(row, name(m), result.metrics[m]);
+      const auto drawn =
+          drawn_values(a.scenarios, a.scenarios[s],
+                       perturbed(a.scenarios[s], Perturbation(), MonteCarloOptions().seed, sample.number));
+      const auto columns = drawn_columns(a.scenarios);
+      for (std::size_t c = 0; c < columns.size(); ++c) read.number(row, columns[c], drawn[c]);
     }
   }
   read.expect_all_seen(row);
+}
+
+TEST(DrawnArm, ItsColumnsSayWhatWasDrawn) {
+  const Scenario own = load_scenario("realistic_obstacle_pass");
+  const Scenario drawn = perturbed(own, Perturbation(), 7, 3);
+  const auto columns = drawn_columns({own});
+  const auto values = drawn_values({own}, own, drawn);
+  ASSERT_EQ(values.size(), columns.size());
+  const auto value = [&](const std::string& name) {
+    return values[static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                           columns.begin())];
+  };
+  EXPECT_EQ(value("drawn/elbow_joint/mass_factor"), drawn.plant.mass_factors[2]);
+  EXPECT_EQ(value("drawn/wrist_3_joint/rotor_factor"), drawn.plant.rotor_factors[5]);
+  EXPECT_EQ(value("drawn/elbow_joint/center_y"), drawn.plant.center_offsets(1, 2));
+  EXPECT_EQ(value("drawn/elbow_joint/viscous_friction"), drawn.plant.viscous_friction[2]);
+  EXPECT_EQ(value("drawn/elbow_joint/theta_factor"), drawn.theta.factors[2]);
+  EXPECT_EQ(value("drawn/payload"), drawn.plant.payload.mass);
+  EXPECT_EQ(value("drawn/delay"), drawn.plant.torque_delay_periods);
+  const std::string& obstacle = own.obstacles[0].name;
+  EXPECT_EQ(value("drawn/" + obstacle + "/phase"), drawn.obstacles[0].path.phase);
+}
+
+TEST(DrawnArm, ItsFilesAreTheArmThatWasSimulated) {
+  const Scenario drawn = perturbed(load_scenario("realistic_obstacle_pass"), Perturbation(), 7, 3);
+  const test::TemporaryFolder folder;
+  for (const auto& [name, text] : drawn_arm_files(drawn)) folder.write(name, text);
+  const auto read = load_robot(folder / "arm.yaml");
+  const RobotModel expected = plant_model(drawn);
+  const ParameterVector of_file = theta_of(read->chain);
+  const ParameterVector of_plant = theta_of(expected.chain);
+  EXPECT_LT((of_file - of_plant).norm(), 1e-9 * of_plant.norm());
+  EXPECT_EQ(read->chain.rotor_inertia, expected.chain.rotor_inertia);
+  EXPECT_EQ(read->chain.viscous_friction, expected.chain.viscous_friction);
 }
 
 TEST(SummaryCsv, ReadsBackToTheBitAndIsEmptyForWhatIsNotFinite) {

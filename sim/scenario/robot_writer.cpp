@@ -1,0 +1,22 @@
+#include "sim/scenario/robot_writer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/robot/urdf_writer.hpp"
+#include "sim/yaml/quoted.hpp"
+
+namespace armtune::internal {
+
+std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment) {
+  const Chain& chain = model.chain;
+  const auto list = [](const JointVector& values) { return fmt::format("[{}]", fmt::join(values, ", ")); };
+  return (comment.empty() ? "" : "# " + comment + "\n") +
+         fmt::format(
+             "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}  # kg m^2, kg\n"
+             "viscous_friction: {}  # N m s/rad, N s/m\ncoulomb_friction: {}  # N m, N\n",
+             yaml::quoted(urdf), yaml::quoted(model.base_link), yaml::quoted(urdf_tool_link(model)),
+             list(chain.rotor_inertia), list(chain.viscous_friction), list(chain.coulomb_friction));
+}
+
+}  // namespace armtune::internal
