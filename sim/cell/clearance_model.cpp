@@ -154,7 +154,7 @@ std::vector<std::string> ClearanceModel::left_out_by_their_make() const {
   };
   std::vector<std::string> names;
   for (const auto& [a, b] : left_out_) {
-    if (body_of(b) - body_of(a) > 1) names.push_back(a + " and " + b);
+    if (body_of(b) - body_of(a) > 1) names.push_back(fmt::format("{} and {}", a, b));
   }
   return names;
 }

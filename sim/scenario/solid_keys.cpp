@@ -19,7 +19,7 @@ double length(double value, const yaml::Node& node, const char* what) {
 }
 
 Vec3 place(const yaml::Node& node) {
-  const Vec3 point(node.as_numbers(3).data());
+  Vec3 point(node.as_numbers(3).data());
   if (!(point.cwiseAbs().maxCoeff() <= kLargest))
     node.fail(fmt::format("a coordinate is beyond {} m", kLargest));
   return point;

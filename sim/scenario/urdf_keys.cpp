@@ -42,7 +42,7 @@ GivenInertia read_inertia(yaml::MapReader& map) {
 
 GivenInertia read_link_inertia(const yaml::Node& node) {
   yaml::MapReader map(node);
-  const GivenInertia given = read_inertia(map);
+  GivenInertia given = read_inertia(map);
   map.finish();
   return given;
 }

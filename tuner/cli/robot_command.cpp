@@ -62,6 +62,7 @@ void show_rotors(const RobotModel& model) {
   RobotModel estimated = model;
   estimate_rotors(estimated);
   std::vector<std::string> figures;
+  figures.reserve(static_cast<std::size_t>(model.n()));
   for (int i = 0; i < model.n(); ++i)
     figures.push_back(fmt::format("{:.3g}", estimated.chain.rotor_inertia[i]));
   say(fmt::format(

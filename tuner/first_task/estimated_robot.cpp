@@ -56,9 +56,10 @@ bool lacks_rotors(const RobotFile& file, const RobotModel& robot) {
 
 std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estimated) {
   std::vector<std::string> figures;
+  figures.reserve(static_cast<std::size_t>(estimated.n()));
   for (int i = 0; i < estimated.n(); ++i)
     figures.push_back(fmt::format("{:.3g}", estimated.chain.rotor_inertia[i]));
-  const std::string text =
+  std::string text =
       fmt::format("urdf: {}\n{}", yaml::quoted(absolute_path(file.urdf)),
                   file.root ? other_lines(file) : "") +
       fmt::format(

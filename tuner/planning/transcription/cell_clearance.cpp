@@ -69,7 +69,9 @@ std::vector<KnotTerm> clear_of_cell(const std::shared_ptr<const ClearanceModel>&
   const auto& pairs = model->pairs();
   for (std::size_t k = 0; k < pairs.size(); ++k) by_name[term_name(*model, pairs[k])].push_back(k);
   std::vector<KnotTerm> terms;
-  for (const auto& [name, of_term] : by_name) {
+  for (const auto& entry : by_name) {
+    const std::string& name = entry.first;
+    const std::vector<std::size_t>& of_term = entry.second;
     std::vector<std::string> rows;
     std::map<std::string, int> used;
     for (const std::size_t k : of_term) {
