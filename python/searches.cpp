@@ -54,6 +54,7 @@ Study make_study(const py::object& description, const std::optional<std::vector<
 
 py::array numbers_of(const std::vector<TunePoint>& points, double TunePoint::*member) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const TunePoint& point : points) values.push_back(point.*member);
   const auto rows = static_cast<py::ssize_t>(values.size());
   return owning(std::move(values), {rows});
