@@ -1,5 +1,5 @@
 // What a cell costs: rollouts of one arm in armtune's own dynamics without a cell, and with the distances of
-// its links from each other, from the floor and from three parts, one of which moves. Measured in turn.
+// its links from each other, from the floor and from two parts at rest and a moving one. Measured in turn.
 
 #include <fmt/format.h>
 

@@ -13,9 +13,9 @@ struct FileUnits {
   double torque = 1.0;
 };
 
-/// {time: s, ms, us or ns, length: m, cm, mm or in, angle: rad or deg, torque: N m or mN m}, each of which
-/// may be left out. Throws InputError with file, line and key for any other, and for those that `allowed`
-/// does not name: a list of keys with blanks between them.
+/// {time: s, ms, us or ns, length: m, cm, mm or in, angle: rad or deg, torque: N m or mN m}. A key that is
+/// left out stands for SI. Throws InputError with file, line and key for any other key, and for those that
+/// `allowed` does not name: a list of keys with blanks between them.
 FileUnits read_file_units(const Node& node, const char* allowed);
 
 }  // namespace armtune::internal::yaml

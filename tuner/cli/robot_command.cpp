@@ -114,8 +114,9 @@ void show_contacts(const RobotModel& model) {
   const ClearanceModel contacts(std::make_shared<const RobotModel>(model), Cell{});
   std::vector<std::string> unknown = contacts.arm().unknown;
   if (!unknown.empty())
-    say(fmt::format("Shapes that could be read are missing for {}: nothing touches them.\n",
-                    fmt::join(unknown, ", ")));
+    say(fmt::format(
+        "Some or all shapes of {} could not be read, and self-collision is not looked for with these.\n",
+        fmt::join(unknown, ", ")));
   if (!contacts.has(Clearance::kSelf)) return;
   say(fmt::format(
       "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",

@@ -66,7 +66,7 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
       add_once(fmt::format("the file of {} is right where armtune doubts it: {}", robot.name, doubt),
                verdict.assumes);
     if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
-      add_once(fmt::format("{} of {} touch nothing, as no shape of them could be read",
+      add_once(fmt::format("nothing touches those shapes of {} of {} that could not be read",
                            fmt::join(scenario.clearance->arm().unknown, ", "), robot.name),
                verdict.assumes);
     if (scenario.clearance) {
