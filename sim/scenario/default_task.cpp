@@ -19,17 +19,17 @@ namespace armtune::internal {
 namespace {
 
 constexpr unsigned kSamples = 2000;
-constexpr std::size_t kTried = 40;  // of the samples, the best first
+constexpr std::size_t kTried = 200;  // of the samples, the best first
 constexpr int kHalvings = 3;
 constexpr double kRadius = 0.09;       // of the reach
 constexpr double kAhead = 0.35;        // of the reach
 constexpr double kNearest = 0.15;      // of the reach, where the floor is closer than kAhead
 constexpr double kApart = 0.1;         // of the reach, each target from the middle
-constexpr double kEnoughMargin = 0.1;  // of a joint's range
+constexpr double kEnoughMargin = 0.2;  // of a joint's range
 constexpr double kAboveFloor = 0.1;    // m
 constexpr double kFolded = 0.08;       // of the reach, from the tool to the arm itself
-constexpr double kFromCell = 0.02;     // m, of links; from each other they are anything above zero
-constexpr double kMostLoad = 0.75;     // of an effort limit
+constexpr double kFromCell = 0.05;     // m, of links; from each other they are anything above zero
+constexpr double kMostLoad = 0.85;     // of an effort limit
 constexpr double kUnlikely = 0.02;     // factor on the score of a place that will hardly do
 constexpr double kTurn = 10.0;         // s
 constexpr double kDuration = 30.0;     // s
@@ -48,6 +48,7 @@ double floor_of(const RobotModel& robot, const TaskOptions& options) {
   const bool upright = height_of(Vec3::UnitZ(), robot) > 0.5;
   const double none = -std::numeric_limits<double>::infinity();
   if (options.cell) return options.cell->floor.value_or(none);
+  if (options.without_floor) return none;
   return options.floor.value_or(upright ? 0.0 : none);
 }
 
@@ -71,9 +72,10 @@ std::vector<Place> good_places(const RobotModel& robot, TaskMask mask, double fl
     const double margin = tightest_joint(robot, place.q).margin;
     const double down = 0.5 * (1.0 - height_of(arm.poses.R_0T.col(2), robot));
     const bool high = height_of(arm.poses.p_0T, robot) > floor + kAboveFloor + kRadius * size;
-    const bool light = load_at(robot, arm.poses) < kMostLoad;
+    const double load = load_at(robot, arm.poses);
     place.score = place.manipulability * std::min(1.0, margin / kEnoughMargin) * (0.1 + 0.9 * down) *
-                  (high ? 1.0 : kUnlikely) * (light ? 1.0 : kUnlikely);
+                  (high ? 1.0 : kUnlikely) *
+                  (load < kMostLoad ? std::pow(1.0 - load, 3) : kUnlikely * kUnlikely);
     places.push_back(std::move(place));
   }
   std::stable_sort(places.begin(), places.end(),
@@ -120,15 +122,15 @@ class Placing {
   Placing(DefaultTask& task, double floor)
       : task_(task), arm_(*task.scenario.robot), floor_(floor), size_(reach(arm_)) {}
 
-  /// Returns false if they fit nowhere.
-  bool place() {
+  /// Takes the first place that does after those `passed_over`. Returns false if there is none.
+  bool place(std::size_t passed_over) {
     const std::vector<Place> places = good_places(arm_, task_.scenario.mask, floor_);
     // Better a smaller circle than one that leads to a joint's limit.
-    for (const double margin : {kEnoughMargin, 0.0}) {
+    for (const double margin : {0.5 * kEnoughMargin, 0.0}) {
       least_margin_ = margin;
       for (int halving = 0; halving <= kHalvings; ++halving) {
         for (const Place& place : places) {
-          if (place_at(place, 1.0 / (1 << halving))) return true;
+          if (place_at(place, 1.0 / (1 << halving)) && passed_over-- == 0) return true;
         }
       }
     }
@@ -245,6 +247,7 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOpti
   if (const double floor = floor_of(arm, options); std::isfinite(floor)) cell.floor = floor;
   scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, std::move(cell));
   task.in_given_cell = options.cell.has_value();
+  task.without_floor = options.without_floor;
   // Of an arm whose shapes are not known there is nothing to say.
   if (scenario.clearance->pairs().empty()) scenario.clearance.reset();
   scenario.duration = kDuration * options.slowness;
@@ -263,8 +266,9 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOpti
   for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
     scenario.mask = mask;
     if (components(mask) > arm.n()) continue;
+    if (options.position_alone && mask != TaskMask::kPosition) continue;
     Placing placing(task, floor_of(arm, options));
-    if (placing.place()) return task;
+    if (placing.place(options.passed_over)) return task;
     if (obstacle.empty()) obstacle = placing.obstacle();
   }
   if (obstacle.empty() && arm.n() < components(TaskMask::kPosition))
@@ -299,6 +303,8 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
                               *s.clearance->cell().floor)
                 : "cell: {}   # the arm is not to touch itself\n";
   }
+  if (task.without_floor)
+    text += "# There is no floor: above the height of its base, the arm completed no first task.\n";
   text += fmt::format(
       "\n# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
       "{}}}\nplant:\n"

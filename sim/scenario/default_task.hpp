@@ -17,7 +17,10 @@ struct TaskOptions {
   /// What stands around the arm; without it there is the floor alone. With it, its floor counts or there is
   /// none.
   std::optional<Cell> cell;
-  double slowness = 1.0;  ///< factor on all times, for an arm that is too slow for the task [1]
+  bool without_floor = false;   ///< there is none, also below an arm that is upright
+  bool position_alone = false;  ///< the task is never position and gaze
+  double slowness = 1.0;        ///< factor on all times, for an arm that is too slow for the task [1]
+  std::size_t passed_over = 0;  ///< how many places that would do are left for the next
 };
 
 struct DefaultTask {
@@ -25,18 +28,19 @@ struct DefaultTask {
   JointVector goal;             ///< (n) [rad, m] on the task where it begins
   double manipulability = 0.0;  ///< the smallest on the task
   bool in_given_cell = false;   ///< the cell is one that was given, not the floor alone
+  bool without_floor = false;   ///< as TaskOptions has it
   double load = 0.0;            ///< largest share of a joint's effort limit that holding the arm still takes
 };
 
 /// Returns a task that the arm can do. The circle's radius is a tenth of the arm's reach, or less where its
 /// limits ask for that, and it is perpendicular to the tool's z axis. Places where the arm moves well and the
-/// tool looks down come first. On the whole circle, the tool and the joints from the third on stay 0.1 m
-/// above the floor, the tool stays clear of the arm, links whose shapes are known do not touch each other and
-/// stay 0.02 m clear of the cell, and holding the arm still takes at most three quarters of each effort
-/// limit. The task is position and gaze, or position alone where the arm has no joints for more. The plant
-/// has noise, a period of delay, a payload of two per cent of the arm's mass, and the controller takes the
-/// arm for a fifth lighter than it is, so that high gains have a price. Throws InputError that says why there
-/// is no such place.
+/// tool looks down, lightly loaded, come first. On the whole circle, the tool and the joints from the third
+/// on stay 0.1 m above the floor, the tool stays clear of the arm, links whose shapes are known do not touch
+/// each other and stay 0.05 m clear of the cell, and holding the arm still takes at most 0.85 of each effort
+/// limit. The task is position and gaze, or position alone where the arm has no joints or no place for more.
+/// The plant has noise, a period of delay, a payload of two per cent of the arm's mass, and the controller
+/// takes the arm for a fifth lighter than it is, so that high gains have a price. Throws InputError that says
+/// why there is no such place.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
 /// It as a scenario file. robot: what the file names it by. A cell that was given is not written: it is the

@@ -19,6 +19,8 @@
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/progress_line.hpp"
 #include "tuner/cli/say.hpp"
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/first_task/first_task.hpp"
@@ -144,8 +146,15 @@ void show(const RobotModel& model) {
 
 void make_task(const std::string& robot, const TaskOptions& options, const std::string& folder) {
   refuse_used_folder(folder);
-  const FirstTask found = find_first_task(robot, options);
+  ProgressLine line;
+  const FirstTask found = find_first_task(robot, options, default_workers(),
+                                          [&line](const std::string& text) { line.show(text); });
+  line.clear();
   write_first_task(found, folder);
+  if (found.task.without_floor)
+    print_warning(
+        "above the height of its base the arm completed no first task, so that this one has no floor; if the arm "
+        "stands on one, say at which height with --floor");
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,22 +17,61 @@
 #include "sim/scenario/perturbation.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/first_task/estimated_robot.hpp"
+#include "tuner/first_task/first_study.hpp"
 
 namespace armtune::internal {
 namespace {
 
-constexpr std::array kSlowness = {1.0, 2.0, 4.0};
-constexpr std::array kCalmer = {1.0, 0.7, 0.5, 0.35};       // factors on Kp and Kd
-constexpr std::array kLearnSlower = {1.0, 0.1, 0.01, 0.0};  // factors on the adaptation
+/// A pace, and at how many places it is tried: a slow task takes longer to try.
+struct Pace {
+  double slowness;
+  std::size_t places;
+};
+constexpr std::array kPaces = {Pace{1.0, 6}, Pace{2.0, 2}, Pace{4.0, 1}};
 
-/// Starting gains with slower errors: S dies with M^-1 Kd, then the error with Kp, so both are lowered.
-Gains calmed(Gains gains, double calmer, double learning) {
-  gains.joint_space_gains_p *= calmer;
-  gains.joint_space_gains_d *= calmer;
-  gains.task_space_gains_p *= calmer;
-  gains.task_space_gains_d *= calmer;
-  gains.adaptation_gain *= learning;
+/// Factors on starting gains.
+struct Factors {
+  double firmer;    ///< on Kd, and below 1 on Kp too
+  double learning;  ///< on the adaptation
+  double slower;    ///< on both duration gains
+};
+
+/// Every set of factors that is tried, those first that are to be preferred. Durations are proportional to
+/// errors, so that a small error is made good in a short time and with much acceleration: heavy arms need
+/// longer ones.
+std::vector<Factors> ladder() {
+  std::vector<Factors> all;
+  for (const double firmer : {1.0, 2.0, 0.7, 0.5, 0.35}) {
+    for (const double learning : {1.0, 0.1, 0.01, 0.0}) all.push_back({firmer, learning, 1.0});
+  }
+  for (const double slower : {4.0, 12.0}) {
+    for (const double firmer : {1.0, 2.0, 0.5}) {
+      for (const double learning : {1.0, 4.0, 0.1}) all.push_back({firmer, learning, slower});
+    }
+  }
+  return all;
+}
+
+/// Under firmer gains the arm gives way less to weight that the model lacks. Softer ones need less of the
+/// loop: S dies with M^-1 Kd, then the error with Kp, so that both change.
+Gains changed(Gains gains, const Factors& factors) {
+  gains.joint_space_gains_d *= factors.firmer;
+  gains.task_space_gains_d *= factors.firmer;
+  if (factors.firmer < 1.0) {
+    gains.joint_space_gains_p *= factors.firmer;
+    gains.task_space_gains_p *= factors.firmer;
+  }
+  gains.adaptation_gain *= factors.learning;
+  gains.trajectoryDurationErrorGain *= factors.slower;
+  gains.slerpDurationErrorGain *= factors.slower;
   return gains;
+}
+
+/// Those gains.
+std::vector<Gains> first_gain_sets(const Gains& start) {
+  std::vector<Gains> sets;
+  for (const Factors& factors : ladder()) sets.push_back(changed(start, factors));
+  return sets;
 }
 
 bool keeps_limits(const RolloutResult& result) {
@@ -55,25 +96,29 @@ std::string failure(const RolloutResult& result) {
                      metrics[Metric::kJointEffortMaxRatio]);
 }
 
-/// One task, and every pair of factors until the arm completes it.
+/// One task, and gain sets until the arm completes it.
 class Trial {
  public:
-  explicit Trial(DefaultTask task)
+  Trial(DefaultTask task, int workers)
       : task_(std::move(task)),
-        start_(starting_gains(*task_.scenario.robot, task_.scenario.start_position, task_.goal,
-                              task_.manipulability)),
-        native_(task_.scenario, Stepper::kMidpoint, Engine::kNative) {
+        gains_(first_gain_sets(starting_gains(*task_.scenario.robot, task_.scenario.start_position,
+                                              task_.goal, task_.manipulability))),
+        native_({task_.scenario}, Stepper::kMidpoint, workers),
+        demands_(task_.scenario, gains_.front(), workers) {
     if (task_.scenario.robot->estimated_rotors.empty()) return;
     for (const double factor : {1.0 / kRotorFactor, kRotorFactor})
       other_rotors_.push_back(with_rotors_scaled(task_.scenario, factor));
   }
 
   std::optional<FirstTask> find() {
-    for (const double calmer : kCalmer) {
-      for (const double learning : kLearnSlower) {
-        const Gains gains = calmed(start_, calmer, learning);
-        if (const auto metrics = completed_with(gains)) return FirstTask{task_, gains, *metrics, "", ""};
-      }
+    const std::atomic<bool> stop = false;
+    Conditions conditions;
+    conditions.engine = Engine::kNative;
+    const auto quick = *native_.run(gains_, stop, {}, conditions);
+    for (std::size_t i = 0; i < gains_.size(); ++i) {
+      if (!passes(quick[i].front(), "")) continue;
+      if (const auto metrics = completed_with(gains_[i]))
+        return FirstTask{task_, gains_[i], *metrics, "", ""};
     }
     return std::nullopt;
   }
@@ -84,8 +129,10 @@ class Trial {
  private:
   /// armtune's own dynamics are quick, Simbody decides.
   std::optional<Metrics> completed_with(const Gains& gains) {
-    const RolloutResult quick = native_.run(gains);
-    if (!passes(quick, "")) return std::nullopt;
+    if (const std::string broken = demands_.broken(gains); !broken.empty()) {
+      failed_ = broken;
+      return std::nullopt;
+    }
     if (!simbody_) simbody_.emplace(task_.scenario, Stepper::kMidpoint, Engine::kSimbody);
     const RolloutResult result = simbody_->run(gains);
     if (!passes(result, "")) return std::nullopt;
@@ -103,16 +150,109 @@ class Trial {
   }
 
   DefaultTask task_;
-  Gains start_;
-  Rollout native_;
+  std::vector<Gains> gains_;
+  CandidateRunner native_;
+  FirstDemands demands_;
   std::optional<Rollout> simbody_;
   std::vector<Scenario> other_rotors_;  ///< a third and three times what was estimated
   std::string failed_;
 };
 
+using Progress = std::function<void(const std::string&)>;
+
+/// Tasks of an arm, where it moves well first, and each at several paces.
+class Search {
+ public:
+  /// progress: outlives the search.
+  Search(std::shared_ptr<const RobotModel> arm, TaskOptions options, int workers, const Progress& progress)
+      : arm_(std::move(arm)), options_(std::move(options)), workers_(workers), progress_(progress) {}
+
+  /// Throws InputError if there is not one task for the arm.
+  std::optional<FirstTask> find() {
+    std::size_t there_are = kPaces.front().places;
+    for (const Pace& pace : kPaces) {
+      for (std::size_t place = 0; place < std::min(pace.places, there_are); ++place) {
+        if (progress_) {
+          progress_(fmt::format("trying a first task{}{}: place {} of {}, {} times its time",
+                                options_.position_alone ? " of position alone" : "",
+                                options_.without_floor ? " without a floor" : "", place + 1, pace.places,
+                                pace.slowness));
+        }
+        std::optional<DefaultTask> task = task_at(place, pace.slowness);
+        if (!task) {
+          there_are = place;
+          break;
+        }
+        Trial trial(std::move(*task), workers_);
+        if (auto found = trial.find()) return found;
+        failed_ = trial.failed();
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// How the last rollout failed.
+  const std::string& failed() const { return failed_; }
+
+ private:
+  std::optional<DefaultTask> task_at(std::size_t place, double slowness) const {
+    TaskOptions options = options_;
+    options.passed_over = place;
+    options.slowness *= slowness;
+    try {
+      return default_task(arm_, options);
+    } catch (const InputError&) {
+      if (place == 0) throw;
+      return std::nullopt;
+    }
+  }
+
+  std::shared_ptr<const RobotModel> arm_;
+  TaskOptions options_;
+  int workers_;
+  const Progress& progress_;
+  std::string failed_;
+};
+
+/// What a task may go without, from the one that asks the most of the arm on.
+std::vector<TaskOptions> ever_easier(const TaskOptions& given) {
+  std::vector<TaskOptions> all;
+  for (const bool without_floor : {false, true}) {
+    // A floor that nobody gave is left out before an arm is refused.
+    if (without_floor && (given.floor || given.cell)) continue;
+    for (const bool position_alone : {false, true}) {
+      TaskOptions options = given;
+      options.without_floor = without_floor;
+      options.position_alone = position_alone;
+      all.push_back(options);
+    }
+  }
+  return all;
+}
+
+/// Throws InputError that says why there is no task.
+FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOptions& options, int workers,
+                    const Progress& progress) {
+  std::string last;  // what came closest to a task
+  for (const TaskOptions& easier : ever_easier(options)) {
+    Search search(arm, easier, workers, progress);
+    try {
+      if (auto found = search.find()) return *found;
+      last = fmt::format(
+          "{}: no gains were found with which {} completes a first task within its limits. With the last of those "
+          "tried, {}. Check limits and masses, or write a scenario and gains of its own",
+          arm->source, arm->name, search.failed());
+    } catch (const InputError& no_place) {
+      if (last.empty()) last = no_place.what();
+    }
+  }
+  throw InputError(last);
+}
+
 }  // namespace
 
-FirstTask find_first_task(const std::string& robot, const TaskOptions& options) {
+FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers,
+                          const Progress& progress) {
   const RobotFile file = read_robot_file(robot);
   std::shared_ptr<const RobotModel> arm = load_robot(robot);
   std::string robot_yaml;
@@ -132,22 +272,10 @@ FirstTask find_first_task(const std::string& robot, const TaskOptions& options) 
     }
     in_cell.cell = *cell;
   }
-  std::string failed;
-  for (const double slowness : kSlowness) {
-    TaskOptions slower = in_cell;
-    slower.slowness *= slowness;
-    Trial trial(default_task(arm, slower));
-    if (auto found = trial.find()) {
-      found->robot_file = robot_yaml.empty() ? portable_reference(file.path) : "robot.yaml";
-      found->robot_yaml = robot_yaml;
-      return *found;
-    }
-    failed = trial.failed();
-  }
-  throw InputError(fmt::format(
-      "{}: no gains were found with which {} completes a first task within its limits. With the calmest of those "
-      "tried, {}. Check limits and masses, or write a scenario and gains of its own",
-      arm->source, arm->name, failed));
+  FirstTask found = found_for(arm, in_cell, workers, progress);
+  found.robot_file = robot_yaml.empty() ? portable_reference(file.path) : "robot.yaml";
+  found.robot_yaml = robot_yaml;
+  return found;
 }
 
 }  // namespace armtune::internal

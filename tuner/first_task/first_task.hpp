@@ -2,6 +2,7 @@
 // A first task for an arm, and gains under which the arm was seen to complete it: what `armtune robot --task`
 // writes.
 
+#include <functional>
 #include <string>
 
 #include "core/control/gains.hpp"
@@ -24,10 +25,13 @@ struct FirstTask {
 
 /// Finds a task, and gains with which the arm completes it in Simbody within its limits: positions whole,
 /// velocities and efforts to kFirstTaskRatio. Where rotor inertia is estimated, the arm completes it as well
-/// with a third of the estimate and with three times the estimate. Gains begin with starting_gains; Kp and
-/// Kd, the adaptation and the task's pace are lowered until the task is completed. `robot`: a bundled name or
-/// a file. Throws InputError that says what stands in the way.
-FirstTask find_first_task(const std::string& robot, const TaskOptions& options);
+/// with a third of the estimate and with three times the estimate. In armtune's own dynamics the gains keep
+/// every demand of the study that is written with them. Gains begin with starting_gains; Kp and Kd, the
+/// adaptation and the duration gains are changed, then other places and slower tasks are tried, and last,
+/// where no floor was given, a task without one. `robot`: a bundled name or a file. workers: threads (>= 1).
+/// progress: told which task is tried next. Throws InputError that says what stands in the way.
+FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,
+                          const std::function<void(const std::string&)>& progress = {});
 
 /// Writes task.yaml, gains.yaml, study.yaml and, with estimated rotors, robot.yaml into a new folder. Throws
 /// InputError if the folder holds anything.

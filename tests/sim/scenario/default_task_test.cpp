@@ -130,6 +130,32 @@ TEST(DefaultTask, ASlowArmIsGivenAllTimesInProportion) {
   EXPECT_EQ(slow.path.frequency, 0.5 * whole.path.frequency);
 }
 
+TEST(DefaultTask, APlaceThatIsPassedOverIsAnother) {
+  const auto robot = load_robot("ur10");
+  TaskOptions options;
+  options.passed_over = 1;
+  const DefaultTask first = default_task(robot);
+  const DefaultTask second = default_task(robot, options);
+  EXPECT_GT((second.scenario.path.center - first.scenario.path.center).norm(), 1e-3);
+  EXPECT_TRUE(is_clear(walk_path(second.scenario, second.goal, 0.2)));
+  options.passed_over = 1000000;
+  EXPECT_THAT(test::refusal([&] { default_task(robot, options); }), testing::HasSubstr("no first task"));
+}
+
+TEST(DefaultTask, ATaskOfPositionAloneLooksAtNothing) {
+  TaskOptions options;
+  options.position_alone = true;
+  EXPECT_EQ(default_task(load_robot("ur10"), options).scenario.mask, TaskMask::kPosition);
+}
+
+TEST(DefaultTask, WithoutAFloorItSaysSo) {
+  TaskOptions options;
+  options.without_floor = true;
+  const DefaultTask task = default_task(load_robot("ur10"), options);
+  EXPECT_FALSE(task.scenario.clearance->has(Clearance::kFloor));
+  EXPECT_THAT(default_task_yaml(task, "ur10"), testing::HasSubstr("# There is no floor"));
+}
+
 TEST(DefaultTask, ARobotsNameMayLookLikeYaml) {
   RobotModel named = *load_robot("ur10");
   named.name = "arm: v2 #1";

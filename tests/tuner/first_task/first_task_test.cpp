@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 
 #include "core/robot/rotor_estimate.hpp"
@@ -13,6 +14,8 @@
 #include "sim/scenario/robot_file.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tuner/evaluation/simulate_points.hpp"
+#include "tuner/first_task/first_study.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
@@ -117,6 +120,57 @@ TEST(FirstTask, InTheCellOfARobotFileItsStudyCanBeLoaded) {
   TaskOptions floor;
   floor.floor = 0.1;
   EXPECT_THAT(test::refusal([&] { find_first_task(robot, floor); }), HasSubstr("leave --floor out"));
+}
+
+// A search that begins with them can then only end with gains that keep them.
+TEST(FirstTask, ItsGainsKeepEveryDemandOfItsStudy) {
+  const test::TemporaryFolder folder;
+  for (const char* robot :
+       {"ur5e", "youbot"}) {  // on both, starting gains break a demand on an arm at random
+    const FirstTask found = find_first_task(robot, {}, 2);
+    write_first_task(found, folder / robot);
+    Study study = load_study(folder / robot + "/study.yaml");
+    CandidateRunner workers(simulated_scenarios(study), study.stepper, 2, study.robust);
+    const std::atomic<bool> stop = false;
+    Conditions conditions;
+    conditions.engine = Engine::kNative;
+    auto start = simulate_points(study, {study.space.start_point()}, workers, stop, conditions)->front();
+    const Objective objective(study.terms, study.constraints, simulated_scenarios(study), start.results,
+                              robot);
+    objective.judge(start);
+    EXPECT_TRUE(start.feasible) << robot << ": " << start.violation;
+    EXPECT_EQ(FirstDemands(found.task.scenario, found.gains, 1).broken(found.gains), "") << robot;
+  }
+}
+
+TEST(FirstTask, ADemandThatGainsBreakIsNamed) {
+  const FirstTask found = find_first_task("ur10", {}, 2);
+  FirstDemands demands(found.task.scenario, found.gains, 2);
+  Gains hasty = found.gains;
+  hasty.velocity_margin = 0.0;  // nothing slows the reference
+  hasty.velocity_barrier_gain = 0.0;
+  hasty.slerpDurationErrorGain = 0.05;
+  hasty.trajectoryDurationErrorGain = 0.05;
+  EXPECT_THAT(demands.broken(hasty), HasSubstr("in task: sample 1: diverged"));
+  Gains wild = found.gains;
+  wild.task_space_gains_d *= 100.0;
+  EXPECT_THAT(demands.broken(wild), HasSubstr("joint_velocity/max_ratio <= 0.9 is broken"));
+}
+
+// Its first joint turns below the floor that an upright arm would stand on.
+TEST(FirstTask, AnArmThatCannotStayAboveItsBaseHasNoFloorUnlessItIsGiven) {
+  const test::TemporaryFolder folder;
+  RobotModel sunk = test::ur10();
+  sunk.chain.p_PB0[0] -= Vec3(0.0, 0.0, 3.0);
+  const std::string urdf = folder.write("arm.urdf", urdf_text(sunk));
+  const std::string robot =
+      folder.write("arm.yaml", "urdf: arm.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n");
+  EXPECT_TRUE(find_first_task(robot, {}, 2).task.without_floor);
+  TaskOptions options;
+  options.floor = 0.0;
+  EXPECT_THAT(test::refusal([&] { find_first_task(robot, options, 2); }), HasSubstr("above the floor"));
+  options.floor = -3.0;
+  EXPECT_FALSE(find_first_task(robot, options, 2).task.without_floor);
 }
 
 TEST(FirstTask, WhatStandsInTheWayIsSaid) {

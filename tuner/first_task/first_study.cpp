@@ -1,0 +1,100 @@
+#include "tuner/first_task/first_study.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "sim/rollout/applies.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "sim/yaml/quoted.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr const char* kStudy = R"(gains: gains.yaml     # the start; it scores 1
+scenarios: [task.yaml]
+
+parameters:           # from the start's values; bounds of your own: {{name: ..., lower: ..., upper: ...}}
+  - {{name: task_space_gains_p}}
+  - {{name: task_space_gains_d}}
+  - {{name: trajectoryDurationErrorGain}}
+{orientation_parameters}
+objective:
+  - {{metric: error/position/max, weight: 1}}
+  - {{metric: error/position/rms, weight: 1}}
+{orientation_terms}  - {{metric: effort_rate/rms, weight: 0.5}}
+
+constraints:
+  - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
+  - {{metric: joint_position/min_margin, at_least: 0}}
+  - {{metric: joint_effort/max_ratio, at_most: 0.9}}
+{clearances}
+# Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for
+# each stability margin must hold on the arm of the model.
+robust: {{samples: 6, measure: worst}}
+margins: {{delay_periods: 1, gain: 1.2, noise: 2, rate: 0.8}}
+
+search:
+  engine: native      # Simbody judges what is found
+  max_evaluations: 200
+  seed: 1
+)";
+
+/// Constraints for what the arm can touch.
+std::string clearances(const Scenario& scenario) {
+  std::string text;
+  for (const Metric contact : kContactMetrics) {
+    if (applies(contact, scenario)) text += fmt::format("  - {{metric: {}, at_least: 0}}\n", name(contact));
+  }
+  return text;
+}
+
+Study study_of(const Scenario& scenario, const Gains& start) {
+  StudyParts parts;
+  parts.scenarios = {scenario};
+  parts.start = start;
+  parts.joints = joint_names(*scenario.robot);
+  return parse_study(first_study_yaml(scenario), parts);
+}
+
+}  // namespace
+
+std::string first_study_yaml(const Scenario& scenario) {
+  const RobotModel& robot = *scenario.robot;
+  const bool looks = tracks_orientation(scenario.mask);
+  return fmt::format("description: {}\n", yaml::quoted("first gains for " + robot.name)) +
+         fmt::format(kStudy, fmt::arg("clearances", clearances(scenario)),
+                     fmt::arg("orientation_parameters", looks ? "  - {name: slerpDurationErrorGain}\n" : ""),
+                     fmt::arg("orientation_terms", looks ? "  - {metric: error/orientation/max, weight: 1}\n"
+                                                           "  - {metric: error/orientation/rms, weight: 1}\n"
+                                                         : ""));
+}
+
+FirstDemands::FirstDemands(const Scenario& scenario, const Gains& start, int workers)
+    : study_(study_of(scenario, start)),
+      runner_(simulated_scenarios(study_), study_.stepper, workers, study_.robust) {}
+
+std::string FirstDemands::broken(const Gains& gains) {
+  const std::atomic<bool> stop = false;
+  Conditions conditions;
+  conditions.engine = Engine::kNative;
+  const auto results = runner_.run(std::vector{gains}, stop, {}, conditions)->front();
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    if (results[s].status != RolloutStatus::kCompleted)
+      return fmt::format("in {}: {}", simulated_scenarios(study_)[s].name, results[s].reason);
+  }
+  const Objective objective(study_.terms, study_.constraints, simulated_scenarios(study_), results,
+                            study_.name);
+  Evaluation e;
+  e.gains = gains;
+  e.results = results;
+  objective.judge(e);
+  for (std::size_t c = 0; c < study_.constraints.size(); ++c) {
+    if (e.constraints[c] > 0.0)
+      return fmt::format("{} is broken on the arm, or on one of {} at random", objective.constraint_name(c),
+                         study_.robust->samples);
+  }
+  return e.feasible ? "" : e.status;
+}
+
+}  // namespace armtune::internal
