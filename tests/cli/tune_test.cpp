@@ -63,6 +63,41 @@ TEST(TuneCommand, LeavesGainsThatTheOtherCommandsTake) {
       << "a run folder stands for its gains and its study's scenarios";
 }
 
+TEST(TuneCommand, BeginsWithFirstGainsOfItsOwnWhereThoseOfTheStudyDiverge) {
+  const ShortStudy files(
+      "parameters:\n  - {name: task_space_gains_p/rx}\n  - {name: slerpDurationErrorGain}\n");
+  files.write("short.yaml", "base: moving_target\nduration: 20\n");
+  files.write("short_realistic.yaml", "base: realistic_moving_target\nduration: 20\n");
+  Gains ringing = test::quick_gains(test::scenario_of("moving_target"));
+  ringing.task_space_gains_p *= 100.0;
+  files.write("gains.yaml", gains_yaml(ringing, {}));
+  const std::vector<std::string> words = {"tune", files.path(),    "--workers", "2", "--max-evaluations",
+                                          "6",    "--no-analysis", "--out"};
+  const auto run_to = [&](const std::string& folder) {
+    std::vector<std::string> all = words;
+    all.push_back(files / folder);
+    return run_program(all);
+  };
+  const Finished tuned = run_to("run");
+  EXPECT_THAT(tuned.exit_code, testing::AnyOf(0, 3)) << tuned.err;
+  EXPECT_THAT(tuned.err, HasSubstr("cannot be a reference"));
+  EXPECT_THAT(tuned.out, HasSubstr("given"));
+  ASSERT_TRUE(fs::exists(files / "run/gains.yaml")) << tuned.err;
+  expect_whole_run(files / "run");
+  const auto given = test::read_csv(files / "run/given/errors.csv");
+  const auto start = test::read_csv(files / "run/start/errors.csv");
+  EXPECT_EQ(start.at(0, "status"), "completed");
+  EXPECT_THAT((std::vector{given.at(0, "status"), given.at(1, "status")}),
+              testing::Contains(testing::Ne("completed")));
+  EXPECT_TRUE(fs::exists(files / "run/given/gains.yaml"));
+  EXPECT_THAT(test::read_text(files / "run/verdict.yaml"), HasSubstr("cannot be a reference"));
+  EXPECT_THAT(test::read_text(files / "run/scene.json"), HasSubstr("given/errors.csv"));
+  const std::string report = test::read_text(files / "run/report.html");
+  EXPECT_NE(report.find(R"(["start","given",)"), std::string::npos) << "the page shows all three";
+  EXPECT_EQ(run_to("second").exit_code, tuned.exit_code);
+  EXPECT_EQ(test::read_text(files / "second/gains.yaml"), test::read_text(files / "run/gains.yaml"));
+}
+
 TEST(TuneCommand, EndsWithMarginsAndWhichGainsMatterAsTheirOwnCommandsDo) {
   const ShortStudy files;
   const Finished tuned =

@@ -9,6 +9,7 @@
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
 #include "tuner/cli/resume.hpp"
+#include "tuner/first_task/steady_start.hpp"
 
 namespace armtune::internal::cli {
 namespace {
@@ -21,7 +22,9 @@ struct Arguments {
 };
 
 int run(const Arguments& args, RankGroup& team) {
-  Study study = load_inputs(args.settings.place, [&args] { return load_study(args.study, args.controller); });
+  Study study = load_inputs(args.settings.place, [&args] {
+    return load_steady_study(args.study, args.controller, args.settings.workers);
+  });
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   FrontSettings settings = args.settings;
   if (settings.place.folder.empty()) settings.place.folder = default_run_folder("pareto_" + study.name);

@@ -117,7 +117,7 @@ void show_contacts(const RobotModel& model) {
   std::vector<std::string> unknown = contacts.arm().unknown;
   if (!unknown.empty())
     say(fmt::format(
-        "Some or all shapes of {} could not be read, and self-collision is not looked for with these.\n",
+        "Shapes of {} are not given, or not all of them can be read: self-collision is not looked for with these links.\n",
         fmt::join(unknown, ", ")));
   if (!contacts.has(Clearance::kSelf)) return;
   say(fmt::format(
@@ -184,13 +184,23 @@ std::string named(const MissingData& missing) {
   return fmt::format("{}", fmt::join(lacks, "; "));
 }
 
-void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {
-  if (missing.empty()) {
-    say(fmt::format("{} lacks nothing; {} is not written\n", file.path, path));
+/// For an arm that lacks nothing: what could stand in place of what is doubted.
+void write_proposals(const RobotFile& file, const std::string& urdf, const std::string& path) {
+  const std::vector<Doubt> found = doubts_with_proposals(*load_robot(file.path));
+  if (found.empty()) {
+    say(fmt::format("{} lacks nothing, and nothing in it is doubtful; {} is not written\n", file.path, path));
     return;
   }
   refuse_existing(path);
+  write_text_file(path, proposals_yaml(urdf, found));
+  say(fmt::format("{}: {} lacks nothing; its doubtful figures are there, with proposals as comments\n", path,
+                  file.path));
+}
+
+void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {
   const std::string urdf = file.root ? "" : absolute_path(file.urdf);
+  if (missing.empty()) return write_proposals(file, urdf, path);
+  refuse_existing(path);
   write_text_file(path, missing_yaml(urdf, missing));
   MissingData to_fill_in = missing;
   to_fill_in.impossible.clear();
@@ -215,9 +225,12 @@ void look_at(const std::string& name_or_path, const std::string& sidecar, const 
     if (!task.empty()) make_task(name_or_path, options, task);
     return;
   }
+  MissingData to_fill_in = missing;
+  to_fill_in.impossible.clear();
   throw InputError(
-      fmt::format("{}: missing: {}; --sidecar arm.yaml writes the robot YAML that gives it, to be filled in",
-                  file.path, named(missing)));
+      fmt::format("{}: missing: {}; --sidecar arm.yaml writes the robot YAML that gives it, {}", file.path,
+                  named(missing),
+                  to_fill_in.empty() ? "with the nearest inertia that a body can have" : "to be filled in"));
 }
 
 void list_bundled() {
@@ -241,7 +254,8 @@ void add_robot_command(CLI::App& app, int&) {
       "a bundled robot such as ur10, a robot YAML, or an expanded URDF; without it, the bundled ones are listed");
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
-                      "write what the URDF lacks (limits, inertia) as a robot YAML to fill in");
+                      "write what the URDF lacks (limits, inertia) as a robot YAML to fill in, or proposals "
+                      "for what is doubtful in it");
   auto task = std::make_shared<std::string>();
   command
       ->add_option(

@@ -12,6 +12,7 @@
 #include "tuner/cli/tune_printer.hpp"
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/cli/yardstick_option.hpp"
+#include "tuner/first_task/steady_start.hpp"
 #include "tuner/session/study_files.hpp"
 
 namespace armtune::internal::cli {
@@ -28,7 +29,7 @@ struct Arguments {
 };
 
 Study load(const Arguments& args) {
-  Study study = load_study(args.study, args.controller);
+  Study study = load_steady_study(args.study, args.controller, args.settings.workers);
   if (args.max_evaluations > 0) study.max_evaluations = args.max_evaluations;
   if (args.seed >= 0) study.solver.seed = static_cast<std::uint64_t>(args.seed);
   WarmArguments warm = args.warm;

@@ -33,12 +33,20 @@ ArmShape drawn(const CellPart& part) {
   return shape;
 }
 
+/// Start and result, and between them the start gains that the study gives where others took their place.
+std::vector<SceneSet> tune_sets(const std::string& folder) {
+  std::vector<SceneSet> sets = {{"start", "start", "start/errors.csv"}};
+  if (find_run_file(folder, "given/gains.yaml")) sets.push_back({"given", "given", "given/errors.csv"});
+  sets.push_back({"tuned", ".", "errors.csv"});
+  return sets;
+}
+
 }  // namespace
 
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder) {
   switch (kind) {
     case RunKind::kTune:
-      return {{"start", "start", "start/errors.csv"}, {"tuned", ".", "errors.csv"}};
+      return tune_sets(folder);
     case RunKind::kPareto:
       return {{"start", "start", "start/errors.csv"}};
     case RunKind::kSimulate:

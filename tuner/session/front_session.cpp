@@ -58,6 +58,7 @@ std::optional<FrontOutcome> FrontSession::run(RankGroup& ranks) {
     outcome_.ending = *ended;
     return std::move(outcome_);
   }
+  warn_of_given(study_, observer_);
   warn_of_clamped(study_, observer_);
   CandidateRunner workers(ranks.pool(), study_.robust);
   try {

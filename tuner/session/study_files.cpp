@@ -71,15 +71,24 @@ Provenance study_provenance(const Study& study, const Invocation& invocation, in
   p.seed = study.solver.seed;
   p.workers = workers;
   p.wall_seconds = seconds;
-  p.extra = {{"study", shown_path(study.source)}, {"start", stem(study.gains)}};
+  p.extra = {{"study", shown_path(study.source)},
+             {"start", study.given ? "first gains of armtune's" : stem(study.gains)}};
   p.extra.insert(p.extra.end(), found.begin(), found.end());
   return p;
 }
 
 void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
-  write_text_file(folder + "/start/gains.yaml",
-                  gains_yaml(study.space.start, {"start of " + shown_path(study.source)}));
+  write_text_file(
+      folder + "/start/gains.yaml",
+      gains_yaml(study.space.start, {study.given ? "first gains of armtune's, for " + shown_path(study.source)
+                                                 : "start of " + shown_path(study.source)}));
+  if (study.given) {
+    make_folder(folder + "/given");
+    write_text_file(folder + "/" + kGivenGains,
+                    gains_yaml(*study.given, {"start gains that " + shown_path(study.source) + " gives",
+                                              study.given_failure}));
+  }
   write_text_file(folder + "/study.yaml", study_yaml(study, "start/gains.yaml", write_warm(study, folder)));
 }
 
@@ -99,6 +108,18 @@ std::string write_warm(const Study& study, const std::string& folder) {
 void warn_of_clamped(const Study& study, SessionObserver& observer) {
   if (!study.warm) return;
   for (const std::string& line : warm_point(study.space, *study.warm).clamped) observer.warned(line);
+}
+
+std::string given_note(const Study& study) {
+  if (!study.given) return {};
+  return fmt::format(
+      "the start gains of the study cannot be a reference ({}), so that first gains of armtune's are the start and "
+      "the reference; 'given' are those of the study",
+      study.given_failure);
+}
+
+void warn_of_given(const Study& study, SessionObserver& observer) {
+  if (study.given) observer.warned(given_note(study));
 }
 
 void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const std::string& folder) {

@@ -14,6 +14,8 @@ namespace armtune::internal {
 
 /// Where a run folder keeps the gains a warm start began with.
 inline constexpr const char* kWarmGains = "start/warm_gains.yaml";
+/// And the start gains of the study's file, where others took their place.
+inline constexpr const char* kGivenGains = "given/gains.yaml";
 
 /// "CRS2, then BOBYQA from 4 starts"
 std::string search_text(const Study& study);
@@ -37,13 +39,19 @@ std::vector<std::string> inputs_of(const Study& study);
 Provenance study_provenance(const Study& study, const Invocation& invocation, int workers, double seconds,
                             const std::vector<std::pair<std::string, std::string>>& found);
 
-/// Writes what the start was, before anything else is simulated: start/ and study.yaml.
+/// Writes what the start was, before anything else is simulated: start/ and study.yaml, and given/ with the
+/// file's start gains where others took their place.
 void write_start(const Study& study, const std::string& folder);
 /// Keeps the warm start's gains in a run folder. Returns the file, as study.yaml there names it; empty
 /// without a warm start.
 std::string write_warm(const Study& study, const std::string& folder);
 /// Warns of every gain that the study's bounds do not let begin where its warm start was.
 void warn_of_clamped(const Study& study, SessionObserver& observer);
+
+/// Warns where the study begins with other gains than its file gives.
+void warn_of_given(const Study& study, SessionObserver& observer);
+/// What that warning says, as a sentence; empty: the study begins as its file says.
+std::string given_note(const Study& study);
 
 /// Writes sensitivity.csv and reduced_study.yaml into the folder; the study's start gains are in
 /// start/gains.yaml there.

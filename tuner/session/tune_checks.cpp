@@ -1,5 +1,6 @@
 // The simulation checks at the end of a tuning session.
 
+#include "tuner/session/study_files.hpp"
 #include "tuner/session/tune_session.hpp"
 #include "tuner/verdict/assumptions.hpp"
 #include "tuner/verdict/rollout_checks.hpp"
@@ -64,6 +65,7 @@ void TuneSession::check(bool analysed) {
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
   add_assumptions(study_.scenarios, study_.stepper, verdict);
   verdict.notes = loosened(study_.thresholds);
+  if (study_.given) verdict.notes.push_back(given_note(study_));
   add_bounds_note(study_, result.best.gains, verdict);
 }
 

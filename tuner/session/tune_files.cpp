@@ -57,6 +57,10 @@ std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& re
   how.folder = folder;
   const auto best = [&](const Scenario&) { return result.best.gains; };
   sets.push_back({name(outcome_of(result)), simulate(study.scenarios, best, how, never)});
+  if (!study.given) return sets;
+  how.folder = folder.empty() ? "" : folder + "/given";
+  const auto given = [&](const Scenario&) { return *study.given; };
+  sets.push_back({"given", simulate(study.scenarios, given, how, never)});
   return sets;
 }
 
@@ -107,6 +111,7 @@ void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder) {
   write_text_file(folder + "/start/errors.csv", errors_csv(sets[0].results, yardsticks[0].errors));
   write_text_file(folder + "/errors.csv", errors_csv(sets[1].results, yardsticks[1].errors));
+  if (sets.size() > 2) write_text_file(folder + "/given/errors.csv", errors_csv(sets[2].results));
   std::vector<FileColumns> columns = {{"errors.csv", error_columns(yardsticks[1].errors)},
                                       {"rollout_*.csv", rollout_columns(study.scenarios)},
                                       {"evaluations.csv", evaluation_columns(study)}};

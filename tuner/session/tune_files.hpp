@@ -8,7 +8,8 @@
 
 namespace armtune::internal {
 
-/// Simulates the start and the result, with recordings where the run has a folder.
+/// Simulates the start, the result and, where others took their place, the start gains that the study gives,
+/// with recordings where the run has a folder.
 std::vector<ComparedSet> simulate_again(const Study& study, const TuneResult& result,
                                         const TuneSettings& settings);
 
@@ -23,7 +24,7 @@ void judge(const Objective& objective, const ComparedSet& simulated, TuneResult&
 
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder);
 
-/// errors.csv of both sets, and columns.csv. yardsticks: one for each set.
+/// errors.csv of all sets, and columns.csv. yardsticks: one for the start and one for the result.
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder);
 

@@ -32,6 +32,7 @@ std::optional<TuneOutcome> TuneSession::run(RankGroup& ranks) {
     outcome_.ending = *ended;
     return std::move(outcome_);
   }
+  warn_of_given(study_, observer_);
   warn_of_clamped(study_, observer_);
   // Before the start gains are simulated: a task that none can do may be why they do not complete it.
   for (const Scenario& scenario : study_.scenarios) warn_of_task(scenario, study_.space.start, observer_);
@@ -187,16 +188,17 @@ void TuneSession::conclude(bool analysed) {
     };
     add({"gains.yaml", "errors.csv", "rollout_<scenario>.csv", "evaluations.csv", "columns.csv", "study.yaml",
          "run.yaml"});
+    if (study_.given) add({"given/"});
     if (!interrupted) add({"verdict.yaml"});
     if (analysed) add({"margins.csv", "sensitivity.csv", "reduced_study.yaml"});
     add(yardsticks_.back().written);
     add(add_report(
         folder(),
         [this, &result] {
-          return report::scene_of(
-              study_.scenarios,
-              {{"start", "start", "start/errors.csv"}, {name(outcome_of(result)), ".", "errors.csv"}},
-              study_.space.start.obstacleInfluenceRadius);
+          auto sets = report::usual_sets(report::RunKind::kTune, folder());
+          sets.back().name = name(outcome_of(result));
+          return report::scene_of(study_.scenarios, std::move(sets),
+                                  study_.space.start.obstacleInfluenceRadius);
         },
         observer_));
   }

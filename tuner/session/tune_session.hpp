@@ -41,7 +41,8 @@ struct TuneOutcome {
   bool was_finished = false;  ///< the run had ended before: nothing else is given here
   TuneResult result;          ///< without evaluations: interrupted before the start gains were simulated
   std::optional<Objective> objective;  ///< once the start gains were simulated
-  /// Fresh rollouts of the start and the result; none if the session ended right after an interrupted search.
+  /// Fresh rollouts of the start, the result and, behind them, the study's `given`; none if the session ended
+  /// right after an interrupted search.
   std::vector<ComparedSet> sets;
   /// Of a study on many arms: the measure of fresh rollouts of all of them, for both.
   std::vector<ComparedSet> robust;

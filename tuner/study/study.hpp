@@ -28,6 +28,8 @@ struct Study {
   std::string gains;  ///< file of the start gains; empty: of none
   std::vector<Scenario> scenarios;
   ParameterSpace space;
+  std::optional<Gains> given;  ///< the file's start gains, where others took their place
+  std::string given_failure;   ///< the scenario that is not completed with them, and how that ends
   std::vector<ObjectiveTerm> terms;
   OwnObjective own_objective;           ///< in place of terms, of a study that was not read from a file
   std::vector<Constraint> constraints;  ///< those of `margins` behind the others
@@ -74,11 +76,6 @@ inline std::string global_of(const Study& study) {
   return study.warm && study.global_by_default ? std::string() : study.global_algorithm;
 }
 
-/// Reads a bundled study by name, or a file by path. controller: of another kind than its gains are (empty:
-/// as the study says), which begins with what controlled_by makes of them, and of which all gains are tuned
-/// that are by default. Throws InputError.
-Study load_study(const std::string& name_or_path, const std::string& controller = {});
-
 /// What takes the place of what a study's text says under `scenarios`, `gains` and `objective`, where it is
 /// given.
 struct StudyParts {
@@ -87,6 +84,12 @@ struct StudyParts {
   std::vector<std::string> joints = {};  ///< names of the joints that `start` is for
   OwnObjective objective = {};           ///< in place of `objective`
 };
+
+/// Reads a bundled study by name, or a file by path. controller: of another kind than its gains are (empty:
+/// as the study says), which begins with what controlled_by makes of them, and of which all gains are tuned
+/// that are by default. Throws InputError.
+Study load_study(const std::string& name_or_path, const std::string& controller = {},
+                 const StudyParts& parts = {});
 
 /// Reads a study from a text. It has no source, so that it can leave no run folder. Throws InputError.
 Study parse_study(const std::string& yaml, const StudyParts& parts);

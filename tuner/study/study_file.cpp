@@ -210,7 +210,9 @@ std::vector<Scenario> scenarios_of(yaml::MapReader& map, const std::string& fold
 Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts& parts, Study& study) {
   const auto joints = joint_names(*study.scenarios.front().robot);
   if (parts.start) {
-    map.optional("gains");
+    const yaml::Node* named = map.optional("gains");
+    if (named != nullptr && !study.source.empty())
+      study.gains = find_data_file("gains", named->as_string(), folder);
     if (parts.joints != joints) throw InputError("study: the start gains are for an arm of other joints");
     return *parts.start;
   }
@@ -277,9 +279,9 @@ Study read_study(const yaml::Node& root, const std::string& source, const std::s
 
 }  // namespace
 
-Study load_study(const std::string& name_or_path, const std::string& controller) {
+Study load_study(const std::string& name_or_path, const std::string& controller, const StudyParts& parts) {
   const std::string path = find_data_file("studies", name_or_path);
-  Study study = read_study(yaml::parse_file(path), path, controller, {});
+  Study study = read_study(yaml::parse_file(path), path, controller, parts);
   study.name = stem(path);
   check_file_name(study.name, path);
   return study;

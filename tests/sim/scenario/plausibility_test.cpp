@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/dynamics.hpp"
+#include "core/robot/urdf_writer.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/core/support/arms.hpp"
+#include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -72,6 +74,39 @@ TEST(Plausibility, AFingerAsTheLastJointIsNamed) {
   arm.joints[5].limits.upper = 0.05;
   EXPECT_THAT(doubts(arm),
               ElementsAre(AllOf(HasSubstr("wrist_3_joint"), HasSubstr("hold: {wrist_3_joint: 0.01}"))));
+}
+
+// Without the comment marks, what is proposed is a robot YAML that settles the doubt.
+TEST(Plausibility, WhatIsProposedSettlesTheDoubt) {
+  const test::TemporaryFolder folder;
+  RobotModel arm = test::ur10();
+  arm.joints[0].limits.lower = -160.0;
+  arm.joints[0].limits.upper = 160.0;
+  arm.joints[0].limits.velocity = 180.0;
+  folder.write("arm.urdf", urdf_text(arm));
+  const std::vector<Doubt> found = doubts_with_proposals(arm);
+  ASSERT_EQ(found.size(), 2U);
+  std::string text = proposals_yaml("arm.urdf", found);
+  EXPECT_EQ(doubts(*load_robot(folder.write("as_written.yaml", text))).size(), 2U)
+      << "comments change nothing";
+  std::string settled = "urdf: arm.urdf\nlimits:\n  shoulder_pan_joint:\n";
+  for (const Doubt& doubt : found) {
+    for (const ProposedValue& p : doubt.proposed) {
+      EXPECT_THAT(text, HasSubstr("#     " + p.field + ": " + p.value));
+      settled += "    " + p.field + ": " + p.value + "\n";
+    }
+  }
+  const auto robot = load_robot(folder.write("settled.yaml", settled));
+  EXPECT_THAT(doubts(*robot), IsEmpty());
+  EXPECT_NEAR(robot->joints[0].limits.upper, 2.793, 1e-3);
+  EXPECT_NEAR(robot->joints[0].limits.velocity, 3.142, 1e-3);
+}
+
+TEST(Plausibility, WhatOnlyTheMakerKnowsIsAskedFor) {
+  RobotModel arm = test::ur10();
+  arm.chain.link[1] = body(0.01, 0.1);
+  const std::string text = proposals_yaml("arm.urdf", doubts_with_proposals(arm));
+  EXPECT_THAT(text, HasSubstr("# inertia:\n#   \"upper_arm_link\":\n#     mass: \n"));
 }
 
 }  // namespace
