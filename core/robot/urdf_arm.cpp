@@ -262,17 +262,28 @@ class ArmBuilder {
   }
 
   /// The fingers of a gripper move on one link: to hold one of them alone would make the other a joint of the
-  /// arm.
+  /// arm. So all that follow the same joint are named, and that joint too where it is beside one of them.
   [[noreturn]] void refuse_mimic(const UrdfJoint& joint) const {
     const auto leader = tree_->joints.find(joint.mimics);
-    const bool fingers =
-        leader != tree_->joints.end() && leader->first != joint.name && leader->second.parent == joint.parent;
-    const std::string both =
-        fingers ? fmt::format("{}: {}, ", joint.mimics, place_to_hold(leader->second)) : "";
+    std::string hold;
+    const auto add = [&](const UrdfJoint& held) {
+      hold += fmt::format("{}{}: {}", hold.empty() ? "" : ", ", held.name, place_to_hold(held));
+    };
+    const auto follows = [&](const auto& entry) {
+      return entry.second.mimics == joint.mimics && !is_held(entry.second);
+    };
+    const bool fingers = leader != tree_->joints.end() &&
+                         std::any_of(tree_->joints.begin(), tree_->joints.end(), [&](const auto& entry) {
+                           return entry.second.mimics == joint.mimics && entry.first != leader->first &&
+                                  entry.second.parent == leader->second.parent;
+                         });
+    if (fingers && !is_held(leader->second)) add(leader->second);
+    for (const auto& entry : tree_->joints) {
+      if (follows(entry)) add(entry.second);
+    }
     refuse(
-        "joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; hold {} by 'hold: {{{}{}: {}}}' in a robot YAML",
-        joint.name, joint.mimics, fingers ? " beside it, as the fingers of a gripper do" : "",
-        fingers ? "both" : "it", both, joint.name, place_to_hold(joint));
+        "joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; hold by 'hold: {{{}}}' in a robot YAML",
+        joint.name, joint.mimics, fingers ? ", as the fingers of a gripper do" : "", hold);
   }
 
   void require_supported(const UrdfJoint& joint, const Site& parent) const {

@@ -12,6 +12,8 @@
 namespace armtune::internal {
 namespace {
 
+constexpr const char* kFloorName = "the floor";
+
 constexpr double kFarthest = 1000.0;  // m
 
 }  // namespace
@@ -28,6 +30,8 @@ Cell read_cell(const yaml::Node& node, std::vector<std::string>& inputs) {
         return other.name == name.as_string();
       });
       if (known) name.fail(fmt::format("{} is the name of two parts; rename one", shown(name.as_string())));
+      if (name.as_string() == kFloorName)
+        name.fail(fmt::format("'{}' is what reports call the cell's 'floor'; rename the part", kFloorName));
       const Solid solid = read_solid(part);
       const Mat3 R_0S = read_turn(part);
       cell.parts.push_back({name.as_string(), solid, R_0S, read_path(part, inputs)});

@@ -195,6 +195,22 @@ TEST_F(UrdfSelection, BothFingersOfAGripperAreToBeHeld) {
   EXPECT_EQ(read(text, options).n(), 3);
 }
 
+TEST_F(UrdfSelection, AllJointsOfAGripperAreNamedAtOnce) {
+  const auto finger = [this](const std::string& name, const std::string& on, const std::string& rest) {
+    return link(name, body()) + joint(name + "_joint", "prismatic", on, name, placed() + rest);
+  };
+  const std::string follows = "<mimic joint='left_joint'/>";
+  const std::string text = robot(link("base") + chain("arm", "base", 3) + finger("left", "arm3", "") +
+                                 finger("left_tip", "left", follows) + finger("right", "arm3", follows) +
+                                 finger("right_tip", "right", follows));
+  EXPECT_THAT(refusal(text, {}),
+              HasSubstr("hold: {left_joint: 0, left_tip_joint: 0, right_joint: 0, right_tip_joint: 0}"));
+  UrdfOptions options;
+  for (const char* name : {"left_joint", "left_tip_joint", "right_joint", "right_tip_joint"})
+    options.held[name] = 0.0;
+  EXPECT_EQ(read(text, options).n(), 3);
+}
+
 TEST_F(UrdfSelection, NamesAndValuesThatAreNotTheFilesAreRefused) {
   const std::string text = robot(link("base") + chain("arm", "base", 3));
   EXPECT_THAT(refusal(text, with_base("bass")), AllOf(HasSubstr("base_link 'bass'"), HasSubstr("'base'")));

@@ -22,6 +22,12 @@ Cell cell(const std::string& text) {
   return read_cell(yaml::parse_text(text, "cell.yaml"), inputs);
 }
 
+TEST(CellFile, NoPartIsCalledAsTheFloorIs) {
+  EXPECT_THAT(
+      test::refusal([] { cell("parts: [{name: the floor, sphere: {radius: 0.1}, center: [1, 0, 0]}]"); }),
+      AllOf(HasSubstr("cell.yaml:1"), HasSubstr("rename the part")));
+}
+
 TEST(CellFile, HasAFloorAndPartsThatRestOrMove) {
   const Cell read = cell(
       "floor: -0.4\n"

@@ -29,7 +29,7 @@ class TemporaryFolder {
   std::string operator/(const std::string& name) const { return path_ + "/" + name; }
   /// Writes a file and gives its path.
   std::string write(const std::string& name, const std::string& text) const {
-    const std::string path = *this / name;
+    std::string path = *this / name;
     std::ofstream(path, std::ios::binary) << text;
     return path;
   }
