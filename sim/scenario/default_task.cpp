@@ -45,11 +45,9 @@ struct Place {
 
 /// Height of the floor; without one, lower than anything.
 double floor_of(const RobotModel& robot, const TaskOptions& options) {
-  const bool upright = height_of(Vec3::UnitZ(), robot) > 0.5;
   const double none = -std::numeric_limits<double>::infinity();
   if (options.cell) return options.cell->floor.value_or(none);
-  if (options.without_floor) return none;
-  return options.floor.value_or(upright ? 0.0 : none);
+  return options.floor.value_or(assumes_floor(robot, options) ? 0.0 : none);
 }
 
 /// Largest share of a joint's effort limit that holding the arm still takes.
@@ -237,6 +235,10 @@ class Placing {
 
 }  // namespace
 
+bool assumes_floor(const RobotModel& robot, const TaskOptions& options) {
+  return !options.floor && !options.cell && !options.without_floor && height_of(Vec3::UnitZ(), robot) > 0.5;
+}
+
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options) {
   DefaultTask task;
   Scenario& scenario = task.scenario;
@@ -304,7 +306,7 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
                 : "cell: {}   # the arm is not to touch itself\n";
   }
   if (task.without_floor)
-    text += "# There is no floor: above the height of its base, the arm completed no first task.\n";
+    text += "# There is no floor: no first task was found above the height of the arm's base.\n";
   text += fmt::format(
       "\n# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
       "{}}}\nplant:\n"

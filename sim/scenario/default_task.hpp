@@ -23,6 +23,9 @@ struct TaskOptions {
   std::size_t passed_over = 0;  ///< how many places that would do are left for the next
 };
 
+/// Whether the task stays above a floor that nobody gave: the base's height, under an arm that is upright.
+bool assumes_floor(const RobotModel& robot, const TaskOptions& options);
+
 struct DefaultTask {
   Scenario scenario;
   JointVector goal;             ///< (n) [rad, m] on the task where it begins

@@ -153,7 +153,7 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
   write_first_task(found, folder);
   if (found.task.without_floor)
     print_warning(
-        "above the height of its base the arm completed no first task, so that this one has no floor; if the arm "
+        "no first task was found above the height of the arm's base, so that this one has no floor; if the arm "
         "stands on one, say at which height with --floor");
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"

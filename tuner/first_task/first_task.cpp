@@ -171,11 +171,11 @@ class Search {
 };
 
 /// What a task may go without, from the one that asks the most of the arm on.
-std::vector<TaskOptions> ever_easier(const TaskOptions& given) {
+std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions& given) {
   std::vector<TaskOptions> all;
   for (const bool without_floor : {false, true}) {
     // A floor that nobody gave is left out before an arm is refused.
-    if (without_floor && (given.floor || given.cell)) continue;
+    if (without_floor && !assumes_floor(robot, given)) continue;
     for (const bool position_alone : {false, true}) {
       TaskOptions options = given;
       options.without_floor = without_floor;
@@ -190,7 +190,7 @@ std::vector<TaskOptions> ever_easier(const TaskOptions& given) {
 FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOptions& options, int workers,
                     const Progress& progress) {
   std::string last;  // what came closest to a task
-  for (const TaskOptions& easier : ever_easier(options)) {
+  for (const TaskOptions& easier : ever_easier(*arm, options)) {
     Search search(arm, easier, workers, progress);
     try {
       if (auto found = search.find()) return *found;
