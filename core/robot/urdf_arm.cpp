@@ -11,6 +11,7 @@
 
 #include "armtune/error.hpp"
 #include "core/robot/link_inertias.hpp"
+#include "core/robot/urdf_limits.hpp"
 #include "core/robot/urdf_selection.hpp"
 
 namespace armtune::internal {
@@ -120,18 +121,12 @@ class ArmBuilder {
     std::string names, held;
     for (const UrdfJoint* joint : loose_) {
       names += (names.empty() ? "'" : ", '") + joint->name + "'";
-      held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", joint->name, place_to_hold(*joint));
+      held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", joint->name, place_to_hold(*joint, options_));
     }
     refuse(
         "{} moves on the arm beside the way to '{}'; hold what does, at rad or m, by 'hold: {{{}}}' in a "
         "robot YAML",
         names, tip_name(), held);
-  }
-
-  /// Within its limits, as close to zero as they allow [rad, m].
-  double place_to_hold(const UrdfJoint& joint) const {
-    const auto range = position_range(joint, options_);
-    return range ? std::max(range->first, std::min(range->second, 0.0)) : 0.0;
   }
 
   /// What the options say and no part of the arm is made of.
@@ -211,44 +206,9 @@ class ArmBuilder {
     chain.rotor_inertia[i] = joint.rotor_inertia;
     chain.viscous_friction[i] = joint.damping;
     chain.coulomb_friction[i] = joint.friction;
-    model_.joints.push_back({joint.name, joint.child, limits_of(joint), joint.interfaces});
+    model_.joints.push_back(
+        {joint.name, joint.child, limits_of(joint, options_, model_.source, missing_), joint.interfaces});
     return {i, R_LB.transpose(), Vec3::Zero()};
-  }
-
-  /// The options' in place of the file's.
-  JointLimits limits_of(const UrdfJoint& joint) const {
-    const auto found = options_.limits.find(joint.name);
-    const GivenLimits given = found == options_.limits.end() ? GivenLimits{} : found->second;
-    const bool turns_freely = joint.motion == UrdfMotion::kContinuous && !given.lower && !given.upper;
-    const auto range = position_range(joint, options_);
-    const bool lacks_position = !range && !turns_freely;
-    if (missing_ == nullptr && lacks_position)
-      refuse(
-          "joint '{}': its lower and its upper position limit are missing or the same; give both in the URDF "
-          "or by 'limits' in a robot YAML",
-          joint.name);
-    const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});
-    const auto [lower, upper] = range.value_or(std::pair(0.0, 0.0));
-    JointLimits limits{range.has_value(),
-                       lower,
-                       upper,
-                       given.velocity.value_or(file.velocity),
-                       given.effort.value_or(file.effort),
-                       file.soft && !(given.lower && given.upper)};
-    if (missing_ != nullptr) {
-      if (lacks_position) {
-        missing_->position.push_back(joint.name);
-        limits.has_position = true;
-        limits.lower = -1.0;
-        limits.upper = 1.0;
-      }
-      // 0 stands for one that is not there; what is below it is refused as it is.
-      if (limits.velocity == 0.0) missing_->velocity.push_back(joint.name);
-      if (limits.effort == 0.0) missing_->effort.push_back(joint.name);
-      if (limits.velocity == 0.0) limits.velocity = 1.0;
-      if (limits.effort == 0.0) limits.effort = 1.0;
-    }
-    return limits;
   }
 
   void find_massless() {
@@ -267,7 +227,7 @@ class ArmBuilder {
     const auto leader = tree_->joints.find(joint.mimics);
     std::string hold;
     const auto add = [&](const UrdfJoint& held) {
-      hold += fmt::format("{}{}: {}", hold.empty() ? "" : ", ", held.name, place_to_hold(held));
+      hold += fmt::format("{}{}: {}", hold.empty() ? "" : ", ", held.name, place_to_hold(held, options_));
     };
     const auto follows = [&](const auto& entry) {
       return entry.second.mimics == joint.mimics && !is_held(entry.second);

@@ -27,15 +27,4 @@ namespace armtune::internal {
 // clang-format on
 Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_poses = false);
 
-/// A list of paths with names, each with the radius of its body: `radius` [m], 0 where it is left out.
-std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<std::string>& inputs);
-
-/// A list of targets, or {random: {count, low, high, seed}}. One key for both, so that either stands whole
-/// over a base's.
-std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::string>& inputs);
-
-/// [{at, target}, ...]: from `at` [s] on the gaze is at the target of that name. Times rise, and each turn is
-/// another target's; [] over a base's is none.
-std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<NamedPath>& targets);
-
 }  // namespace armtune::internal

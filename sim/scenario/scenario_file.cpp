@@ -12,6 +12,7 @@
 #include "core/robot/link_radius.hpp"
 #include "sim/scenario/cell_file.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/scenario/named_paths_file.hpp"
 #include "sim/scenario/orientation_file.hpp"
 #include "sim/scenario/path_file.hpp"
 #include "sim/scenario/path_walk.hpp"

@@ -1,6 +1,7 @@
 // Named curves are the harmonics that a textbook writes for them, and mistakes in them are named.
 
 #include "sim/scenario/path_file.hpp"
+#include "sim/scenario/named_paths_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
