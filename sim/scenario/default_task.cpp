@@ -120,19 +120,22 @@ class Placing {
   Placing(DefaultTask& task, double floor)
       : task_(task), arm_(*task.scenario.robot), floor_(floor), size_(reach(arm_)) {}
 
-  /// Takes the first place that does after those `passed_over`. Returns false if there is none.
-  bool place(std::size_t passed_over) {
+  /// The task at the first places that do, `count` of them or all that there are.
+  std::vector<DefaultTask> first(std::size_t count) {
+    std::vector<DefaultTask> found;
     const std::vector<Place> places = good_places(arm_, task_.scenario.mask, floor_);
     // Better a smaller circle than one that leads to a joint's limit.
-    for (const double margin : {0.5 * kEnoughMargin, 0.0}) {
+    for (const double margin : {0.5 * kEnoughMargin, 0.2 * kEnoughMargin}) {
       least_margin_ = margin;
       for (int halving = 0; halving <= kHalvings; ++halving) {
         for (const Place& place : places) {
-          if (place_at(place, 1.0 / (1 << halving)) && passed_over-- == 0) return true;
+          if (!place_at(place, 1.0 / (1 << halving))) continue;
+          found.push_back(task_);
+          if (found.size() == count) return found;
         }
       }
     }
-    return false;
+    return found;
   }
 
   /// What stood in the way of a task that the arm could follow otherwise; empty if there was none.
@@ -240,6 +243,11 @@ bool assumes_floor(const RobotModel& robot, const TaskOptions& options) {
 }
 
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options) {
+  return default_tasks(std::move(robot), options, 1).front();
+}
+
+std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
+                                       std::size_t count) {
   DefaultTask task;
   Scenario& scenario = task.scenario;
   scenario.name = "task";
@@ -256,7 +264,7 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOpti
   scenario.control_period = 0.002;
   scenario.switch_every = kSwitch * options.slowness;
   scenario.path.frequency = 2.0 * M_PI / (kTurn * options.slowness);
-  scenario.theta.model_scale = 0.8;
+  scenario.theta.model_scale = options.model_scale;
   scenario.plant.position_noise = 1e-4;
   scenario.plant.velocity_noise = 0.01;
   scenario.plant.torque_delay_periods = 1;
@@ -268,9 +276,9 @@ DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOpti
   for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
     scenario.mask = mask;
     if (components(mask) > arm.n()) continue;
-    if (options.position_alone && mask != TaskMask::kPosition) continue;
+    if (options.mask && mask != *options.mask) continue;
     Placing placing(task, floor_of(arm, options));
-    if (placing.place(options.passed_over)) return task;
+    if (auto found = placing.first(count); !found.empty()) return found;
     if (obstacle.empty()) obstacle = placing.obstacle();
   }
   if (obstacle.empty() && arm.n() < components(TaskMask::kPosition))
@@ -308,11 +316,14 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
   if (task.without_floor)
     text += "# There is no floor: no first task was found above the height of the arm's base.\n";
   text += fmt::format(
-      "\n# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
+      "\n{}# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
       "{}}}\nplant:\n"
       "  position_noise: {}      # rad, m\n  velocity_noise: {}      # rad/s, m/s\n  torque_delay_periods: "
       "{}\n"
       "  payload: {{mass: {:.4g}, center: [0, 0, 0]}}   # kg, at the tool\nseed: 1\n",
+      s.theta.model_scale > TaskOptions().model_scale
+          ? "# No first gains were found that bear it where the controller takes the arm for a fifth lighter than it is.\n"
+          : "",
       s.theta.model_scale, s.plant.position_noise, s.plant.velocity_noise, s.plant.torque_delay_periods,
       s.plant.payload.mass);
   return text;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/scenario/scenario.hpp"
 
@@ -17,10 +18,10 @@ struct TaskOptions {
   /// What stands around the arm; without it there is the floor alone. With it, its floor counts or there is
   /// none.
   std::optional<Cell> cell;
-  bool without_floor = false;   ///< there is none, also below an arm that is upright
-  bool position_alone = false;  ///< the task is never position and gaze
-  double slowness = 1.0;        ///< factor on all times, for an arm that is too slow for the task [1]
-  std::size_t passed_over = 0;  ///< how many places that would do are left for the next
+  bool without_floor = false;    ///< there is none, also below an arm that is upright
+  std::optional<TaskMask> mask;  ///< none: position and gaze, or position alone where that does not fit
+  double slowness = 1.0;         ///< factor on all times, for an arm that is too slow for the task [1]
+  double model_scale = 0.8;      ///< the masses that the controller begins with over those of the arm [1]
 };
 
 /// Whether the task stays above a floor that nobody gave: the base's height, under an arm that is upright.
@@ -42,9 +43,13 @@ struct DefaultTask {
 /// each other and stay 0.05 m clear of the cell, and holding the arm still takes at most 0.85 of each effort
 /// limit. The task is position and gaze, or position alone where the arm has no joints or no place for more.
 /// The plant has noise, a period of delay, a payload of two per cent of the arm's mass, and the controller
-/// takes the arm for a fifth lighter than it is, so that high gains have a price. Throws InputError that says
+/// takes the arm for lighter than it is, so that high gains have a price. Throws InputError that says
 /// why there is no such place.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
+
+/// That task, and others at other places, up to `count` (>= 1) of them: those to be preferred first.
+std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
+                                       std::size_t count);
 
 /// It as a scenario file. robot: what the file names it by. A cell that was given is not written: it is the
 /// robot file's.

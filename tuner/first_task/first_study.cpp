@@ -32,7 +32,7 @@ constraints:
 # Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for
 # each stability margin must hold on the arm of the model.
 robust: {{samples: 6, measure: worst}}
-margins: {{delay_periods: 1, gain: 1.2, noise: 2, rate: 0.8}}
+margins: {{delay_periods: 2, gain: 1.5, noise: 2, rate: 0.8}}
 
 search:
   engine: native      # Simbody judges what is found

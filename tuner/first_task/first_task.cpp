@@ -4,115 +4,30 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "armtune/error.hpp"
-#include "core/control/laws/starting_gains.hpp"
 #include "core/robot/rotor_estimate.hpp"
-#include "sim/rollout/rollout.hpp"
 #include "sim/scenario/data_files.hpp"
-#include "sim/scenario/perturbation.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tuner/first_task/estimated_robot.hpp"
-#include "tuner/first_task/first_gain_sets.hpp"
-#include "tuner/first_task/first_study.hpp"
+#include "tuner/first_task/first_trial.hpp"
 
 namespace armtune::internal {
 namespace {
+
+/// The model_scale of a task for an arm that cannot bear a fifth of unknown weight.
+constexpr double kWellKnown = 0.95;
 
 /// A pace, and at how many places it is tried: a slow task takes longer to try.
 struct Pace {
   double slowness;
   std::size_t places;
 };
-constexpr std::array kPaces = {Pace{1.0, 6}, Pace{2.0, 2}, Pace{4.0, 1}};
-
-bool keeps_limits(const RolloutResult& result) {
-  const Metrics& metrics = result.metrics;
-  return result.status == RolloutStatus::kCompleted &&
-         metrics[Metric::kJointVelocityMaxRatio] <= kFirstTaskRatio &&
-         metrics[Metric::kJointEffortMaxRatio] <= kFirstTaskRatio &&
-         !(metrics[Metric::kJointPositionMinMargin] < 0.0) && contact_text(metrics).empty();
-}
-
-/// What a rollout that does not keep its limits has to say.
-std::string failure(const RolloutResult& result) {
-  if (result.status != RolloutStatus::kCompleted) return result.reason;
-  const Metrics& metrics = result.metrics;
-  if (metrics[Metric::kJointPositionMinMargin] < 0.0) return "a joint leaves its position limits";
-  if (const std::string contact = contact_text(metrics); !contact.empty()) return "the arm " + contact;
-  if (metrics[Metric::kJointVelocityMaxRatio] > kFirstTaskRatio) {
-    return fmt::format("{} reaches {:.3g} of its velocity limit", metrics.max_ratio_joint,
-                       metrics[Metric::kJointVelocityMaxRatio]);
-  }
-  return fmt::format("a commanded torque reaches {:.3g} of its effort limit",
-                     metrics[Metric::kJointEffortMaxRatio]);
-}
-
-/// One task, and gain sets until the arm completes it.
-class Trial {
- public:
-  Trial(DefaultTask task, int workers)
-      : task_(std::move(task)),
-        gains_(first_gain_sets(starting_gains(*task_.scenario.robot, task_.scenario.start_position,
-                                              task_.goal, task_.manipulability))),
-        native_({task_.scenario}, Stepper::kMidpoint, workers),
-        demands_(task_.scenario, gains_.front(), workers) {
-    if (task_.scenario.robot->estimated_rotors.empty()) return;
-    for (const double factor : {1.0 / kRotorFactor, kRotorFactor})
-      other_rotors_.push_back(with_rotors_scaled(task_.scenario, factor));
-  }
-
-  std::optional<FirstTask> find() {
-    const std::atomic<bool> stop = false;
-    Conditions conditions;
-    conditions.engine = Engine::kNative;
-    const auto quick = *native_.run(gains_, stop, {}, conditions);
-    for (std::size_t i = 0; i < gains_.size(); ++i) {
-      if (!passes(quick[i].front(), "")) continue;
-      if (const auto metrics = completed_with(gains_[i]))
-        return FirstTask{task_, gains_[i], *metrics, "", ""};
-    }
-    return std::nullopt;
-  }
-
-  /// How the last rollout failed.
-  const std::string& failed() const { return failed_; }
-
- private:
-  /// armtune's own dynamics are quick, Simbody decides.
-  std::optional<Metrics> completed_with(const Gains& gains) {
-    if (const std::string broken = demands_.broken(gains); !broken.empty()) {
-      failed_ = broken;
-      return std::nullopt;
-    }
-    if (!simbody_) simbody_.emplace(task_.scenario, Stepper::kMidpoint, Engine::kSimbody);
-    const RolloutResult result = simbody_->run(gains);
-    if (!passes(result, "")) return std::nullopt;
-    for (const Scenario& scenario : other_rotors_) {
-      Rollout other(scenario, Stepper::kMidpoint, Engine::kSimbody);
-      if (!passes(other.run(gains), " with other rotor inertia than estimated")) return std::nullopt;
-    }
-    return result.metrics;
-  }
-
-  bool passes(const RolloutResult& result, const char* where) {
-    if (keeps_limits(result)) return true;
-    failed_ = failure(result) + where;
-    return false;
-  }
-
-  DefaultTask task_;
-  std::vector<Gains> gains_;
-  CandidateRunner native_;
-  FirstDemands demands_;
-  std::optional<Rollout> simbody_;
-  std::vector<Scenario> other_rotors_;  ///< a third and three times what was estimated
-  std::string failed_;
-};
+constexpr std::array kPaces = {Pace{1.0, 6}, Pace{2.0, 2}};
 
 using Progress = std::function<void(const std::string&)>;
 
@@ -125,22 +40,18 @@ class Search {
 
   /// Throws InputError if there is not one task for the arm.
   std::optional<FirstTask> find() {
-    std::size_t there_are = kPaces.front().places;
     for (const Pace& pace : kPaces) {
-      for (std::size_t place = 0; place < std::min(pace.places, there_are); ++place) {
+      std::vector<DefaultTask> tasks = tasks_at(pace);
+      for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
           progress_(fmt::format("trying a first task{}{}: place {} of {}, {} times its time",
-                                options_.position_alone ? " of position alone" : "",
-                                options_.without_floor ? " without a floor" : "", place + 1, pace.places,
+                                options_.mask == TaskMask::kPosition ? " of position alone" : "",
+                                options_.without_floor ? " without a floor" : "", place + 1, tasks.size(),
                                 pace.slowness));
         }
-        std::optional<DefaultTask> task = task_at(place, pace.slowness);
-        if (!task) {
-          there_are = place;
-          break;
-        }
-        Trial trial(std::move(*task), workers_);
-        if (auto found = trial.find()) return found;
+        FirstTrial trial(tasks[place], workers_);
+        if (auto found = trial.find())
+          return FirstTask{std::move(tasks[place]), std::move(found->gains), found->metrics, "", ""};
         failed_ = trial.failed();
       }
     }
@@ -151,16 +62,10 @@ class Search {
   const std::string& failed() const { return failed_; }
 
  private:
-  std::optional<DefaultTask> task_at(std::size_t place, double slowness) const {
+  std::vector<DefaultTask> tasks_at(const Pace& pace) const {
     TaskOptions options = options_;
-    options.passed_over = place;
-    options.slowness *= slowness;
-    try {
-      return default_task(arm_, options);
-    } catch (const InputError&) {
-      if (place == 0) throw;
-      return std::nullopt;
-    }
+    options.slowness *= pace.slowness;
+    return default_tasks(arm_, options, pace.places);
   }
 
   std::shared_ptr<const RobotModel> arm_;
@@ -170,16 +75,25 @@ class Search {
   std::string failed_;
 };
 
+/// How well the controller knows the arm's masses, and whether there is a floor.
+struct Eased {
+  double model_scale;
+  bool without_floor;
+};
+
 /// What a task may go without, from the one that asks the most of the arm on.
 std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions& given) {
   std::vector<TaskOptions> all;
-  for (const bool without_floor : {false, true}) {
+  for (const Eased& eased :
+       {Eased{given.model_scale, false}, Eased{kWellKnown, false}, Eased{kWellKnown, true}}) {
     // A floor that nobody gave is left out before an arm is refused.
-    if (without_floor && !assumes_floor(robot, given)) continue;
-    for (const bool position_alone : {false, true}) {
+    if (eased.without_floor && !assumes_floor(robot, given)) continue;
+    for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
+      if (components(mask) > robot.n()) continue;
       TaskOptions options = given;
-      options.without_floor = without_floor;
-      options.position_alone = position_alone;
+      options.without_floor = eased.without_floor;
+      options.model_scale = eased.model_scale;
+      options.mask = mask;
       all.push_back(options);
     }
   }
@@ -189,8 +103,14 @@ std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions&
 /// Throws InputError that says why there is no task.
 FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOptions& options, int workers,
                     const Progress& progress) {
-  std::string last;  // what came closest to a task
+  std::string last;  // what stood in the way
+  std::vector<TaskOptions> without_place;
   for (const TaskOptions& easier : ever_easier(*arm, options)) {
+    // Places are no others where the controller knows the masses better.
+    if (std::any_of(without_place.begin(), without_place.end(), [&](const TaskOptions& tried) {
+          return tried.mask == easier.mask && tried.without_floor == easier.without_floor;
+        }))
+      continue;
     Search search(arm, easier, workers, progress);
     try {
       if (auto found = search.find()) return *found;
@@ -200,8 +120,10 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
           arm->source, arm->name, search.failed());
     } catch (const InputError& no_place) {
       if (last.empty()) last = no_place.what();
+      without_place.push_back(easier);
     }
   }
+  if (last.empty()) default_task(arm, options);  // an arm of too few joints for any task: says so
   throw InputError(last);
 }
 

@@ -8,11 +8,9 @@
 #include "core/control/gains.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/default_task.hpp"
+#include "tuner/first_task/kept_limits.hpp"
 
 namespace armtune::internal {
-
-/// The most of a joint's velocity and effort limits that a first task takes: what its study demands.
-inline constexpr double kFirstTaskRatio = 0.9;
 
 struct FirstTask {
   DefaultTask task;
@@ -26,10 +24,12 @@ struct FirstTask {
 /// Finds a task, and gains with which the arm completes it in Simbody within its limits: positions whole,
 /// velocities and efforts to kFirstTaskRatio. Where rotor inertia is estimated, the arm completes it as well
 /// with a third of the estimate and with three times the estimate. In armtune's own dynamics the gains keep
-/// every demand of the study that is written with them. Gains begin with starting_gains; Kp and Kd, the
-/// adaptation and the duration gains are changed, then other places and slower tasks are tried, and last,
-/// where no floor was given, a task without one. `robot`: a bundled name or a file. workers: threads (>= 1).
-/// progress: told which task is tried next. Throws InputError that says what stands in the way.
+/// every demand of the study that is written with them, nearly all of 60 other arms at random keep their
+/// limits, and the arm keeps them for as long as the endurance check of a verdict lasts. Gains begin with
+/// starting_gains; Kp and Kd, the adaptation and the duration gains are changed, then other places and slower
+/// tasks are tried, then an arm whose masses the controller knows better, and last, where no floor was given,
+/// a task without one. `robot`: a bundled name or a file. workers: threads (>= 1). progress: told which task
+/// is tried next. Throws InputError that says what stands in the way.
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,
                           const std::function<void(const std::string&)>& progress = {});
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "tuner/first_task/first_gain_sets.hpp"
+#include "tuner/first_task/kept_limits.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune::internal {
@@ -39,14 +41,9 @@ std::string failure(const Study& study, const std::vector<RolloutResult>& result
   return {};
 }
 
-bool keeps_limits(const std::vector<RolloutResult>& results) {
-  for (const RolloutResult& result : results) {
-    if (!(result.metrics[Metric::kJointVelocityMaxRatio] <= 1.0) ||
-        !(result.metrics[Metric::kJointEffortMaxRatio] <= 1.0) ||
-        result.metrics[Metric::kJointPositionMinMargin] < 0.0)
-      return false;
-  }
-  return true;
+bool keep_limits(const std::vector<RolloutResult>& results) {
+  return std::all_of(results.begin(), results.end(),
+                     [](const RolloutResult& result) { return keeps_limits(result, 1.0); });
 }
 
 /// Gains for the first scenario, with the goal pose that `given` has, and of its kind.
@@ -71,7 +68,7 @@ std::optional<Gains> completing(const Study& study, const std::vector<Gains>& se
   std::optional<Gains> completes;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (!failure(study, results[i]).empty()) continue;
-    if (keeps_limits(results[i])) return sets[i];
+    if (keep_limits(results[i])) return sets[i];
     if (!completes) completes = sets[i];
   }
   return completes;

@@ -130,21 +130,31 @@ TEST(DefaultTask, ASlowArmIsGivenAllTimesInProportion) {
   EXPECT_EQ(slow.path.frequency, 0.5 * whole.path.frequency);
 }
 
-TEST(DefaultTask, APlaceThatIsPassedOverIsAnother) {
+TEST(DefaultTask, ThereAreOthersAtOtherPlaces) {
   const auto robot = load_robot("ur10");
+  const std::vector<DefaultTask> tasks = default_tasks(robot, {}, 3);
+  ASSERT_EQ(tasks.size(), 3U);
+  EXPECT_EQ(tasks[0].goal, default_task(robot).goal);
+  for (std::size_t i = 1; i < tasks.size(); ++i) {
+    EXPECT_GT((tasks[i].scenario.path.center - tasks[i - 1].scenario.path.center).norm(), 1e-3);
+    EXPECT_TRUE(is_clear(walk_path(tasks[i].scenario, tasks[i].goal, 0.2)));
+  }
+}
+
+TEST(DefaultTask, HowWellTheControllerKnowsItsMassesIsSaid) {
   TaskOptions options;
-  options.passed_over = 1;
-  const DefaultTask first = default_task(robot);
-  const DefaultTask second = default_task(robot, options);
-  EXPECT_GT((second.scenario.path.center - first.scenario.path.center).norm(), 1e-3);
-  EXPECT_TRUE(is_clear(walk_path(second.scenario, second.goal, 0.2)));
-  options.passed_over = 1000000;
-  EXPECT_THAT(test::refusal([&] { default_task(robot, options); }), testing::HasSubstr("no first task"));
+  options.model_scale = 0.95;
+  const auto robot = load_robot("ur10");
+  const DefaultTask task = default_task(robot, options);
+  EXPECT_EQ(task.scenario.theta.model_scale, 0.95);
+  EXPECT_THAT(default_task_yaml(task, "ur10"), testing::HasSubstr("a fifth lighter"));
+  EXPECT_THAT(default_task_yaml(default_task(robot), "ur10"),
+              testing::Not(testing::HasSubstr("a fifth lighter")));
 }
 
 TEST(DefaultTask, ATaskOfPositionAloneLooksAtNothing) {
   TaskOptions options;
-  options.position_alone = true;
+  options.mask = TaskMask::kPosition;
   EXPECT_EQ(default_task(load_robot("ur10"), options).scenario.mask, TaskMask::kPosition);
 }
 

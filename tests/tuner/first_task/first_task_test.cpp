@@ -4,18 +4,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 
+#include "core/control/laws/starting_gains.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/robot_writer.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tuner/endurance/endurance.hpp"
 #include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/first_task/first_study.hpp"
+#include "tuner/robustness/monte_carlo.hpp"
 #include "tuner/study/study.hpp"
 
 namespace armtune::internal {
@@ -141,6 +146,33 @@ TEST(FirstTask, ItsGainsKeepEveryDemandOfItsStudy) {
     EXPECT_TRUE(start.feasible) << robot << ": " << start.violation;
     EXPECT_EQ(FirstDemands(found.task.scenario, found.gains, 1).broken(found.gains), "") << robot;
   }
+}
+
+// Starting gains keep this arm's limits for one task, and break the effort limit in the first minute.
+TEST(FirstTask, ItsGainsHoldForLongAndOnOtherArms) {
+  const test::TemporaryFolder folder;
+  const RobotModel arm = test::random_arm(6, 1016, false);
+  folder.write("arm.urdf", urdf_text(arm));
+  const FirstTask found = find_first_task(folder.write("arm.yaml", robot_yaml(arm, "arm.urdf")), {}, 2);
+  const std::vector<Scenario> task = {found.task.scenario};
+  const std::atomic<bool> stop = false;
+  const auto held = [&](const Gains& gains) {
+    return endure(
+               task, [&gains](const Scenario&) { return gains; }, {}, stop)
+        .front()
+        .held();
+  };
+  EXPECT_TRUE(held(found.gains));
+  EXPECT_FALSE(held(starting_gains(arm, task[0].start_position, found.task.goal, found.task.manipulability)));
+  MonteCarloOptions others;
+  others.perturbation = default_perturbation(task);
+  others.samples = 100;
+  others.engine = Engine::kNative;
+  others.workers = 2;
+  const auto samples = monte_carlo(task, found.gains, others, stop);
+  EXPECT_GE(
+      std::count_if(samples.begin(), samples.end(), [](const auto& sample) { return sample.keeps_all(); }),
+      95);
 }
 
 TEST(FirstTask, ADemandThatGainsBreakIsNamed) {

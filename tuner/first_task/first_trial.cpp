@@ -1,0 +1,103 @@
+#include "tuner/first_task/first_trial.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+
+#include "core/control/laws/starting_gains.hpp"
+#include "core/robot/rotor_estimate.hpp"
+#include "sim/scenario/perturbation.hpp"
+#include "tuner/endurance/endurance.hpp"
+#include "tuner/first_task/first_gain_sets.hpp"
+#include "tuner/first_task/kept_limits.hpp"
+#include "tuner/robustness/monte_carlo.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr int kOtherArms = 60;
+constexpr std::uint64_t kSeed = 4004;  // other arms than those of the study and of its verdict
+
+}  // namespace
+
+FirstTrial::FirstTrial(const DefaultTask& task, int workers)
+    : scenario_(task.scenario),
+      workers_(workers),
+      gains_(first_gain_sets(
+          starting_gains(*scenario_.robot, scenario_.start_position, task.goal, task.manipulability))),
+      native_({scenario_}, Stepper::kMidpoint, workers),
+      demands_(scenario_, gains_.front(), workers) {
+  if (scenario_.robot->estimated_rotors.empty()) return;
+  for (const double factor : {1.0 / kRotorFactor, kRotorFactor})
+    other_rotors_.push_back(with_rotors_scaled(scenario_, factor));
+}
+
+std::optional<TriedGains> FirstTrial::find() {
+  const std::atomic<bool> stop = false;
+  Conditions conditions;
+  conditions.engine = Engine::kNative;
+  conditions.limits = {ends_of_kept_limits(scenario_, kFirstTaskRatio)};
+  const auto quick = *native_.run(gains_, stop, {}, conditions);
+  for (std::size_t i = 0; i < gains_.size(); ++i) {
+    if (!passes(quick[i].front(), "")) continue;
+    if (const auto metrics = completed_with(gains_[i])) return TriedGains{gains_[i], *metrics};
+  }
+  return std::nullopt;
+}
+
+/// armtune's own dynamics are quick, Simbody decides.
+std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
+  if (const std::string broken = demands_.broken(gains); !broken.empty()) {
+    failed_ = broken;
+    return std::nullopt;
+  }
+  if (!endures(gains) || !holds_on_others(gains)) return std::nullopt;
+  if (!simbody_) simbody_.emplace(scenario_, Stepper::kMidpoint, Engine::kSimbody);
+  const EndLimits ends = ends_of_kept_limits(scenario_, kFirstTaskRatio);
+  const RolloutResult result = simbody_->run(gains, {}, ends);
+  if (!passes(result, "")) return std::nullopt;
+  for (const Scenario& scenario : other_rotors_) {
+    Rollout other(scenario, Stepper::kMidpoint, Engine::kSimbody);
+    if (!passes(other.run(gains, {}, ends), " with other rotor inertia than estimated")) return std::nullopt;
+  }
+  return result.metrics;
+}
+
+/// As long as the verdict of a search asks for: what drifts slowly does not show in one task.
+bool FirstTrial::endures(const Gains& gains) {
+  const std::atomic<bool> stop = false;
+  const auto gains_of = [&gains](const Scenario&) { return gains; };
+  const EnduranceResult result = endure({scenario_}, gains_of, {}, stop).front();
+  if (result.held()) return true;
+  failed_ = result.broken ? to_string(*result.broken) : result.ended;
+  return false;
+}
+
+/// With half as many arms at random lost as the verdict allows: a search comes closer to the limits.
+bool FirstTrial::holds_on_others(const Gains& gains) {
+  MonteCarloOptions options;
+  options.perturbation = default_perturbation({&scenario_, 1});
+  options.seed = kSeed;
+  options.samples = kOtherArms;
+  options.engine = Engine::kNative;
+  options.workers = workers_;
+  const auto most = static_cast<int>(0.5 * (1.0 - VerdictThresholds().yield) * kOtherArms);
+  int broken = 0;
+  std::atomic<bool> stop = false;
+  options.finished = [&](const MonteCarloSample& sample) {
+    if (!sample.keeps_all() && ++broken > most) stop = true;
+  };
+  monte_carlo({scenario_}, gains, options, stop);
+  if (broken <= most) return true;
+  failed_ = fmt::format("more than {} of {} arms that differ from it at random do not keep their limits",
+                        most, kOtherArms);
+  return false;
+}
+
+bool FirstTrial::passes(const RolloutResult& result, const char* where) {
+  if (keeps_limits(result, kFirstTaskRatio)) return true;
+  failed_ = lost_limits(result, kFirstTaskRatio) + where;
+  return false;
+}
+
+}  // namespace armtune::internal

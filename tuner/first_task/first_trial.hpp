@@ -1,0 +1,48 @@
+#pragma once
+// One task, and gain sets until the arm completes it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/rollout/rollout.hpp"
+#include "sim/scenario/default_task.hpp"
+#include "tuner/first_task/first_study.hpp"
+#include "tuner/workers/candidate_runner.hpp"
+
+namespace armtune::internal {
+
+/// Gains that were seen to do a task.
+struct TriedGains {
+  Gains gains;
+  Metrics metrics;  ///< of the task under them, simulated in Simbody
+};
+
+class FirstTrial {
+ public:
+  /// workers: threads (>= 1).
+  FirstTrial(const DefaultTask& task, int workers);
+
+  /// The first of the gain sets (first_gain_sets.hpp) with which all that find_first_task promises holds.
+  std::optional<TriedGains> find();
+
+  /// How the last gain set failed, as a clause.
+  const std::string& failed() const { return failed_; }
+
+ private:
+  std::optional<Metrics> completed_with(const Gains& gains);
+  bool endures(const Gains& gains);
+  bool holds_on_others(const Gains& gains);
+  bool passes(const RolloutResult& result, const char* where);
+
+  Scenario scenario_;
+  int workers_;
+  std::vector<Gains> gains_;
+  CandidateRunner native_;
+  FirstDemands demands_;
+  std::optional<Rollout> simbody_;
+  std::vector<Scenario> other_rotors_;  ///< a third and three times what was estimated
+  std::string failed_;
+};
+
+}  // namespace armtune::internal

@@ -1,0 +1,41 @@
+#include "tuner/first_task/kept_limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/rollout/applies.hpp"
+
+namespace armtune::internal {
+
+bool keeps_limits(const RolloutResult& result, double share) {
+  const Metrics& metrics = result.metrics;
+  return result.status == RolloutStatus::kCompleted && metrics[Metric::kJointVelocityMaxRatio] <= share &&
+         metrics[Metric::kJointEffortMaxRatio] <= share &&
+         !(metrics[Metric::kJointPositionMinMargin] < 0.0) && contact_text(metrics).empty();
+}
+
+EndLimits ends_of_kept_limits(const Scenario& scenario, double share) {
+  const double beyond = std::nextafter(share, 2.0);
+  EndLimits limits = {{Metric::kJointVelocityMaxRatio, beyond},
+                      {Metric::kJointEffortMaxRatio, beyond},
+                      {Metric::kJointPositionMinMargin, std::nextafter(0.0, -1.0)}};
+  for (const Metric contact : kContactMetrics) {
+    if (applies(contact, scenario)) limits.push_back({contact, std::nextafter(0.0, -1.0)});
+  }
+  return limits;
+}
+
+std::string lost_limits(const RolloutResult& result, double share) {
+  const bool abandoned = result.status == RolloutStatus::kHopeless;
+  if (result.status != RolloutStatus::kCompleted && !abandoned) return result.reason;
+  const Metrics& metrics = result.metrics;
+  if (metrics[Metric::kJointPositionMinMargin] < 0.0) return "a joint leaves its position limits";
+  if (const std::string contact = contact_text(metrics); !contact.empty()) return "the arm " + contact;
+  if (metrics[Metric::kJointVelocityMaxRatio] > share) {
+    return fmt::format("{} passes {} of its velocity limit", metrics.max_ratio_joint, share);
+  }
+  return fmt::format("a commanded torque passes {} of its effort limit", share);
+}
+
+}  // namespace armtune::internal
