@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "armtune/error.hpp"
@@ -125,11 +127,13 @@ class Placing {
     std::vector<DefaultTask> found;
     const std::vector<Place> places = good_places(arm_, task_.scenario.mask, floor_);
     // Better a smaller circle than one that leads to a joint's limit.
+    std::set<std::pair<int, std::size_t>> taken;  // halvings of a place
     for (const double margin : {0.5 * kEnoughMargin, 0.2 * kEnoughMargin}) {
       least_margin_ = margin;
       for (int halving = 0; halving <= kHalvings; ++halving) {
-        for (const Place& place : places) {
-          if (!place_at(place, 1.0 / (1 << halving))) continue;
+        for (std::size_t k = 0; k < places.size(); ++k) {
+          if (taken.contains({halving, k}) || !place_at(places[k], 1.0 / (1 << halving))) continue;
+          taken.insert({halving, k});
           found.push_back(task_);
           if (found.size() == count) return found;
         }
@@ -321,8 +325,11 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
       "  position_noise: {}      # rad, m\n  velocity_noise: {}      # rad/s, m/s\n  torque_delay_periods: "
       "{}\n"
       "  payload: {{mass: {:.4g}, center: [0, 0, 0]}}   # kg, at the tool\nseed: 1\n",
-      s.theta.model_scale > TaskOptions().model_scale
-          ? "# No first gains were found that bear it where the controller takes the arm for a fifth lighter than it is.\n"
+      task.knows_masses
+          ? fmt::format(
+                "# The controller knows the arm's masses to {:.0f} %: no gains were found that keep the limits "
+                "where it knows them to {:.0f} %.\n",
+                100.0 * (1.0 - s.theta.model_scale), 100.0 * (1.0 - TaskOptions().model_scale))
           : "",
       s.theta.model_scale, s.plant.position_noise, s.plant.velocity_noise, s.plant.torque_delay_periods,
       s.plant.payload.mass);

@@ -33,7 +33,9 @@ struct DefaultTask {
   double manipulability = 0.0;  ///< the smallest on the task
   bool in_given_cell = false;   ///< the cell is one that was given, not the floor alone
   bool without_floor = false;   ///< as TaskOptions has it
-  double load = 0.0;            ///< largest share of a joint's effort limit that holding the arm still takes
+  bool knows_masses =
+      false;          ///< with a smaller model_scale no gains were found: whoever looked for them says so
+  double load = 0.0;  ///< largest share of a joint's effort limit that holding the arm still takes
 };
 
 /// Returns a task that the arm can do. The circle's radius is a tenth of the arm's reach, or less where its
@@ -47,7 +49,8 @@ struct DefaultTask {
 /// why there is no such place.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
-/// That task, and others at other places, up to `count` (>= 1) of them: those to be preferred first.
+/// That task, and others at other places or smaller at one of them, up to `count` (>= 1): those to be
+/// preferred first.
 std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
                                        std::size_t count);
 

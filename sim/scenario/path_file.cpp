@@ -7,10 +7,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <utility>
 
 #include "armtune/error.hpp"
-#include "core/common/nearest.hpp"
 #include "core/trajectory/polyline.hpp"
 #include "sim/scenario/waypoints_file.hpp"
 

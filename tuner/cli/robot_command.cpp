@@ -151,11 +151,11 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
                                           [&line](const std::string& text) { line.show(text); });
   line.clear();
   write_first_task(found, folder);
-  if (const double scale = found.task.scenario.theta.model_scale; scale > options.model_scale) {
+  if (found.task.knows_masses) {
     print_warning(fmt::format(
-        "no first gains were found for a controller that takes the arm for {:.0f} % lighter than it is, so that in this "
-        "task it is {:.0f} %; check masses and effort limits",
-        100.0 * (1.0 - options.model_scale), 100.0 * (1.0 - scale)));
+        "no gains were found that keep the limits with a controller that takes the arm for {:.0f} % lighter than it is; "
+        "in this task it takes it for {:.0f} % lighter only; check masses and effort limits",
+        100.0 * (1.0 - options.model_scale), 100.0 * (1.0 - found.task.scenario.theta.model_scale)));
   }
   if (found.task.without_floor)
     print_warning(

@@ -38,10 +38,11 @@ class Search {
   Search(std::shared_ptr<const RobotModel> arm, TaskOptions options, int workers, const Progress& progress)
       : arm_(std::move(arm)), options_(std::move(options)), workers_(workers), progress_(progress) {}
 
-  /// Throws InputError if there is not one task for the arm.
   std::optional<FirstTask> find() {
     for (const Pace& pace : kPaces) {
       std::vector<DefaultTask> tasks = tasks_at(pace);
+      if (tasks.empty()) break;  // nor for a slower one
+      has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
           progress_(fmt::format("trying a first task{}{}: place {} of {}, {} times its time",
@@ -58,6 +59,9 @@ class Search {
     return std::nullopt;
   }
 
+  /// Whether there is a task for the arm at all.
+  bool has_place() const { return has_place_; }
+
   /// How the last rollout failed.
   const std::string& failed() const { return failed_; }
 
@@ -65,13 +69,18 @@ class Search {
   std::vector<DefaultTask> tasks_at(const Pace& pace) const {
     TaskOptions options = options_;
     options.slowness *= pace.slowness;
-    return default_tasks(arm_, options, pace.places);
+    try {
+      return default_tasks(arm_, options, pace.places);
+    } catch (const InputError&) {
+      return {};  // a task that lasts longer may drift to where the arm cannot go
+    }
   }
 
   std::shared_ptr<const RobotModel> arm_;
   TaskOptions options_;
   int workers_;
   const Progress& progress_;
+  bool has_place_ = false;
   std::string failed_;
 };
 
@@ -84,14 +93,14 @@ struct Eased {
 /// What a task may go without, from the one that asks the most of the arm on.
 std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions& given) {
   std::vector<TaskOptions> all;
-  for (const Eased& eased :
-       {Eased{given.model_scale, false}, Eased{kWellKnown, false}, Eased{kWellKnown, true}}) {
+  for (const Eased& eased : {Eased{given.model_scale, false}, Eased{kWellKnown, false},
+                             Eased{given.model_scale, true}, Eased{kWellKnown, true}}) {
     // A floor that nobody gave is left out before an arm is refused.
     if (eased.without_floor && !assumes_floor(robot, given)) continue;
     for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
-      if (components(mask) > robot.n()) continue;
+      if (components(mask) > robot.n() || (given.mask && mask != *given.mask)) continue;
       TaskOptions options = given;
-      options.without_floor = eased.without_floor;
+      options.without_floor = given.without_floor || eased.without_floor;
       options.model_scale = eased.model_scale;
       options.mask = mask;
       all.push_back(options);
@@ -112,18 +121,20 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
         }))
       continue;
     Search search(arm, easier, workers, progress);
-    try {
-      if (auto found = search.find()) return *found;
+    if (auto found = search.find()) {
+      found->task.knows_masses = easier.model_scale > options.model_scale;
+      return *found;
+    }
+    if (search.has_place()) {
       last = fmt::format(
           "{}: no gains were found with which {} completes a first task within its limits. With the last of those "
           "tried, {}. Check limits and masses, or write a scenario and gains of its own",
           arm->source, arm->name, search.failed());
-    } catch (const InputError& no_place) {
-      if (last.empty()) last = no_place.what();
+    } else {
       without_place.push_back(easier);
     }
   }
-  if (last.empty()) default_task(arm, options);  // an arm of too few joints for any task: says so
+  if (last.empty()) default_task(arm, options);  // which says why there is no place
   throw InputError(last);
 }
 

@@ -25,7 +25,7 @@ struct FirstTask {
 /// velocities and efforts to kFirstTaskRatio. Where rotor inertia is estimated, the arm completes it as well
 /// with a third of the estimate and with three times the estimate. In armtune's own dynamics the gains keep
 /// every demand of the study that is written with them, nearly all of 60 other arms at random keep their
-/// limits, and the arm keeps them for as long as the endurance check of a verdict lasts. Gains begin with
+/// limits, and the arm passes the endurance check of a verdict. Gains begin with
 /// starting_gains; Kp and Kd, the adaptation and the duration gains are changed, then other places and slower
 /// tasks are tried, then an arm whose masses the controller knows better, and last, where no floor was given,
 /// a task without one. `robot`: a bundled name or a file. workers: threads (>= 1). progress: told which task

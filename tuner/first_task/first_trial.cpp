@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <cstdint>
 
 #include "core/control/laws/starting_gains.hpp"
 #include "core/robot/rotor_estimate.hpp"
@@ -51,7 +52,6 @@ std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
     failed_ = broken;
     return std::nullopt;
   }
-  if (!endures(gains) || !holds_on_others(gains)) return std::nullopt;
   if (!simbody_) simbody_.emplace(scenario_, Stepper::kMidpoint, Engine::kSimbody);
   const EndLimits ends = ends_of_kept_limits(scenario_, kFirstTaskRatio);
   const RolloutResult result = simbody_->run(gains, {}, ends);
@@ -60,6 +60,7 @@ std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
     Rollout other(scenario, Stepper::kMidpoint, Engine::kSimbody);
     if (!passes(other.run(gains, {}, ends), " with other rotor inertia than estimated")) return std::nullopt;
   }
+  if (!endures(gains) || !holds_on_others(gains)) return std::nullopt;
   return result.metrics;
 }
 
@@ -68,8 +69,14 @@ bool FirstTrial::endures(const Gains& gains) {
   const std::atomic<bool> stop = false;
   const auto gains_of = [&gains](const Scenario&) { return gains; };
   const EnduranceResult result = endure({scenario_}, gains_of, {}, stop).front();
-  if (result.held()) return true;
-  failed_ = result.broken ? to_string(*result.broken) : result.ended;
+  if (!result.held()) {
+    failed_ = result.broken ? to_string(*result.broken) : result.ended;
+    return false;
+  }
+  // NaN where there was nothing to compare.
+  const VerdictThresholds most;
+  if (!(result.rms_growth > most.rms_growth) && !(result.peak_growth > most.peak_growth)) return true;
+  failed_ = fmt::format("errors grow within {} minutes", most.minutes);
   return false;
 }
 
@@ -84,13 +91,14 @@ bool FirstTrial::holds_on_others(const Gains& gains) {
   const auto most = static_cast<int>(0.5 * (1.0 - VerdictThresholds().yield) * kOtherArms);
   int broken = 0;
   std::atomic<bool> stop = false;
-  options.finished = [&](const MonteCarloSample& sample) {
+  options.whole = [&](const MonteCarloSample& sample) {
     if (!sample.keeps_all() && ++broken > most) stop = true;
   };
   monte_carlo({scenario_}, gains, options, stop);
   if (broken <= most) return true;
-  failed_ = fmt::format("more than {} of {} arms that differ from it at random do not keep their limits",
-                        most, kOtherArms);
+  failed_ =
+      fmt::format("more than {} of {} arms that differ from this one at random do not keep their limits",
+                  most, kOtherArms);
   return false;
 }
 

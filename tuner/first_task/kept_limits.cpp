@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "sim/rollout/applies.hpp"
 
@@ -16,12 +17,13 @@ bool keeps_limits(const RolloutResult& result, double share) {
 }
 
 EndLimits ends_of_kept_limits(const Scenario& scenario, double share) {
-  const double beyond = std::nextafter(share, 2.0);
+  const double beyond = std::nextafter(share, std::numeric_limits<double>::infinity());
+  const double below = -std::numeric_limits<double>::min();  // rollouts take anything smaller for zero
   EndLimits limits = {{Metric::kJointVelocityMaxRatio, beyond},
                       {Metric::kJointEffortMaxRatio, beyond},
-                      {Metric::kJointPositionMinMargin, std::nextafter(0.0, -1.0)}};
+                      {Metric::kJointPositionMinMargin, below}};
   for (const Metric contact : kContactMetrics) {
-    if (applies(contact, scenario)) limits.push_back({contact, std::nextafter(0.0, -1.0)});
+    if (applies(contact, scenario)) limits.push_back({contact, below});
   }
   return limits;
 }

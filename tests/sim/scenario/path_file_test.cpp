@@ -1,7 +1,6 @@
 // Named curves are the harmonics that a textbook writes for them, and mistakes in them are named.
 
 #include "sim/scenario/path_file.hpp"
-#include "sim/scenario/named_paths_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/scenario/named_paths_file.hpp"
 #include "sim/yaml/document.hpp"
 #include "tests/sim/support/files.hpp"
 

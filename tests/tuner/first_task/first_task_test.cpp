@@ -197,7 +197,10 @@ TEST(FirstTask, AnArmThatCannotStayAboveItsBaseHasNoFloorUnlessItIsGiven) {
   const std::string urdf = folder.write("arm.urdf", urdf_text(sunk));
   const std::string robot =
       folder.write("arm.yaml", "urdf: arm.urdf\nrotor_inertia: [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n");
-  EXPECT_TRUE(find_first_task(robot, {}, 2).task.without_floor);
+  const FirstTask without = find_first_task(robot, {}, 2);
+  EXPECT_TRUE(without.task.without_floor);
+  EXPECT_EQ(without.task.scenario.theta.model_scale, 0.8) << "nothing asks for better known masses";
+  EXPECT_FALSE(without.task.knows_masses);
   TaskOptions options;
   options.floor = 0.0;
   EXPECT_THAT(test::refusal([&] { find_first_task(robot, options, 2); }), HasSubstr("above the floor"));

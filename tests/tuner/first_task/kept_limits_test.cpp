@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "core/control/laws/starting_gains.hpp"
+#include "sim/plant/flush_denormals.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/default_task.hpp"
 #include "sim/scenario/robot_file.hpp"
-#include "tuner/first_task/first_gain_sets.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -24,6 +24,7 @@ RolloutResult with(Metric metric, double value) {
 
 TEST(KeptLimits, ALimitIsLostJustBeyondItsShare) {
   const Scenario scenario = default_task(load_robot("ur10")).scenario;
+  const FlushDenormals as_in_rollouts;
   for (const EndLimit& end : ends_of_kept_limits(scenario, 0.9)) {
     const double last = larger_is_better(end.metric) ? 0.0 : 0.9;
     EXPECT_TRUE(keeps_limits(with(end.metric, last), 0.9)) << name(end.metric);
@@ -50,9 +51,6 @@ TEST(KeptLimits, AnEarlyEndIsTheFateOfTheWholeRollout) {
       const RolloutResult early = rollout.run(gains, {}, ends_of_kept_limits(task.scenario, 0.5));
       EXPECT_EQ(keeps_limits(early, 0.5), whole) << robot << ", Kd times " << factor;
       (whole ? kept : lost) += 1;
-      if (!whole) {
-        EXPECT_FALSE(lost_limits(early, 0.5).empty());
-      }
     }
   }
   EXPECT_GT(lost, 0);
