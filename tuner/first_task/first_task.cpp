@@ -45,10 +45,11 @@ class Search {
       has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
-          progress_(fmt::format("trying a first task{}{}: place {} of {}, {} times its time",
+          progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times its time",
                                 options_.mask == TaskMask::kPosition ? " of position alone" : "",
-                                options_.without_floor ? " without a floor" : "", place + 1, tasks.size(),
-                                pace.slowness));
+                                options_.without_floor ? " without a floor" : "",
+                                options_.model_scale == kWellKnown ? " of well known masses" : "", place + 1,
+                                tasks.size(), pace.slowness));
         }
         FirstTrial trial(tasks[place], workers_);
         if (auto found = trial.find())
