@@ -1,7 +1,6 @@
 #include "sim/scenario/default_task.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,77 +10,35 @@
 #include <vector>
 
 #include "armtune/error.hpp"
-#include "core/control/measured_arm.hpp"
 #include "core/control/pose_search.hpp"
-#include "core/robot/dynamics.hpp"
+#include "core/robot/holding_load.hpp"
 #include "sim/scenario/path_walk.hpp"
-#include "sim/yaml/quoted.hpp"
+#include "sim/scenario/task_places.hpp"
 
 namespace armtune::internal {
 namespace {
 
-constexpr unsigned kSamples = 2000;
-constexpr std::size_t kTried = 200;  // of the samples, the best first
 constexpr int kHalvings = 3;
-constexpr double kRadius = 0.09;       // of the reach
-constexpr double kAhead = 0.35;        // of the reach
-constexpr double kNearest = 0.15;      // of the reach, where the floor is closer than kAhead
-constexpr double kApart = 0.1;         // of the reach, each target from the middle
-constexpr double kEnoughMargin = 0.2;  // of a joint's range
-constexpr double kAboveFloor = 0.1;    // m
-constexpr double kFolded = 0.08;       // of the reach, from the tool to the arm itself
-constexpr double kFromCell = 0.05;     // m, of links; from each other they are anything above zero
-constexpr double kMostLoad = 0.85;     // of an effort limit
-constexpr double kUnlikely = 0.02;     // factor on the score of a place that will hardly do
-constexpr double kTurn = 10.0;         // s
-constexpr double kDuration = 30.0;     // s
-constexpr double kSwitch = 7.5;        // s
-constexpr double kCentering = 0.2;     // 1/s
-constexpr double kSingular = 1e-4;     // m^3, for a reach of 1 m: anything less is one by rounding
-
-struct Place {
-  JointVector q;
-  double score = 0.0;
-  double manipulability = 0.0;
-};
+constexpr double kRadius = 0.09;     // of the reach
+constexpr double kAhead = 0.35;      // of the reach
+constexpr double kNearest = 0.15;    // of the reach, where the floor is closer than kAhead
+constexpr double kApart = 0.1;       // of the reach, each target from the middle
+constexpr double kAboveFloor = 0.1;  // m
+constexpr double kFolded = 0.08;     // of the reach, from the tool to the arm itself
+constexpr double kFromCell = 0.05;   // m, of links; from each other they are anything above zero
+constexpr double kLightLoad = 0.5;   // of an effort limit: less need not be sought
+constexpr int kStartHalvings = 5;    // of the start's distance from the goal
+constexpr double kTurn = 10.0;       // s
+constexpr double kDuration = 30.0;   // s
+constexpr double kSwitch = 7.5;      // s
+constexpr double kCentering = 0.2;   // 1/s
+constexpr double kSingular = 1e-4;   // m^3, for a reach of 1 m: anything less is one by rounding
 
 /// Height of the floor; without one, lower than anything.
 double floor_of(const RobotModel& robot, const TaskOptions& options) {
   const double none = -std::numeric_limits<double>::infinity();
   if (options.cell) return options.cell->floor.value_or(none);
   return options.floor.value_or(assumes_floor(robot, options) ? 0.0 : none);
-}
-
-/// Largest share of a joint's effort limit that holding the arm still takes.
-double load_at(const RobotModel& robot, const Poses& poses) {
-  JointVector gravity;
-  gravity_torque(robot.chain, poses, gravity);
-  return (gravity.array().abs() / robot.effort_limits().array()).maxCoeff();
-}
-
-std::vector<Place> good_places(const RobotModel& robot, TaskMask mask, double floor) {
-  std::vector<Place> places;
-  places.reserve(kSamples);
-  MeasuredArm arm;
-  const JointVector rest = JointVector::Zero(robot.n());
-  const double size = reach(robot);
-  for (unsigned sample = 0; sample < kSamples; ++sample) {
-    Place place{sample_position(robot, sample), 0.0, 0.0};
-    arm.measure(robot.chain, place.q, rest, {0.0, 1.0, 0.0}, mask);
-    place.manipulability = arm.inverse.manipulability();
-    const double margin = tightest_joint(robot, place.q).margin;
-    const double down = 0.5 * (1.0 - height_of(arm.poses.R_0T.col(2), robot));
-    const bool high = height_of(arm.poses.p_0T, robot) > floor + kAboveFloor + kRadius * size;
-    const double load = load_at(robot, arm.poses);
-    place.score = place.manipulability * std::min(1.0, margin / kEnoughMargin) * (0.1 + 0.9 * down) *
-                  (high ? 1.0 : kUnlikely) *
-                  (load < kMostLoad ? std::pow(1.0 - load, 3) : kUnlikely * kUnlikely);
-    places.push_back(std::move(place));
-  }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& a, const Place& b) { return a.score > b.score; });
-  places.resize(kTried);
-  return places;
 }
 
 /// Three digits: what a person would write.
@@ -112,20 +69,17 @@ void put_task(const Poses& poses, double ahead, double size, double shrunk, Scen
                       {"right", {rounded(Vec3(middle - aside)), 0.0, 0.0, {}}}};
 }
 
-std::string list(const Vec3& x) {
-  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", x.x(), x.y(), x.z());
-}
-
 /// Puts circle, targets, goal and start where they fit, and remembers what stood in the way.
 class Placing {
  public:
-  Placing(DefaultTask& task, double floor)
-      : task_(task), arm_(*task.scenario.robot), floor_(floor), size_(reach(arm_)) {}
+  Placing(DefaultTask& task, double floor, bool thorough)
+      : task_(task), arm_(*task.scenario.robot), floor_(floor), thorough_(thorough), size_(reach(arm_)) {}
 
   /// The task at the first places that do, `count` of them or all that there are.
   std::vector<DefaultTask> first(std::size_t count) {
     std::vector<DefaultTask> found;
-    const std::vector<Place> places = good_places(arm_, task_.scenario.mask, floor_);
+    const double lowest = floor_ + kAboveFloor + kRadius * size_;
+    const std::vector<TaskPlace> places = task_places(arm_, task_.scenario.mask, lowest, thorough_);
     // Better a smaller circle than one that leads to a joint's limit.
     std::set<std::pair<int, std::size_t>> taken;  // halvings of a place
     for (const double margin : {0.5 * kEnoughMargin, 0.2 * kEnoughMargin}) {
@@ -164,7 +118,7 @@ class Placing {
   }
 
  private:
-  bool place_at(const Place& place, double shrunk) {
+  bool place_at(const TaskPlace& place, double shrunk) {
     if (!(place.manipulability > kSingular * std::pow(size_, 3))) return false;
     Scenario& scenario = task_.scenario;
     Poses poses;
@@ -184,8 +138,25 @@ class Placing {
     if (!is_clear(walk) || walk.margin.value < least_margin_ || !is_free(walk)) return false;
     task_.manipulability = walk.manipulability.value;
     task_.load = walk.load.value;
-    scenario.start_position = off_goal(arm_, task_.goal);
+    task_.loaded = walk.loaded;
+    scenario.start_position = start_off(task_.goal);
     return true;
+  }
+
+  /// Joint positions (n) off the goal, from which the way to it burdens no joint much more than the task
+  /// does.
+  JointVector start_off(const JointVector& goal) const {
+    const Chain loaded = with_payload(arm_, task_.scenario.plant.payload).chain;
+    const JointVector efforts = arm_.effort_limits();
+    const double most = std::max(task_.load, kLightLoad);
+    JointVector away = off_goal(arm_, goal) - goal;
+    for (int halving = 0; halving < kStartHalvings; ++halving, away *= 0.5) {
+      double load = 0.0;
+      for (const double share : {0.25, 0.5, 0.75, 1.0})
+        load = std::max(load, holding_load(loaded, JointVector(goal + share * away), efforts).share);
+      if (load <= most) break;
+    }
+    return goal + away;
   }
 
   /// Two bodies that come too close to each other, as a clause; empty: none do.
@@ -229,6 +200,7 @@ class Placing {
   DefaultTask& task_;
   const RobotModel& arm_;
   double floor_;
+  bool thorough_;
   double size_;
   double least_margin_ = 0.0;  ///< share of a joint's range that the whole task keeps from its limits
   WalkPlace lightest_{0.0, Vec3::Zero(),
@@ -281,7 +253,7 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
     scenario.mask = mask;
     if (components(mask) > arm.n()) continue;
     if (options.mask && mask != *options.mask) continue;
-    Placing placing(task, floor_of(arm, options));
+    Placing placing(task, floor_of(arm, options), options.thorough);
     if (auto found = placing.first(count); !found.empty()) return found;
     if (obstacle.empty()) obstacle = placing.obstacle();
   }
@@ -291,49 +263,6 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
       "{}: no first task was found for {}, not even a circle of {:.2g} m{}{}; or write a scenario with a path of "
       "its own",
       arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings), obstacle.empty() ? "" : ": ", obstacle));
-}
-
-std::string default_task_yaml(const DefaultTask& task, const std::string& robot) {
-  const Scenario& s = task.scenario;
-  const std::string description =
-      fmt::format("a circle where {} moves well{}", s.robot->name,
-                  tracks_orientation(s.mask) ? ", the gaze at two targets that take turns" : "");
-  std::string text = fmt::format(
-      "description: {0}\nrobot: {1}\nduration: {2}            "
-      "# s\ncontrol_period: {3}   # s\nstart_position_deg: [{4:.4g}]\n"
-      "task_mask: {5}   # what the arm is to hold: pose, position_and_axis or position\n\n"
-      "# center + sum of cos and sin terms of order k at k * frequency, base frame\npath:\n  center: {6}   # "
-      "m\n"
-      "  frequency: {7}   # rad/s\n  terms:\n    - {{order: 1, cos: {8}, sin: {9}}}\n\nswitch_every: {10}   "
-      "# s\ntargets:\n",
-      yaml::quoted(description), yaml::quoted(robot), s.duration, s.control_period,
-      fmt::join(in_degrees(*s.robot, s.start_position), ", "), name(s.mask), list(s.path.center),
-      s.path.frequency, list(s.path.terms[0].cosine), list(s.path.terms[0].sine), s.switch_every);
-  for (const NamedPath& target : s.targets)
-    text += fmt::format("  - {{name: {}, center: {}}}\n", target.name, list(target.path.center));
-  if (s.clearance && !task.in_given_cell) {
-    text += s.clearance->cell().floor
-                ? fmt::format("cell: {{floor: {}}}   # m; the arm is to touch neither it nor itself\n",
-                              *s.clearance->cell().floor)
-                : "cell: {}   # the arm is not to touch itself\n";
-  }
-  if (task.without_floor)
-    text += "# There is no floor: no first task was found above the height of the arm's base.\n";
-  text += fmt::format(
-      "\n{}# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
-      "{}}}\nplant:\n"
-      "  position_noise: {}      # rad, m\n  velocity_noise: {}      # rad/s, m/s\n  torque_delay_periods: "
-      "{}\n"
-      "  payload: {{mass: {:.4g}, center: [0, 0, 0]}}   # kg, at the tool\nseed: 1\n",
-      task.knows_masses
-          ? fmt::format(
-                "# The controller knows the arm's masses to {:.0f} %: no gains were found that keep the limits "
-                "where it knows them to {:.0f} %.\n",
-                100.0 * (1.0 - s.theta.model_scale), 100.0 * (1.0 - TaskOptions().model_scale))
-          : "",
-      s.theta.model_scale, s.plant.position_noise, s.plant.velocity_noise, s.plant.torque_delay_periods,
-      s.plant.payload.mass);
-  return text;
 }
 
 }  // namespace armtune::internal

@@ -20,8 +20,9 @@ struct TaskOptions {
   std::optional<Cell> cell;
   bool without_floor = false;    ///< there is none, also below an arm that is upright
   std::optional<TaskMask> mask;  ///< none: position and gaze, or position alone where that does not fit
-  double slowness = 1.0;         ///< factor on all times, for an arm that is too slow for the task [1]
-  double model_scale = 0.8;      ///< the masses that the controller begins with over those of the arm [1]
+  bool thorough = false;     ///< looks at ten times as many positions: for an arm that can hardly hold itself
+  double slowness = 1.0;     ///< factor on all times, for an arm that is too slow for the task [1]
+  double model_scale = 0.8;  ///< the masses that the controller begins with over those of the arm [1]
 };
 
 /// Whether the task stays above a floor that nobody gave: the base's height, under an arm that is upright.
@@ -36,6 +37,7 @@ struct DefaultTask {
   bool knows_masses =
       false;          ///< with a smaller model_scale no gains were found: whoever looked for them says so
   double load = 0.0;  ///< largest share of a joint's effort limit that holding the arm still takes
+  int loaded = 0;     ///< the joint whose load that is
 };
 
 /// Returns a task that the arm can do. The circle's radius is a tenth of the arm's reach, or less where its
@@ -43,19 +45,16 @@ struct DefaultTask {
 /// tool looks down, lightly loaded, come first. On the whole circle, the tool and the joints from the third
 /// on stay 0.1 m above the floor, the tool stays clear of the arm, links whose shapes are known do not touch
 /// each other and stay 0.05 m clear of the cell, and holding the arm still takes at most 0.85 of each effort
-/// limit. The task is position and gaze, or position alone where the arm has no joints or no place for more.
-/// The plant has noise, a period of delay, a payload of two per cent of the arm's mass, and the controller
-/// takes the arm for lighter than it is, so that high gains have a price. Throws InputError that says
-/// why there is no such place.
+/// limit. The start is brought closer where the way from it would take more than the task and more than half
+/// of a limit, to a 32nd of its distance at most. The task is position and gaze, or position alone where the
+/// arm has no joints or no place for more. The plant has noise, a period of delay, a payload of two per cent
+/// of the arm's mass, and the controller takes the arm for lighter than it is, so that high gains have a
+/// price. Throws InputError that says why there is no such place.
 DefaultTask default_task(std::shared_ptr<const RobotModel> robot, const TaskOptions& options = {});
 
 /// That task, and others at other places or smaller at one of them, up to `count` (>= 1): those to be
 /// preferred first.
 std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, const TaskOptions& options,
                                        std::size_t count);
-
-/// It as a scenario file. robot: what the file names it by. A cell that was given is not written: it is the
-/// robot file's.
-std::string default_task_yaml(const DefaultTask& task, const std::string& robot);
 
 }  // namespace armtune::internal

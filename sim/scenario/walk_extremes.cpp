@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/control/pose_search.hpp"
-#include "core/robot/dynamics.hpp"
+#include "core/robot/holding_load.hpp"
 #include "core/robot/kinematics.hpp"
 
 namespace armtune::internal {
@@ -74,11 +74,9 @@ void WalkExtremes::see(double time, const Vec3& tool, const MeasuredArm& arm, co
     cell_->see(time, q);
     walk.nearest = cell_->least();
   }
-  gravity_torque(loaded_, arm.poses, gravity_);
-  int heaviest = 0;
-  const double load = (gravity_.array().abs() / efforts_.array()).maxCoeff(&heaviest);
-  if (!(load <= walk.load.value)) walk.loaded = heaviest;
-  take_larger({time, tool, load}, walk.load);
+  const HoldingLoad load = holding_load(loaded_, arm.poses, efforts_, gravity_);
+  if (!(load.share <= walk.load.value)) walk.loaded = load.joint;
+  take_larger({time, tool, load.share}, walk.load);
 }
 
 }  // namespace armtune::internal

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -21,6 +22,9 @@ namespace {
 
 /// The model_scale of a task for an arm that cannot bear a fifth of unknown weight.
 constexpr double kWellKnown = 0.95;
+
+/// Share of an effort limit: an arm that takes as much to hold it still has little left to move.
+constexpr double kHeavy = 0.6;
 
 /// A pace, and at how many places it is tried: a slow task takes longer to try.
 struct Pace {
@@ -45,11 +49,16 @@ class Search {
       has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
-          progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times its time",
+          progress_(fmt::format("trying a first task{}{}{}{}: place {} of {}, {} times its time",
                                 options_.mask == TaskMask::kPosition ? " of position alone" : "",
                                 options_.without_floor ? " without a floor" : "",
-                                options_.model_scale == kWellKnown ? " of well known masses" : "", place + 1,
+                                options_.model_scale == kWellKnown ? " of well known masses" : "",
+                                options_.thorough ? " among ten times as many positions" : "", place + 1,
                                 tasks.size(), pace.slowness));
+        }
+        if (tasks[place].load < lightest_) {
+          lightest_ = tasks[place].load;
+          loaded_ = tasks[place].loaded;
         }
         FirstTrial trial(tasks[place], workers_);
         if (auto found = trial.find())
@@ -63,8 +72,13 @@ class Search {
   /// Whether there is a task for the arm at all.
   bool has_place() const { return has_place_; }
 
-  /// How the last rollout failed.
-  const std::string& failed() const { return failed_; }
+  /// How the last rollout failed, and what the arm's weight has to do with it.
+  std::string failed() const {
+    if (lightest_ < kHeavy) return failed_;
+    return fmt::format(
+        "{}; to hold the arm still takes at least {:.2g} of the effort limit of joint '{}' on each of them",
+        failed_, lightest_, arm_->joints[static_cast<std::size_t>(loaded_)].name);
+  }
 
  private:
   std::vector<DefaultTask> tasks_at(const Pace& pace) const {
@@ -83,6 +97,8 @@ class Search {
   const Progress& progress_;
   bool has_place_ = false;
   std::string failed_;
+  double lightest_ = std::numeric_limits<double>::infinity();  ///< least load of a task
+  int loaded_ = 0;                                             ///< the joint whose load that is
 };
 
 /// How well the controller knows the arm's masses, and whether there is a floor.
@@ -98,13 +114,18 @@ std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions&
                              Eased{given.model_scale, true}, Eased{kWellKnown, true}}) {
     // A floor that nobody gave is left out before an arm is refused.
     if (eased.without_floor && !assumes_floor(robot, given)) continue;
+    const bool harder = !all.empty();
     for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
       if (components(mask) > robot.n() || (given.mask && mask != *given.mask)) continue;
       TaskOptions options = given;
       options.without_floor = given.without_floor || eased.without_floor;
       options.model_scale = eased.model_scale;
       options.mask = mask;
-      all.push_back(options);
+      for (const bool thorough : {false, true}) {
+        options.thorough = thorough;
+        // Once one that is hard to hold is sought, a quick look is no use.
+        if (thorough || !harder) all.push_back(options);
+      }
     }
   }
   return all;
@@ -118,7 +139,8 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
   for (const TaskOptions& easier : ever_easier(*arm, options)) {
     // Places are no others where the controller knows the masses better.
     if (std::any_of(without_place.begin(), without_place.end(), [&](const TaskOptions& tried) {
-          return tried.mask == easier.mask && tried.without_floor == easier.without_floor;
+          return tried.mask == easier.mask && tried.without_floor == easier.without_floor &&
+                 tried.thorough == easier.thorough;
         }))
       continue;
     Search search(arm, easier, workers, progress);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/default_task_file.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tuner/first_task/first_study.hpp"
 #include "tuner/first_task/first_task.hpp"

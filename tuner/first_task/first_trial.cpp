@@ -25,6 +25,7 @@ FirstTrial::FirstTrial(const DefaultTask& task, int workers)
     : scenario_(task.scenario),
       workers_(workers),
       gains_(first_gain_sets(
+          *scenario_.robot, task.goal,
           starting_gains(*scenario_.robot, scenario_.start_position, task.goal, task.manipulability))),
       native_({scenario_}, Stepper::kMidpoint, workers),
       demands_(scenario_, gains_.front(), workers) {

@@ -53,7 +53,7 @@ std::vector<Gains> first_sets(const Scenario& scenario, const Gains& given) {
   const PathWalk walk = walk_path(scenario, goal, kCentering);
   Gains start = starting_gains(robot, scenario.start_position, goal, walk.manipulability.value);
   start.joint_space_goal = given.joint_space_goal;
-  std::vector<Gains> sets = first_gain_sets(start);
+  std::vector<Gains> sets = first_gain_sets(robot, goal, start);
   for (Gains& gains : sets) {
     if (gains.controller != given.controller)
       gains = controlled_by(controller_kind(given.controller), gains, robot, goal);

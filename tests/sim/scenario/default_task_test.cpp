@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/control/laws/starting_gains.hpp"
+#include "core/robot/holding_load.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "sim/scenario/default_task_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/core/support/arms.hpp"
@@ -117,6 +121,41 @@ TEST(DefaultTask, ATaskThatNoJointCanHoldIsRefusedWithWhatItNeeds) {
   for (JointInfo& joint : weak.joints) joint.limits.effort = 1.0;
   EXPECT_THAT(test::refusal([&] { default_task(std::make_shared<const RobotModel>(weak)); }),
               testing::ContainsRegex("joint '[a-z_0-9]+' needs [0-9.e+]+ of 1 to hold the arm"));
+}
+
+// Of its tasks, the first would begin where a joint cannot hold the arm.
+TEST(DefaultTask, TheWayFromTheStartBurdensNoJointMoreThanTheTaskOrHalfOfItsLimit) {
+  for (const unsigned seed : {1016U, 1029U, 1033U}) {
+    const auto robot = std::make_shared<const RobotModel>(
+        test::random_arm(5 + static_cast<int>((seed - 1000) % 3), seed, seed % 2 == 1));
+    TaskOptions options;
+    options.without_floor = true;
+    for (const DefaultTask& task : default_tasks(robot, options, 3)) {
+      const Chain loaded = with_payload(*robot, task.scenario.plant.payload).chain;
+      const JointVector away = task.scenario.start_position - task.goal;
+      const JointVector whole = off_goal(*robot, task.goal) - task.goal;
+      const double closer = away.norm() / whole.norm();
+      EXPECT_LT((away - closer * whole).norm(), 1e-12);
+      EXPECT_GE(closer, 1.0 / 32.0 - 1e-12);
+      if (closer < 1.0 / 31.0) continue;
+      for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+        const JointVector q = task.goal + share * away;
+        EXPECT_LE(holding_load(loaded, q, robot->effort_limits()).share, std::max(task.load, 0.5)) << seed;
+      }
+      const HoldingLoad there = holding_load(loaded, task.goal, robot->effort_limits());
+      EXPECT_GE(task.load, there.share - 1e-6) << seed;
+    }
+  }
+}
+
+// Its last joint slides by 0.16 m, its second bears most of the arm.
+TEST(DefaultTask, MorePositionsGiveAHeavyArmMorePlaces) {
+  const auto robot = std::make_shared<const RobotModel>(test::random_arm(5, 1033, true));
+  TaskOptions options;
+  options.mask = TaskMask::kPositionAndAxis;
+  EXPECT_EQ(default_tasks(robot, options, 6).size(), 1U);
+  options.thorough = true;
+  EXPECT_EQ(default_tasks(robot, options, 6).size(), 6U);
 }
 
 TEST(DefaultTask, ASlowArmIsGivenAllTimesInProportion) {

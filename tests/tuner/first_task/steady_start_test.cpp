@@ -6,7 +6,6 @@
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/tuner/support/short_study.hpp"
-#include "tuner/first_task/first_gain_sets.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -86,24 +85,6 @@ TEST(SteadyStart, AStudyWithStartsOfItsOwnThatRingIsLeftAsItIs) {
       "  - {name: slerpDurationErrorGain}\n");
   files.write("gains.yaml", gains_yaml(ringing(), {}));
   EXPECT_FALSE(load_steady_study(files.path(), "", 2).given);
-}
-
-TEST(FirstGainSets, BeginWithTheGivenOneAndDifferInFourGains) {
-  const Gains start = test::quick_gains(test::scenario_of("moving_target"));
-  const std::vector<Gains> sets = first_gain_sets(start);
-  EXPECT_EQ(gains_yaml(sets.front(), {}), gains_yaml(start, {}));
-  bool firmer = false, softer = false, slower = false, still = false;
-  for (const Gains& gains : sets) {
-    firmer = firmer || gains.task_space_gains_d[0] > start.task_space_gains_d[0];
-    softer = softer || (gains.task_space_gains_d[0] < start.task_space_gains_d[0] &&
-                        gains.task_space_gains_p[0] < start.task_space_gains_p[0]);
-    slower = slower || (gains.slerpDurationErrorGain > start.slerpDurationErrorGain &&
-                        gains.trajectoryDurationErrorGain > start.trajectoryDurationErrorGain);
-    still = still || gains.adaptation_gain == 0.0;
-    EXPECT_LE(gains.task_space_gains_p[0], start.task_space_gains_p[0]);
-    EXPECT_GE(gains.slerpDurationErrorGain, start.slerpDurationErrorGain);
-  }
-  EXPECT_TRUE(firmer && softer && slower && still);
 }
 
 }  // namespace
