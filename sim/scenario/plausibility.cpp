@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/control/pose_search.hpp"
-#include "core/robot/dynamics.hpp"
+#include "core/robot/holding_load.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
@@ -109,25 +109,23 @@ void doubt_limits(const RobotModel& robot, std::vector<Doubt>& doubts) {
 /// The pose, of many at random, in which gravity takes the largest share of an effort limit.
 void doubt_efforts(const RobotModel& robot, std::vector<Doubt>& doubts) {
   const JointVector efforts = robot.effort_limits();
+  const bool slides = std::any_of(robot.chain.motion.begin(), robot.chain.motion.begin() + robot.n(),
+                                  [](JointMotion motion) { return motion == JointMotion::kPrismatic; });
   double largest = 1.0;
   Doubt found;
-  Poses poses;
-  JointVector gravity;
   for (unsigned sample = 0; sample < kPoses; ++sample) {
     const JointVector q = sample_position(robot, sample);
-    forward_kinematics(robot.chain, q, poses);
-    gravity_torque(robot.chain, poses, gravity);
-    int joint = 0;
-    const double load = (gravity.array().abs() / efforts.array()).maxCoeff(&joint);
-    if (load <= largest) continue;
-    largest = load;
+    const HoldingLoad load = holding_load(robot.chain, q, efforts);
+    if (load.share <= largest) continue;
+    largest = load.share;
     const JointVector shown = in_degrees(robot, q);
-    const std::string& name = robot.joints[static_cast<std::size_t>(joint)].name;
+    const std::string& name = robot.joints[static_cast<std::size_t>(load.joint)].name;
     found.proposed = {{"limits", name, "effort", ""}};
     found.says = fmt::format(
-        "{}: it needs {:.3g} to hold the arm still at [{:.3g}] deg, and its effort limit is {:.3g}; check the limit "
+        "{}: it needs {:.3g} to hold the arm still at [{:.3g}] deg{}, and its effort limit is {:.3g}; check the limit "
         "and the masses",
-        name, std::abs(gravity[joint]), fmt::join(shown, ", "), efforts[joint]);
+        name, load.share * efforts[load.joint], fmt::join(shown, ", "), slides ? " and m" : "",
+        efforts[load.joint]);
   }
   if (!found.says.empty()) doubts.push_back(found);
 }

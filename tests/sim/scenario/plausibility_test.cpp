@@ -14,6 +14,7 @@ namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -65,6 +66,15 @@ TEST(Plausibility, AnEffortLimitThatCannotHoldTheArmIsNamedWithWhatItNeeds) {
   ASSERT_EQ(std::sscanf(found[0].c_str(), "shoulder_lift_joint: it needs %lf", &needs), 1);
   EXPECT_GT(needs, 50.0);
   EXPECT_LT(needs, 30.0 * 9.81 * reach(arm));
+}
+
+TEST(Plausibility, JointsThatSlideAreShownInMetres) {
+  RobotModel arm = test::random_arm(6, 3, true);
+  for (JointInfo& joint : arm.joints) joint.limits.effort = 1.0;
+  EXPECT_THAT(doubts(arm), Contains(HasSubstr("] deg and m, and its effort limit is 1")));
+  arm = test::random_arm(6, 3, false);
+  for (JointInfo& joint : arm.joints) joint.limits.effort = 1.0;
+  EXPECT_THAT(doubts(arm), Contains(HasSubstr("] deg, and its effort limit is 1")));
 }
 
 TEST(Plausibility, AFingerAsTheLastJointIsNamed) {
