@@ -28,6 +28,7 @@ constexpr double kFolded = 0.08;     // of the reach, from the tool to the arm i
 constexpr double kFromCell = 0.05;   // m, of links; from each other they are anything above zero
 constexpr double kLightLoad = 0.5;   // of an effort limit: less need not be sought
 constexpr int kStartHalvings = 5;    // of the start's distance from the goal
+constexpr double kModelScale = 0.8;  // the masses that the controller begins with over those of the arm
 constexpr double kTurn = 10.0;       // s
 constexpr double kDuration = 30.0;   // s
 constexpr double kSwitch = 7.5;      // s
@@ -240,7 +241,7 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
   scenario.control_period = 0.002;
   scenario.switch_every = kSwitch * options.slowness;
   scenario.path.frequency = 2.0 * M_PI / (kTurn * options.slowness);
-  scenario.theta.model_scale = options.model_scale;
+  scenario.theta.model_scale = kModelScale;
   scenario.plant.position_noise = 1e-4;
   scenario.plant.velocity_noise = 0.01;
   scenario.plant.torque_delay_periods = 1;

@@ -20,9 +20,8 @@ struct TaskOptions {
   std::optional<Cell> cell;
   bool without_floor = false;    ///< there is none, also below an arm that is upright
   std::optional<TaskMask> mask;  ///< none: position and gaze, or position alone where that does not fit
-  bool thorough = false;     ///< looks at ten times as many positions: for an arm that can hardly hold itself
-  double slowness = 1.0;     ///< factor on all times, for an arm that is too slow for the task [1]
-  double model_scale = 0.8;  ///< the masses that the controller begins with over those of the arm [1]
+  bool thorough = false;  ///< looks at ten times as many positions: for an arm that can hardly hold itself
+  double slowness = 1.0;  ///< factor on all times, for an arm that is too slow for the task [1]
 };
 
 /// Whether the task stays above a floor that nobody gave: the base's height, under an arm that is upright.
@@ -34,10 +33,8 @@ struct DefaultTask {
   double manipulability = 0.0;  ///< the smallest on the task
   bool in_given_cell = false;   ///< the cell is one that was given, not the floor alone
   bool without_floor = false;   ///< as TaskOptions has it
-  bool knows_masses =
-      false;          ///< with a smaller model_scale no gains were found: whoever looked for them says so
-  double load = 0.0;  ///< largest share of a joint's effort limit that holding the arm still takes
-  int loaded = 0;     ///< the joint whose load that is
+  double load = 0.0;            ///< largest share of a joint's effort limit that holding the arm still takes
+  int loaded = 0;               ///< the joint whose load that is
 };
 
 /// Returns a task that the arm can do. The circle's radius is a tenth of the arm's reach, or less where its

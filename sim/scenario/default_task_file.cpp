@@ -41,17 +41,11 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
   if (task.without_floor)
     text += "# There is no floor: no first task was found above the height of the arm's base.\n";
   text += fmt::format(
-      "\n{}# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
+      "\n# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
       "{}}}\nplant:\n"
       "  position_noise: {}      # rad, m\n  velocity_noise: {}      # rad/s, m/s\n  torque_delay_periods: "
       "{}\n"
       "  payload: {{mass: {:.4g}, center: [0, 0, 0]}}   # kg, at the tool\nseed: 1\n",
-      task.knows_masses
-          ? fmt::format(
-                "# The controller knows the arm's masses to {:.0f} %: no gains were found that keep the limits "
-                "where it knows them to {:.0f} %.\n",
-                100.0 * (1.0 - s.theta.model_scale), 100.0 * (1.0 - TaskOptions().model_scale))
-          : "",
       s.theta.model_scale, s.plant.position_noise, s.plant.velocity_noise, s.plant.torque_delay_periods,
       s.plant.payload.mass);
   return text;

@@ -20,9 +20,6 @@
 namespace armtune::internal {
 namespace {
 
-/// The model_scale of a task for an arm that cannot bear a fifth of unknown weight.
-constexpr double kWellKnown = 0.95;
-
 /// Share of an effort limit: an arm that takes as much to hold it still has little left to move.
 constexpr double kHeavy = 0.6;
 
@@ -49,10 +46,10 @@ class Search {
       has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
-          progress_(fmt::format("trying a first task{}{}{}{}: place {} of {}, {} times its time",
+          progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times its time",
                                 options_.mask == TaskMask::kPosition ? " of position alone" : "",
                                 options_.without_floor ? " without a floor" : "",
-                                options_.model_scale == kWellKnown ? " of well known masses" : "",
+
                                 options_.thorough ? " among ten times as many positions" : "", place + 1,
                                 tasks.size(), pace.slowness));
         }
@@ -101,30 +98,20 @@ class Search {
   int loaded_ = 0;                                             ///< the joint whose load that is
 };
 
-/// How well the controller knows the arm's masses, and whether there is a floor.
-struct Eased {
-  double model_scale;
-  bool without_floor;
-};
-
-/// What a task may go without, from the one that asks the most of the arm on.
+/// What a task may go without, from the one that asks the most of the arm on: the gaze, and then a floor that
+/// nobody gave. Where a quick look for places is not enough, more are looked at.
 std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions& given) {
   std::vector<TaskOptions> all;
-  for (const Eased& eased : {Eased{given.model_scale, false}, Eased{kWellKnown, false},
-                             Eased{given.model_scale, true}, Eased{kWellKnown, true}}) {
-    // A floor that nobody gave is left out before an arm is refused.
-    if (eased.without_floor && !assumes_floor(robot, given)) continue;
-    const bool harder = !all.empty();
+  for (const bool without_floor : {false, true}) {
+    if (without_floor && !assumes_floor(robot, given)) continue;
     for (const TaskMask mask : {TaskMask::kPositionAndAxis, TaskMask::kPosition}) {
       if (components(mask) > robot.n() || (given.mask && mask != *given.mask)) continue;
-      TaskOptions options = given;
-      options.without_floor = given.without_floor || eased.without_floor;
-      options.model_scale = eased.model_scale;
-      options.mask = mask;
       for (const bool thorough : {false, true}) {
+        TaskOptions options = given;
+        options.without_floor = given.without_floor || without_floor;
+        options.mask = mask;
         options.thorough = thorough;
-        // Once one that is hard to hold is sought, a quick look is no use.
-        if (thorough || !harder) all.push_back(options);
+        all.push_back(options);
       }
     }
   }
@@ -135,27 +122,14 @@ std::vector<TaskOptions> ever_easier(const RobotModel& robot, const TaskOptions&
 FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOptions& options, int workers,
                     const Progress& progress) {
   std::string last;  // what stood in the way
-  std::vector<TaskOptions> without_place;
   for (const TaskOptions& easier : ever_easier(*arm, options)) {
-    // Places are no others where the controller knows the masses better.
-    if (std::any_of(without_place.begin(), without_place.end(), [&](const TaskOptions& tried) {
-          return tried.mask == easier.mask && tried.without_floor == easier.without_floor &&
-                 tried.thorough == easier.thorough;
-        }))
-      continue;
     Search search(arm, easier, workers, progress);
-    if (auto found = search.find()) {
-      found->task.knows_masses = easier.model_scale > options.model_scale;
-      return *found;
-    }
-    if (search.has_place()) {
-      last = fmt::format(
-          "{}: no gains were found with which {} completes a first task within its limits. With the last of those "
-          "tried, {}. Check limits and masses, or write a scenario and gains of its own",
-          arm->source, arm->name, search.failed());
-    } else {
-      without_place.push_back(easier);
-    }
+    if (auto found = search.find()) return *found;
+    if (!search.has_place()) continue;
+    last = fmt::format(
+        "{}: no gains were found with which {} completes a first task within its limits. With the last of those "
+        "tried, {}. Check limits and masses, or write a scenario and gains of its own",
+        arm->source, arm->name, search.failed());
   }
   if (last.empty()) default_task(arm, options);  // which says why there is no place
   throw InputError(last);

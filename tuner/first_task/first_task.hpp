@@ -27,8 +27,8 @@ struct FirstTask {
 /// every demand of the study that is written with them, nearly all of 60 other arms at random keep their
 /// limits, and the arm passes the endurance check of a verdict. Gains begin with
 /// starting_gains; Kp and Kd, the adaptation and the duration gains are changed, then other places and slower
-/// tasks are tried, then places among ten times as many positions, then a controller that knows the masses
-/// better, and last, where no floor was given, both of that without a floor. `robot`: a bundled name or a
+/// tasks are tried, then places among ten times as many positions, then a task of position alone, and last,
+/// where no floor was given, all of that without a floor. `robot`: a bundled name or a
 /// file. workers: threads (>= 1). progress: told which task is tried next. Throws InputError that says what
 /// stands in the way.
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,

@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <cstdint>
 
 #include "core/control/laws/starting_gains.hpp"
 #include "core/robot/rotor_estimate.hpp"
-#include "sim/scenario/perturbation.hpp"
 #include "tuner/endurance/endurance.hpp"
 #include "tuner/first_task/first_gain_sets.hpp"
 #include "tuner/first_task/kept_limits.hpp"
-#include "tuner/robustness/monte_carlo.hpp"
+#include "tuner/first_task/other_arms.hpp"
 
 namespace armtune::internal {
-namespace {
-
-constexpr int kOtherArms = 60;
-constexpr std::uint64_t kSeed = 4004;  // other arms than those of the study and of its verdict
-
-}  // namespace
 
 FirstTrial::FirstTrial(const DefaultTask& task, int workers)
     : scenario_(task.scenario),
@@ -61,8 +53,12 @@ std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
     Rollout other(scenario, Stepper::kMidpoint, Engine::kSimbody);
     if (!passes(other.run(gains, {}, ends), " with other rotor inertia than estimated")) return std::nullopt;
   }
-  if (!endures(gains) || !holds_on_others(gains)) return std::nullopt;
-  return result.metrics;
+  if (!endures(gains)) return std::nullopt;
+  if (nearly_all_hold(scenario_, gains, workers_)) return result.metrics;
+  failed_ =
+      fmt::format("more than {} of {} arms that differ from this one at random do not keep their limits",
+                  most_lost_arms(), kOtherArms);
+  return std::nullopt;
 }
 
 /// As long as the verdict of a search asks for: what drifts slowly does not show in one task.
@@ -78,28 +74,6 @@ bool FirstTrial::endures(const Gains& gains) {
   const VerdictThresholds most;
   if (!(result.rms_growth > most.rms_growth) && !(result.peak_growth > most.peak_growth)) return true;
   failed_ = fmt::format("errors grow within {} minutes", most.minutes);
-  return false;
-}
-
-/// With half as many arms at random lost as the verdict allows: a search comes closer to the limits.
-bool FirstTrial::holds_on_others(const Gains& gains) {
-  MonteCarloOptions options;
-  options.perturbation = default_perturbation({&scenario_, 1});
-  options.seed = kSeed;
-  options.samples = kOtherArms;
-  options.engine = Engine::kNative;
-  options.workers = workers_;
-  const auto most = static_cast<int>(0.5 * (1.0 - VerdictThresholds().yield) * kOtherArms);
-  int broken = 0;
-  std::atomic<bool> stop = false;
-  options.whole = [&](const MonteCarloSample& sample) {
-    if (!sample.keeps_all() && ++broken > most) stop = true;
-  };
-  monte_carlo({scenario_}, gains, options, stop);
-  if (broken <= most) return true;
-  failed_ =
-      fmt::format("more than {} of {} arms that differ from this one at random do not keep their limits",
-                  most, kOtherArms);
   return false;
 }
 

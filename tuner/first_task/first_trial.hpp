@@ -32,7 +32,6 @@ class FirstTrial {
  private:
   std::optional<Metrics> completed_with(const Gains& gains);
   bool endures(const Gains& gains);
-  bool holds_on_others(const Gains& gains);
   bool passes(const RolloutResult& result, const char* where);
 
   Scenario scenario_;

@@ -181,19 +181,6 @@ TEST(DefaultTask, ThereAreOthersAtOtherPlaces) {
   }
 }
 
-TEST(DefaultTask, WhereTheControllerKnowsItsMassesItSaysSo) {
-  TaskOptions options;
-  options.model_scale = 0.95;
-  DefaultTask task = default_task(load_robot("ur10"), options);
-  EXPECT_EQ(task.scenario.theta.model_scale, 0.95);
-  EXPECT_THAT(default_task_yaml(task, "ur10"), testing::Not(testing::HasSubstr("to 20 %")))
-      << "nobody looked";
-  task.knows_masses = true;
-  EXPECT_THAT(default_task_yaml(task, "ur10"),
-              testing::AllOf(testing::HasSubstr("knows the arm's masses to 5 %"),
-                             testing::HasSubstr("to 20 %"), testing::HasSubstr("model_scale: 0.95")));
-}
-
 TEST(DefaultTask, ATaskOfPositionAloneLooksAtNothing) {
   TaskOptions options;
   options.mask = TaskMask::kPosition;
