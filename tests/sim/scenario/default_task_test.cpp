@@ -148,6 +148,22 @@ TEST(DefaultTask, TheWayFromTheStartBurdensNoJointMoreThanTheTaskOrHalfOfItsLimi
   }
 }
 
+TEST(DefaultTask, AnArmThatHoldsItselfEasilyStartsAtAWholeDistance) {
+  bool heavier = false;
+  for (const unsigned seed : {1000U, 1004U, 1010U}) {
+    const RobotModel arm = test::random_arm(5 + static_cast<int>((seed - 1000) % 3), seed, false);
+    TaskOptions options;
+    options.without_floor = true;
+    const DefaultTask task = default_task(std::make_shared<const RobotModel>(arm), options);
+    const JointVector& start = task.scenario.start_position;
+    const double load = holding_load(arm.chain, start, arm.effort_limits()).share;
+    ASSERT_LT(load, 0.45) << seed;
+    heavier = heavier || load > task.load;
+    EXPECT_LT((start - off_goal(arm, task.goal)).norm(), 1e-12) << seed;
+  }
+  EXPECT_TRUE(heavier) << "the start takes more than the task on none of them";
+}
+
 // Its last joint slides by 0.16 m, its second bears most of the arm.
 TEST(DefaultTask, MorePositionsGiveAHeavyArmMorePlaces) {
   const auto robot = std::make_shared<const RobotModel>(test::random_arm(5, 1033, true));
