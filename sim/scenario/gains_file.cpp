@@ -8,9 +8,12 @@
 #include <span>
 
 #include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
+#include "sim/controller_files/joint_trajectory_file.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/yaml/decimal.hpp"
 #include "sim/yaml/force_gains.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "sim/yaml/map_reader.hpp"
@@ -43,18 +46,10 @@ void refuse_several(const yaml::Node& fields) {
     fields.fail("parameters of several nodes; keep those of the controller's alone");
 }
 
-/// With a point, and one before an exponent: 5 is a whole number to ROS 2, and 1e-05 a word to YAML 1.1.
-std::string decimal(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find('.') != std::string::npos) return text;
-  const auto exponent = text.find('e');
-  return exponent == std::string::npos ? text + ".0" : text.insert(exponent, ".0");
-}
-
 std::string value_text(std::span<const double> values, bool is_list) {
   std::vector<std::string> words;
   words.reserve(values.size());
-  for (const double value : values) words.push_back(decimal(value));
+  for (const double value : values) words.push_back(yaml::decimal(value));
   return is_list ? fmt::format("[{}]", fmt::join(words, ", ")) : words.front();
 }
 
@@ -107,7 +102,13 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
                  const std::string& relative_to) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
-  const yaml::Node root = yaml::parse_file(path);
+  const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
+  if (may_hold_controllers(text)) {
+    Gains gains = joint_trajectory_gains(chosen_controller(ros_controllers(text, path), path), path, joints);
+    validate(gains, joints, path);
+    return gains;
+  }
+  const yaml::Node root = yaml::parse_text(text, path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);
   yaml::MapReader map(fields);

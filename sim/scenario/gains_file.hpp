@@ -10,7 +10,8 @@
 
 namespace armtune::internal {
 
-/// Reads bundled gains by name, or a file by path. `controller: NAME` says whose they are; without it they
+/// Reads bundled gains by name, or a file by path: armtune's own, or a ROS parameter file with one joint
+/// trajectory controller (sim/controller_files). `controller: NAME` says whose they are; without it they
 /// are the adaptive one's. The fields stand at the top or under one key of any name (the published
 /// `simple_effort_ctrl`), or one below another (ROS 2's node and `ros__parameters`). The path of the
 /// published file (circularTrajectory*) is accepted and not used: the scenario says where the tool goes; so

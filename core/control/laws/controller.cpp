@@ -29,7 +29,7 @@ const ControlOutput& Controller::update(const JointState& measured, const Scene&
   logic_.keep_pace(scene, time);
 
   out.S = measured.qd - out.reference.velocity;
-  law_->torque({measured, arm_, out, logic_.Kd()}, out.commanded);
+  law_->torque({measured, arm_, out, logic_.Kd(), scene, time}, out.commanded);
   logic_.limit_torque(measured, view, scene);
   law_->conclude(logic_.conclude());
   return out;

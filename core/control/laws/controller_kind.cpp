@@ -15,6 +15,7 @@
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/impedance_law.hpp"
 #include "core/control/laws/joint_pd_law.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -102,6 +103,7 @@ Registry& registry() {
     add(joint_pd_controller(), built_in);
     add(computed_torque_controller(), built_in);
     add(impedance_controller(), built_in);
+    add(joint_trajectory_controller(), built_in);
     return built_in;
   }();
   return kinds;

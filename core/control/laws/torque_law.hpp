@@ -29,6 +29,8 @@ struct LawInput {
   const ControlOutput& control;  ///< state, errors, qr', qr'' and S = q' - qr' (n)
   const JointVector& Kd;         ///< of the active state (n) [N m s/rad]: joint_space_gains_d in states that
                                  ///< track joints and for laws without task_space_gains_d
+  const Scene& scene;            ///< its plan, where a joint motion is followed
+  double time;                   ///< [s]
 };
 
 class TorqueLaw {

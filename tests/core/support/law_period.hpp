@@ -48,7 +48,7 @@ class Period {
 
   JointVector torque() {
     JointVector tau;
-    law->torque({measured, arm, control, Kd}, tau);
+    law->torque({measured, arm, control, Kd, scene, 0.0}, tau);
     return tau;
   }
   /// q'' (n) that the torque gives the arm.
@@ -77,6 +77,7 @@ class Period {
   MeasuredArm arm;
   TaskReference task;
   ControlOutput control;
+  Scene scene;
   std::unique_ptr<TorqueLaw> law;
 
  private:

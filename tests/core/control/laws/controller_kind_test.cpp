@@ -42,12 +42,13 @@ ControllerKind named(const char* name) {
   return kind;
 }
 
-TEST(ControllerKind, OfArmtuneAreFour) {
+TEST(ControllerKind, OfArmtuneAreFive) {
   std::vector<std::string> names;
   for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
-  ASSERT_GE(names.size(), 4U);
-  names.resize(4);
-  EXPECT_THAT(names, testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance"));
+  ASSERT_GE(names.size(), 5U);
+  names.resize(5);
+  EXPECT_THAT(names, testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance",
+                                          "joint_trajectory_controller"));
 }
 
 TEST(ControllerKind, AdaptiveHasEveryMemberOfGainsInTheirOrder) {

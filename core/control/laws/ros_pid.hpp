@@ -1,0 +1,85 @@
+#pragma once
+// The PID of one joint as ROS's control_toolbox computes it: the branches `humble` (2.x) and `jazzy` (4.x, of
+// 6 May 2026). What it does to its integral depends on the anti-windup that is asked for.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace armtune::internal {
+
+enum class AntiWindup {
+  /// The integral grows without bound; what it contributes is clamped. Humble and ROS 1 with
+  /// `antiwindup: false`, which is their default.
+  kOfContribution,
+  /// The integral is clamped before it is used. Humble and ROS 1 with `antiwindup: true`; Jazzy's `legacy`.
+  kOfIntegral,
+  /// Jazzy's `none`: used as it was, then it grows, then it is clamped.
+  kNone,
+  /// Jazzy's `conditional_integration`: as kNone, but it rests while the output is saturated and the error
+  /// has
+  /// the output's sign.
+  kConditional,
+  /// Jazzy's `back_calculation`: as kNone, but what saturation cuts off is taken from it at the rate of
+  /// 1/tracking_time.
+  kBackCalculation
+};
+
+struct RosPidGains {
+  double p = 0.0;                                           ///< [output / error]
+  double i = 0.0;                                           ///< [output / (error s)]
+  double d = 0.0;                                           ///< [output s / error]
+  double i_max = std::numeric_limits<double>::infinity();   ///< of the integral's contribution
+  double i_min = -std::numeric_limits<double>::infinity();  ///< below i_max
+  double u_max = std::numeric_limits<double>::infinity();   ///< of the output; Jazzy alone has it
+  double u_min = -std::numeric_limits<double>::infinity();
+  AntiWindup anti_windup = AntiWindup::kOfIntegral;
+  double tracking_time = 0.0;  ///< of kBackCalculation [s]; 0: sqrt(d / i), or p / i without d
+  double deadband = 0.0;       ///< errors up to this leave the integral as it is
+};
+
+class RosPid {
+ public:
+  /// The output for an error (desired - measured) and its rate, dt > 0 [s] after the last. All finite.
+  double output(const RosPidGains& gains, double error, double error_rate, double dt) {
+    const bool integrates = std::abs(error) > gains.deadband;
+    const double grown = integral_ + gains.i * dt * error;
+    double used = integral_;
+    if (integrates && gains.anti_windup == AntiWindup::kOfContribution) integral_ = grown;
+    if (integrates && gains.anti_windup == AntiWindup::kOfIntegral)
+      integral_ = std::clamp(grown, gains.i_min, gains.i_max);
+    if (before_use(gains.anti_windup)) used = std::clamp(integral_, gains.i_min, gains.i_max);
+
+    const double wanted = gains.p * error + used + gains.d * error_rate;
+    const double given = std::clamp(wanted, gains.u_min, gains.u_max);
+    if (before_use(gains.anti_windup)) return given;
+
+    const bool saturated = std::abs(wanted - given) > kNothing;
+    const bool rests = gains.anti_windup == AntiWindup::kConditional && saturated && error * wanted > 0.0;
+    if (integrates && !rests) {
+      integral_ = grown;
+      if (gains.anti_windup == AntiWindup::kBackCalculation && gains.i != 0.0)
+        integral_ += dt / tracking_time(gains) * (given - wanted);
+    }
+    integral_ = std::clamp(integral_, gains.i_min, gains.i_max);
+    return given;
+  }
+
+  /// What the integral contributes, before kOfContribution clamps it.
+  double integral() const { return integral_; }
+
+ private:
+  static constexpr double kNothing = std::numeric_limits<double>::epsilon();
+
+  static bool before_use(AntiWindup kind) {
+    return kind == AntiWindup::kOfContribution || kind == AntiWindup::kOfIntegral;
+  }
+  static double tracking_time(const RosPidGains& gains) {
+    if (gains.tracking_time > kNothing) return gains.tracking_time;
+    return gains.d > kNothing ? std::sqrt(gains.d / gains.i) : gains.p / gains.i;
+  }
+
+  double integral_ = 0.0;
+};
+
+}  // namespace armtune::internal

@@ -1,0 +1,117 @@
+#include "sim/controller_files/ros_controllers.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "armtune/error.hpp"
+#include "core/common/nearest.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using yaml::PlacedValue;
+
+constexpr const char* kRos2Parameters = "ros__parameters";
+
+bool is_map(const PlacedValue* value) {
+  return value != nullptr && value->kind == PlacedValue::Kind::kMap;
+}
+
+bool has_gains(const PlacedValue& map) {
+  const PlacedValue* gains = map.find("gains");
+  if (!is_map(gains) || gains->entries.empty()) return false;
+  return std::any_of(gains->entries.begin(), gains->entries.end(), [](const auto& joint) {
+    return is_map(joint.second.get()) &&
+           (joint.second->find("p") != nullptr || joint.second->find("i") != nullptr ||
+            joint.second->find("d") != nullptr);
+  });
+}
+
+/// Calls `see` with every map and the keys above it.
+void walk(const yaml::Placed& value, std::vector<std::string>& keys,
+          const std::function<void(const yaml::Placed&, const std::vector<std::string>&)>& see) {
+  if (value->kind != PlacedValue::Kind::kMap) return;
+  see(value, keys);
+  for (const auto& [key, child] : value->entries) {
+    keys.push_back(key);
+    walk(child, keys, see);
+    keys.pop_back();
+  }
+}
+
+std::string scalar_at(const PlacedValue& map, const char* key) {
+  const PlacedValue* value = map.find(key);
+  return value != nullptr && value->kind == PlacedValue::Kind::kScalar ? value->text : std::string();
+}
+
+}  // namespace
+
+bool may_hold_controllers(std::string_view text) {
+  constexpr std::string_view kKey = "gains";
+  constexpr std::string_view kQuotes = "'\"";
+  for (auto at = text.find(kKey); at != std::string_view::npos; at = text.find(kKey, at + 1)) {
+    auto before = at, after = at + kKey.size();
+    if (before > 0 && kQuotes.find(text[before - 1]) != std::string_view::npos) --before;
+    if (after < text.size() && kQuotes.find(text[after]) != std::string_view::npos) ++after;
+    const bool begins =
+        before == 0 || std::string_view(" \t\n{,").find(text[before - 1]) != std::string_view::npos;
+    if (begins && after < text.size() && text[after] == ':') return true;
+  }
+  return false;
+}
+
+std::vector<RosController> ros_controllers(const std::string& text, const std::string& file) {
+  const yaml::Placed root = yaml::read_placed(text, file);
+  std::vector<RosController> found;
+  std::vector<std::pair<std::string, std::string>> types;  // what the controller manager says: name, type
+  std::vector<std::string> keys;
+  walk(root, keys, [&](const yaml::Placed& map, const std::vector<std::string>& above) {
+    const std::string type = scalar_at(*map, "type");
+    if (!type.empty() && !above.empty()) types.emplace_back(above.back(), type);
+    if (!has_gains(*map)) return;
+    RosController controller;
+    controller.ros2 = !above.empty() && above.back() == kRos2Parameters;
+    std::vector<std::string> name = above;
+    std::erase(name, kRos2Parameters);
+    controller.name = fmt::format("{}", fmt::join(name, "/"));
+    controller.type = type;
+    controller.parameters = map;
+    found.push_back(std::move(controller));
+  });
+  for (RosController& controller : found) {
+    const std::string last = controller.name.substr(controller.name.find_last_of('/') + 1);
+    for (const auto& [name, type] : types) {
+      if (controller.type.empty() && name == last) controller.type = type;
+    }
+  }
+  return found;
+}
+
+bool is_joint_trajectory_controller(const RosController& controller) {
+  if (!controller.type.empty()) return controller.type.ends_with("JointTrajectoryController");
+  return controller.parameters->find("joints") != nullptr;
+}
+
+RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
+                                const std::string& name) {
+  std::vector<std::string> names;
+  std::vector<const RosController*> able;
+  for (const RosController& controller : all) {
+    names.push_back(controller.name);
+    if (name.empty() ? is_joint_trajectory_controller(controller) : controller.name == name)
+      able.push_back(&controller);
+  }
+  if (able.size() == 1) return *able.front();
+  const std::string there = names.empty() ? "it has none" : fmt::format("it has: {}", fmt::join(names, ", "));
+  if (!name.empty())
+    throw InputError(
+        fmt::format("{}: no controller '{}' with gains{}; {}", file, name, suggestion(name, names), there));
+  throw InputError(fmt::format("{}: {} joint trajectory controllers with gains; {}{}", file,
+                               able.empty() ? "no" : fmt::to_string(able.size()), there,
+                               able.empty() ? "" : "; name one of them"));
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,141 @@
+#include "core/control/laws/joint_trajectory_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "core/control/laws/controller.hpp"
+#include "core/robot/forward_dynamics.hpp"
+#include "core/robot/theta.hpp"
+#include "tests/core/support/arms.hpp"
+#include "tests/core/support/law_period.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using test::Period;
+
+// In states that follow no trajectory the references are integrated from where the arm was.
+TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
+  for (const RobotModel& model : test::all_arms()) {
+    Period p(model, "joint_trajectory_controller", 91);
+    const JointVector P = own(p.gains, "jtc_p"), I = own(p.gains, "jtc_i"), D = own(p.gains, "jtc_d");
+    const JointVector ff = own(p.gains, "jtc_ff_velocity_scale"), clamp = own(p.gains, "jtc_i_clamp");
+    JointVector reference = p.measured.q;
+    JointVector integral = JointVector::Zero(model.n());
+    for (int k = 0; k < 5; ++k) {
+      const JointVector tau = p.torque();
+      for (int i = 0; i < model.n(); ++i) {
+        double error = reference[i] - p.measured.q[i];
+        if (!model.joints[static_cast<std::size_t>(i)].limits.has_position)
+          error = std::atan2(std::sin(error), std::cos(error));
+        integral[i] = std::min(std::max(integral[i] + I[i] * p.period * error, -clamp[i]), clamp[i]);
+        EXPECT_NEAR(
+            tau[i],
+            P[i] * error + integral[i] - (D[i] * p.control.S[i]) + ff[i] * p.control.reference.velocity[i],
+            1e-9 * (1.0 + std::abs(tau[i])))
+            << p.where() << ", joint " << i << ", period " << k;
+      }
+      reference += p.period * p.control.reference.velocity;
+      p.move();
+    }
+  }
+}
+
+/// One joint about a horizontal axis: q'' = (tau - m g l cos q - b q') / (J + rotor).
+RobotModel pendulum() {
+  RobotModel arm = test::random_arm(1, 7, false);
+  Chain& chain = arm.chain;
+  chain.R_PB0[0] << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;  // its z is the base's -y
+  chain.p_PB0[0].setZero();
+  chain.gravity = Vec3(0.0, 0.0, -9.81);
+  chain.link[0].mass = 3.0;
+  chain.link[0].first_moment = Vec3(3.0 * 0.4, 0.0, 0.0);
+  chain.link[0].inertia = Vec3(0.1, 0.6, 0.6).asDiagonal();
+  chain.rotor_inertia[0] = 0.2;
+  chain.viscous_friction[0] = 1.5;
+  chain.coulomb_friction[0] = 0.0;
+  arm.joints[0].limits = {true, -3.0, 3.0, 10.0, 1e4};
+  return arm;
+}
+
+// The same arm and controller once more in a few lines: torque held over a period, q'' from the equation of
+// motion by Runge-Kutta's fourth order.
+TEST(JointTrajectoryLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration) {
+  const auto arm = std::make_shared<const RobotModel>(pendulum());
+  Gains gains;
+  become(gains, "joint_trajectory_controller", 1);
+  gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
+  gains.joint_trajectory_duration = 1.0;
+  gains.force_control_gains = JointVector::Zero(1);
+  own(gains, "jtc_p")[0] = 400.0;
+  own(gains, "jtc_i")[0] = 900.0;
+  own(gains, "jtc_d")[0] = 30.0;
+  own(gains, "jtc_i_clamp")[0] = 4.0;
+  own(gains, "jtc_ff_velocity_scale")[0] = 1.5;
+  constexpr double kPeriod = 0.002;
+  const auto at = [](double q, double v, double a) {
+    return MotionPoint<JointVector>{JointVector::Constant(1, q), JointVector::Constant(1, v),
+                                    JointVector::Constant(1, a)};
+  };
+  // Acceleration linear between the knots: 0.2 + 0.3 t^3 until 1 s, then 0.5 + 0.9 s + 0.9 s^2 - 0.6 s^3.
+  const JointSpline plan({0.0, 1.0, 2.0}, {at(0.2, 0.0, 0.0), at(0.5, 0.9, 1.8), at(1.7, 0.9, -1.8)});
+  Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition);
+  const JointVector zero = JointVector::Zero(1);
+  Path path;
+  Scene scene;
+  scene.path = &path;
+  scene.plan = &plan;
+
+  JointState state{JointVector::Constant(1, 0.2), zero};
+  double q = 0.2, qd = 0.0, integral = 0.0;
+  bool clamped = false;
+  for (int k = 0; k < 900; ++k) {
+    const double time = k * kPeriod;
+    const double tau = controller.update(state, scene, time).torque[0];
+
+    const auto desired = plan.at(time);
+    const double error = desired.position[0] - q;
+    integral = std::min(std::max(integral + 900.0 * kPeriod * error, -4.0), 4.0);
+    clamped = clamped || std::abs(integral) == 4.0;
+    const double own_tau = 400.0 * error + integral + 30.0 * (desired.velocity[0] - qd) +
+                           1.5 * plan.at(time + kPeriod).velocity[0];
+    ASSERT_NEAR(tau, own_tau, 1e-9 * (1.0 + std::abs(own_tau))) << time;
+
+    const auto slope = [own_tau](double x, double v) {
+      return (own_tau - 3.0 * 9.81 * 0.4 * std::cos(x) - 1.5 * v) / (0.6 + 0.2);
+    };
+    const auto step = [kPeriod = kPeriod](auto&& accelerate, double& x, double& v) {
+      for (int part = 0; part < 4; ++part) {
+        const double h = kPeriod / 4.0;
+        const double a1 = accelerate(x, v), v1 = v;
+        const double a2 = accelerate(x + 0.5 * h * v1, v + 0.5 * h * a1), v2 = v + 0.5 * h * a1;
+        const double a3 = accelerate(x + 0.5 * h * v2, v + 0.5 * h * a2), v3 = v + 0.5 * h * a2;
+        const double a4 = accelerate(x + h * v3, v + h * a3), v4 = v + h * a3;
+        x += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
+        v += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+      }
+    };
+    step(slope, q, qd);
+    step(
+        [&](double x, double v) {
+          Poses poses;
+          const JointVector at_q = JointVector::Constant(1, x);
+          forward_kinematics(arm->chain, at_q, poses);
+          ForwardDynamics work;
+          JointVector qdd;
+          forward_dynamics(arm->chain, poses, JointVector(JointVector::Constant(1, v)),
+                           JointVector(JointVector::Constant(1, tau)), work, qdd);
+          return qdd[0];
+        },
+        state.q[0], state.qd[0]);
+    ASSERT_NEAR(state.q[0], q, 1e-9) << time;
+    ASSERT_NEAR(state.qd[0], qd, 1e-8) << time;
+  }
+  EXPECT_TRUE(clamped);
+}
+
+}  // namespace
+}  // namespace armtune::internal

@@ -1,0 +1,289 @@
+// Parameter files in the styles in which people publish them: read, changed, written.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/valid_gains.hpp"
+#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::vector<std::string> kJoints = {"j1", "j2", "j3"};
+
+/// A file with a joint trajectory controller of three joints.
+struct Style {
+  const char* name;
+  const char* text;
+  const char* controller = "arm_controller";
+};
+
+const Style kStyles[] = {
+    {"Ros1Flow",
+     "arm_controller:\n"
+     "  type: effort_controllers/JointTrajectoryController\n"
+     "  joints: [j1, j2, j3]\n"
+     "  gains:\n"
+     "    j1: {p: 600.0, i: 0.0, d: 30.0}\n"
+     "    j2: {p: 500, i: 0, d: 20}   # whole numbers\n"
+     "    j3: {p: 250.0, i: 0.0, d: 10.0}\n"},
+    {"Ros1BlockWithTrailingSpaces",
+     "# Regler fuer den Arm, 调整\n"
+     "arm_controller:\n"
+     "  type: \"effort_controllers/JointTrajectoryController\"  \n"
+     "  joints:\n    - j1\n    - j2\n    - j3\n"
+     "  constraints:\n    goal_time: 0.6\n    j1: {trajectory: 0.1, goal: 0.1}\n"
+     "  velocity_ff:\n    j1: 1.0\n    j2: 1.0\n    j3: 0.5\n"
+     "  gains:\n"
+     "    j1:\n      p: 600.0   \n      i: 1.0e1\n      d: 30.0\n      i_clamp: 5.0\n"
+     "    j2:\n      p: 500.0\n      i: 10.0\n      d: 20.0\n      i_clamp: 5.0\n"
+     "    j3:\n      p: 250.0\n      i: 10.0\n      d: 10.0\n      i_clamp: 5.0\n"
+     "  stop_trajectory_duration: 0.5\n"},
+    {"Ros2SeveralNodes",
+     "controller_manager:\n"
+     "  ros__parameters:\n"
+     "    update_rate: 500  # Hz\n"
+     "    joint_state_broadcaster:\n      type: joint_state_broadcaster/JointStateBroadcaster\n"
+     "    arm_controller:\n      type: joint_trajectory_controller/JointTrajectoryController\n"
+     "    gripper_controller:\n      type: position_controllers/GripperActionController\n"
+     "\n"
+     "arm_controller:\n"
+     "  ros__parameters:\n"
+     "    joints:\n      - j1\n      - j2\n      - j3\n"
+     "    command_interfaces:\n      - effort\n"
+     "    state_interfaces:\n      - position\n      - velocity\n"
+     "    gains:\n"
+     "      j1: { p: 600.0, d: 30.0, i: 100.0, i_clamp: 50.0, ff_velocity_scale: 1.5 }\n"
+     "      j2: { p: 500.0, d: 20.0, i: 100.0, i_clamp: 50.0, ff_velocity_scale: 1.5 }\n"
+     "      j3: { p: 250.0, d: 10.0, i: 100.0, i_clamp: 50.0, ff_velocity_scale: 1.5 }\n"
+     "\n"
+     "gripper_controller:\n  ros__parameters:\n    joint: finger\n"},
+    {"Ros2TabsInCommentsAndCarriageReturns",
+     "arm_controller:\r\n"
+     "  ros__parameters:\r\n"
+     "    # joints\tin their order\r\n"
+     "    joints: [j1, j2, j3]\r\n"
+     "    command_interfaces: [effort]\r\n"
+     "    gains:\r\n"
+     "      j1: {p: 600.0, i: 0.0, d: 30.0}\r\n"
+     "      j2: {p: 500.0, i: 0.0, d: 20.0}\r\n"
+     "      j3: {p: 250.0, i: 0.0, d: 10.0}\r\n"},
+    {"Wildcard",
+     "/**:\n"
+     "  ros__parameters:\n    use_sim_time: true\n"
+     "/**/arm_controller:\n"
+     "  ros__parameters:\n"
+     "    joints: [j1, j2, j3]\n"
+     "    command_interfaces: [\"effort\"]\n"
+     "    gains:\n"
+     "      j3: {p: 250.0, i: 0.0, d: 10.0}\n"
+     "      j2: {p: 500.0, i: 0.0, d: 20.0}\n"
+     "      j1: {p: 600.0, i: 0.0, d: 30.0}\n",
+     "/**/arm_controller"},
+    {"Namespace",
+     "left:\n"
+     "  arm_controller:\n"
+     "    ros__parameters:\n"
+     "      joints: [j1, j2, j3]\n"
+     "      command_interfaces: [effort]\n"
+     "      gains:\n"
+     "        j1: {p: 600., i: .0, d: 3e1}\n"
+     "        j2: {p: +500.0, i: 0.0, d: 2.0e+1}\n"
+     "        j3: {p: 250.0, i: 0.0, d: 10.0}\n",
+     "left/arm_controller"},
+    {"AnchorsForWholeJoints",
+     "arm_controller:\n"
+     "  type: effort_controllers/JointTrajectoryController\n"
+     "  joints: &joints [j1, j2, j3]\n"
+     "  constraints: {goal_time: &time 0.5, stopped_velocity_tolerance: *time}\n"
+     "  other: *joints\n"
+     "  gains:\n"
+     "    j1: {p: 600.0, i: 0.0, d: 30.0}\n"
+     "    j2: {p: 500.0, i: 0.0, d: 20.0}\n"
+     "    j3: {p: 250.0, i: 0.0, d: 10.0}\n"},
+    {"MergeKeys",
+     "defaults: &defaults {i: 0.0, i_clamp: 10.0}\n"
+     "arm_controller:\n"
+     "  type: effort_controllers/JointTrajectoryController\n"
+     "  joints: [j1, j2, j3]\n"
+     "  gains:\n"
+     "    j1: {<<: *defaults, p: 600.0, d: 30.0}\n"
+     "    j2:\n      <<: *defaults\n      p: 500.0\n      d: 20.0\n"
+     "    j3: {p: 250.0, d: 10.0, <<: *defaults}\n"},
+    {"JazzyNames",
+     "---\n"
+     "arm_controller:\n"
+     "  ros__parameters:\n"
+     "    joints: [j1, j2, j3]\n"
+     "    command_interfaces: [effort]\n"
+     "    gains:\n"
+     "      j1: {p: 600.0, i: 5.0, d: 30.0, i_clamp_max: 9.0, i_clamp_min: -9.0, u_clamp_max: .inf}\n"
+     "      j2: {p: 500.0, i: 5.0, d: 20.0, i_clamp_max: 9.0, i_clamp_min: -9.0, antiwindup_strategy: legacy}\n"
+     "      j3: {p: 250.0, i: 5.0, d: 10.0, i_clamp: .inf}\n"
+     "...\n"},
+    {"ByteOrderMarkAndQuotedKeys",
+     "\xEF\xBB\xBF\"arm_controller\":\n"
+     "  \"ros__parameters\":\n"
+     "    'joints': ['j1', 'j2', 'j3']\n"
+     "    'command_interfaces': ['effort']\n"
+     "    'gains':\n"
+     "      'j1': {'p': 600.0, 'i': 0.0, 'd': 30.0}\n"
+     "      'j2': {'p': 500.0, 'i': 0.0, 'd': 20.0}\n"
+     "      'j3': {'p': 250.0, 'i': 0.0, 'd': 10.0}"},
+    {"OnOneLine",
+     "{arm_controller: {type: effort_controllers/JointTrajectoryController, joints: [j1, j2, j3], gains: {j1: {p: "
+     "600.0, i: 0.0, d: 30.0}, j2: {p: 500.0, i: 0.0, d: 20.0}, j3: {p: 250.0, i: 0.0, d: 10.0}}}}"},
+    {"AmongControllersOfOtherKinds",
+     "joint_state_controller: {type: joint_state_controller/JointStateController, publish_rate: 50}\n"
+     "j1_position_controller:\n"
+     "  type: effort_controllers/JointPositionController\n  joint: j1\n  pid: {p: 1.0, i: 0.0, d: 0.0}\n"
+     "other:\n  type: my/Pid\n  gains:\n    j1: {p: 1.0, i: 0.0, d: 0.0}\n"
+     "arm_controller:\n"
+     "  type: effort_controllers/JointTrajectoryController\n  joints: [j1, j2, j3]\n"
+     "  gains: # tuned by hand\n"
+     "    j1: {p: 600.0, i: 0.0, d: 30.0} # shoulder\n"
+     "    j2: {p: 500.0, i: 0.0, d: 20.0}\n"
+     "    # wrist\n    j3: {p: 250.0, i: 0.0, d: 10.0}\n"},
+};
+
+class ControllerFiles : public testing::TestWithParam<Style> {};
+
+/// The text with every number of digits, points, signs and exponents taken out.
+std::string without_numbers(const std::string& text) {
+  std::string rest;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto digit = [&text](std::size_t at) {
+      return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+    };
+    const bool word =
+        i > 0 && (std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0 || text[i - 1] == '_');
+    const bool number =
+        !word && (digit(i) || (text[i] == '.' && (digit(i + 1) || text.substr(i, 4) == ".inf")) ||
+                  (text[i] == '+' && digit(i + 1)));
+    if (!number) {
+      rest += text[i];
+      continue;
+    }
+    const auto goes_on = [&text](std::size_t at) {
+      if (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '.') return true;
+      return (text[at] == '+' || text[at] == '-') && text[at - 1] == 'e';
+    };
+    for (++i; i < text.size() && goes_on(i);) ++i;
+    rest += '#';
+    --i;
+  }
+  return rest;
+}
+
+TEST_P(ControllerFiles, AreReadAndGetNothingButOtherNumbers) {
+  const std::string text = GetParam().text;
+  const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+  EXPECT_EQ(controller.name, GetParam().controller);
+  Gains gains = joint_trajectory_gains(controller, "f.yaml", kJoints);
+  validate(gains, kJoints, "f.yaml");
+  EXPECT_EQ(own(gains, "jtc_p"), Vec3(600.0, 500.0, 250.0));
+  EXPECT_EQ(own(gains, "jtc_d"), Vec3(30.0, 20.0, 10.0));
+  EXPECT_EQ(with_gains(text, controller, "f.yaml", gains, kJoints), text) << "nothing differs";
+
+  own(gains, "jtc_p") = Vec3(1.0 / 3.0, 1e-7, 4321.0);
+  own(gains, "jtc_d")[1] = 1e22;
+  const std::string changed = with_gains(text, controller, "f.yaml", gains, kJoints);
+  EXPECT_EQ(without_numbers(changed), without_numbers(text));
+  EXPECT_THAT(changed, AllOf(HasSubstr("0.3333333333333333"), HasSubstr("1.0e-07"), HasSubstr("4321.0"),
+                             HasSubstr("1.0e+22")));
+  const RosController again = chosen_controller(ros_controllers(changed, "f.yaml"), "f.yaml");
+  const Gains back = joint_trajectory_gains(again, "f.yaml", kJoints);
+  ASSERT_EQ(back.own.size(), gains.own.size());
+  for (std::size_t i = 0; i < gains.own.size(); ++i) EXPECT_EQ(back.own[i], gains.own[i]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Styles, ControllerFiles, testing::ValuesIn(kStyles),
+                         [](const auto& style) { return style.param.name; });
+
+std::string refused(const std::string& text, const std::vector<std::string>& joints = kJoints) {
+  return test::refusal([&] {
+    joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml", joints);
+  });
+}
+
+/// A ROS 2 file with these gains of j1.
+std::string with_j1(const std::string& gains, const std::string& commands = "effort") {
+  return fmt::format(
+      "c:\n  ros__parameters:\n    joints: [j1]\n    command_interfaces: [{}]\n    gains:\n      j1: {{{}}}\n",
+      commands, gains);
+}
+
+TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
+  const std::vector<std::string> j1 = {"j1"};
+  EXPECT_THAT(refused(with_j1("p: 1.0", "velocity"), j1),
+              AllOf(HasSubstr("f.yaml:3: c: it commands velocity"), HasSubstr("effort commands alone")));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1), AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp")));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: -1.0"), j1), HasSubstr("[-1, 2]"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: 2.0"), j1), HasSubstr("u_clamp_max of j1"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: none"), j1), HasSubstr("'legacy'"));
+  EXPECT_THAT(refused(with_j1("p: \"1.0\""), j1),
+              AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a number")));
+  EXPECT_THAT(refused(with_j1("p: --1"), j1), HasSubstr("expected a number"));
+  EXPECT_THAT(refused(with_j1("p: 1.0")), HasSubstr("no gains for j2, j3"));
+  EXPECT_THAT(refused(with_j1("p: 1.0"), {"j_1"}),
+              AllOf(HasSubstr("no joint 'j1'"), HasSubstr("did you mean 'j_1'")));
+  EXPECT_THAT(refused("a: 1\n"), HasSubstr("no joint trajectory controllers with gains; it has none"));
+  EXPECT_THAT(refused("a: {b: 1}\n---\nc: 2\n"), HasSubstr("f.yaml:2: a second document"));
+  EXPECT_THAT(refused("a: {b: 1\n"), HasSubstr("not valid YAML"));
+  EXPECT_THAT(refused("a: 'b\n"), HasSubstr("never closed"));
+  EXPECT_THAT(refused("a: 1\na: 2\n"), HasSubstr("duplicate key"));
+}
+
+TEST(ControllerFile, OneOfSeveralIsAskedForByName) {
+  const std::string two =
+      with_j1("p: 1.0") + "d:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n";
+  const auto all = ros_controllers(two, "f.yaml");
+  EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml"); }),
+              AllOf(HasSubstr("2 joint trajectory controllers"), HasSubstr("c, d; name one of them")));
+  EXPECT_EQ(own(joint_trajectory_gains(chosen_controller(all, "f.yaml", "d"), "f.yaml", {"j1"}), "jtc_p")[0],
+            2.0);
+  EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml", "e"); }), HasSubstr("no controller 'e'"));
+}
+
+TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
+  const std::string text =
+      "c:\n  type: effort_controllers/JointTrajectoryController\n  joints: [j1, j2]\n"
+      "  gains: {j1: &all {p: 1.0, d: 2.0}, j2: *all}\n";
+  const std::vector<std::string> joints = {"j1", "j2"};
+  const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+  Gains gains = joint_trajectory_gains(controller, "f.yaml", joints);
+  own(gains, "jtc_p") = JointVector::Constant(2, 7.0);
+  EXPECT_THAT(with_gains(text, controller, "f.yaml", gains, joints),
+              HasSubstr("&all {p: 7.0, d: 2.0}, j2: *all"));
+  own(gains, "jtc_p")[1] = 8.0;
+  EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
+              AllOf(HasSubstr("j1 and j2 share a number"), HasSubstr("7.0 and 8.0")));
+  own(gains, "jtc_p")[1] = 7.0;
+  own(gains, "jtc_i")[0] = 1.0;
+  EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
+              HasSubstr("i of j1 is to be 1.0, and the file has no number for it"));
+}
+
+// A thousand aliases of a map of a thousand values cost no more than the map.
+TEST(ControllerFile, AliasesOfAliasesCostNothing) {
+  std::string text = "a0: &a0 {x: 1}\n";
+  for (int i = 1; i < 60; ++i) text += fmt::format("a{}: &a{} [*a{}, *a{}]\n", i, i, i - 1, i - 1);
+  EXPECT_TRUE(yaml::read_placed(text, "f.yaml"));
+  std::string merges = "a0: &a0 {x: 1}\n";
+  for (int i = 1; i < 2000; ++i) merges += fmt::format("a{}: &a{} {{<<: *a{}, k{}: 1}}\n", i, i, i - 1, i);
+  EXPECT_THAT(test::refusal([&] { yaml::read_placed(merges, "f.yaml"); }),
+              HasSubstr("more than 200000 values"));
+}
+
+}  // namespace
+}  // namespace armtune::internal
