@@ -8,12 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
-#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/yaml/decimal.hpp"
 
 namespace armtune::internal {
@@ -21,7 +22,6 @@ namespace {
 
 using yaml::PlacedValue;
 
-constexpr const char* kKind = "joint_trajectory_controller";
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// A gain of ours and what the file calls it, within a joint's map.
@@ -36,7 +36,7 @@ class Reader {
   Reader(const RosController& controller, const std::string& file) : controller_(controller), file_(file) {}
 
   [[noreturn]] void fail(int line, const std::string& what) const {
-    throw InputError(fmt::format("{}:{}: {}: {}", file_, line, controller_.name, what));
+    throw InputError(one_line(fmt::format("{}:{}: {}: {}", file_, line, controller_.name, what)));
   }
 
   /// Infinite where the file says so (.inf).
@@ -79,7 +79,7 @@ class Reader {
     for (const std::string& joint : joints) {
       if (gains->find(joint) == nullptr) missing.push_back(joint);
     }
-    for (const auto& [joint, own] : gains->entries) {
+    for (const auto& [joint, own, alias] : gains->entries) {
       if (std::find(joints.begin(), joints.end(), joint) == joints.end())
         fail(own->line, fmt::format("the arm has no joint '{}'{}; it has: {}", joint,
                                     suggestion(joint, joints), fmt::join(joints, ", ")));
@@ -91,7 +91,7 @@ class Reader {
   void refuse_other_commands() const {
     std::vector<std::string> commands;
     if (const PlacedValue* given = controller_.parameters->find("command_interfaces")) {
-      for (const yaml::Placed& item : given->items) commands.push_back(item->text);
+      for (const yaml::PlacedEntry& item : given->items) commands.push_back(item.value->text);
     } else if (!controller_.ros2 && controller_.type.find('/') != std::string::npos) {
       commands.push_back(controller_.type.starts_with("effort_") ? "effort" : controller_.type);
     }
@@ -154,6 +154,32 @@ class Reader {
   const std::string& file_;
 };
 
+/// The numbers that an alias or a merge key has elsewhere than in this controller's gains, by their places.
+class UsedElsewhere {
+ public:
+  explicit UsedElsewhere(const RosController& controller) : controller_(controller) {
+    see(*controller.all, false);
+  }
+  bool contains(std::size_t place) const { return places_.contains(place); }
+
+ private:
+  void see(const PlacedValue& value, bool by_alias) {
+    if (!seen_.emplace(&value, by_alias).second) return;
+    if (by_alias && value.has_place()) places_.insert(value.begin);
+    const bool parameters = &value == controller_.parameters.get();
+    for (const auto* entries : {&value.items, &value.entries}) {
+      for (const yaml::PlacedEntry& entry : *entries) {
+        if (parameters && (entry.key == "gains" || entry.key == "velocity_ff")) continue;
+        see(*entry.value, by_alias || entry.alias);
+      }
+    }
+  }
+
+  const RosController& controller_;
+  std::set<std::pair<const PlacedValue*, bool>> seen_;
+  std::set<std::size_t> places_;
+};
+
 /// A number that is to stand in the file in place of another.
 struct Change {
   std::size_t begin, end;
@@ -164,12 +190,18 @@ struct Change {
 /// Adds what a gain of a joint is to be, unless the file has it already.
 void add_change(const Reader& reader, const PlacedValue* at, const std::string& joint,
                 const std::string& what, double now, double wanted, const RosController& controller,
-                std::vector<Change>& changes) {
+                const UsedElsewhere& elsewhere, std::vector<Change>& changes) {
   if (at == nullptr || !at->has_place()) {
     if (now == wanted) return;
     reader.fail(controller.parameters->find("gains")->line,
                 fmt::format("{} of {} is to be {}, and the file has no number for it; write one", what, joint,
                             yaml::decimal(wanted)));
+  }
+  if (now != wanted && elsewhere.contains(at->begin)) {
+    reader.fail(at->line,
+                fmt::format("{} of {} is to be {}, and an alias elsewhere in the file has the same number; "
+                            "write it out there",
+                            what, joint, yaml::decimal(wanted)));
   }
   changes.push_back({at->begin, at->end, now == wanted ? at->text : yaml::decimal(wanted), joint});
 }
@@ -183,7 +215,7 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
   reader.refuse_other_commands();
   const auto n = static_cast<Eigen::Index>(joints.size());
   Gains gains;
-  become(gains, kKind, static_cast<int>(n));
+  become(gains, kJointTrajectoryController, static_cast<int>(n));
   gains.joint_space_gains_p = gains.joint_space_gains_d = JointVector::Zero(n);
   gains.force_control_gains = JointVector::Zero(n);
   std::optional<double> anti_windup;
@@ -210,22 +242,23 @@ std::string with_gains(const std::string& text, const RosController& controller,
                        const Gains& gains, const std::vector<std::string>& joints) {
   const Reader reader(controller, file);
   const Gains now = joint_trajectory_gains(controller, file, joints);
+  const UsedElsewhere elsewhere(controller);
   std::vector<Change> changes;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const auto place = static_cast<Eigen::Index>(k);
     for (const Name& name : kNames) {
       add_change(reader, reader.of_joint(joints[k], name.in_file), joints[k], name.in_file,
-                 own(now, name.own)[place], own(gains, name.own)[place], controller, changes);
+                 own(now, name.own)[place], own(gains, name.own)[place], controller, elsewhere, changes);
     }
     const double clamp_now = own(now, "jtc_i_clamp")[place], clamp = own(gains, "jtc_i_clamp")[place];
     const bool one = reader.of_joint(joints[k], "i_clamp") != nullptr;
     add_change(reader, reader.of_joint(joints[k], one ? "i_clamp" : "i_clamp_max"), joints[k], "i_clamp",
-               clamp_now, clamp, controller, changes);
+               clamp_now, clamp, controller, elsewhere, changes);
     if (const PlacedValue* least = reader.of_joint(joints[k], "i_clamp_min"))
-      add_change(reader, least, joints[k], "i_clamp_min", -clamp_now, -clamp, controller, changes);
+      add_change(reader, least, joints[k], "i_clamp_min", -clamp_now, -clamp, controller, elsewhere, changes);
     add_change(reader, reader.feed_forward(joints[k]), joints[k], "feed-forward",
                own(now, "jtc_ff_velocity_scale")[place], own(gains, "jtc_ff_velocity_scale")[place],
-               controller, changes);
+               controller, elsewhere, changes);
   }
   std::stable_sort(changes.begin(), changes.end(),
                    [](const Change& a, const Change& b) { return a.begin < b.begin; });
@@ -235,9 +268,9 @@ std::string with_gains(const std::string& text, const RosController& controller,
     const Change& change = changes[i];
     if (i > 0 && changes[i - 1].begin == change.begin) {
       if (changes[i - 1].text == change.text) continue;
-      throw InputError(fmt::format(
+      throw InputError(one_line(fmt::format(
           "{}: {} and {} share a number by an anchor, and are to be {} and {}; write each joint's numbers out",
-          file, changes[i - 1].joint, change.joint, changes[i - 1].text, change.text));
+          file, changes[i - 1].joint, change.joint, changes[i - 1].text, change.text)));
     }
     changed += text.substr(copied, change.begin - copied) + change.text;
     copied = change.end;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 
 namespace armtune::internal {
@@ -23,10 +24,9 @@ bool is_map(const PlacedValue* value) {
 bool has_gains(const PlacedValue& map) {
   const PlacedValue* gains = map.find("gains");
   if (!is_map(gains) || gains->entries.empty()) return false;
-  return std::any_of(gains->entries.begin(), gains->entries.end(), [](const auto& joint) {
-    return is_map(joint.second.get()) &&
-           (joint.second->find("p") != nullptr || joint.second->find("i") != nullptr ||
-            joint.second->find("d") != nullptr);
+  return std::any_of(gains->entries.begin(), gains->entries.end(), [](const yaml::PlacedEntry& joint) {
+    const PlacedValue& own = *joint.value;
+    return is_map(&own) && (own.find("p") != nullptr || own.find("i") != nullptr || own.find("d") != nullptr);
   });
 }
 
@@ -35,9 +35,10 @@ void walk(const yaml::Placed& value, std::vector<std::string>& keys,
           const std::function<void(const yaml::Placed&, const std::vector<std::string>&)>& see) {
   if (value->kind != PlacedValue::Kind::kMap) return;
   see(value, keys);
-  for (const auto& [key, child] : value->entries) {
-    keys.push_back(key);
-    walk(child, keys, see);
+  for (const yaml::PlacedEntry& entry : value->entries) {
+    if (entry.alias) continue;  // seen where it stands
+    keys.push_back(entry.key);
+    walk(entry.value, keys, see);
     keys.pop_back();
   }
 }
@@ -56,9 +57,11 @@ bool may_hold_controllers(std::string_view text) {
     auto before = at, after = at + kKey.size();
     if (before > 0 && kQuotes.find(text[before - 1]) != std::string_view::npos) --before;
     if (after < text.size() && kQuotes.find(text[after]) != std::string_view::npos) ++after;
-    const bool begins =
-        before == 0 || std::string_view(" \t\n{,").find(text[before - 1]) != std::string_view::npos;
-    if (begins && after < text.size() && text[after] == ':') return true;
+    const std::string_view line =
+        text.substr(0, before).substr(text.substr(0, before).find_last_of('\n') + 1);
+    const bool commented = line.find('#') != std::string_view::npos;
+    const bool begins = line.empty() || std::string_view(" \t{,").find(line.back()) != std::string_view::npos;
+    if (begins && !commented && after < text.size() && text[after] == ':') return true;
   }
   return false;
 }
@@ -76,7 +79,8 @@ std::vector<RosController> ros_controllers(const std::string& text, const std::s
     controller.ros2 = !above.empty() && above.back() == kRos2Parameters;
     std::vector<std::string> name = above;
     std::erase(name, kRos2Parameters);
-    controller.name = fmt::format("{}", fmt::join(name, "/"));
+    controller.name = one_line(fmt::format("{}", fmt::join(name, "/")));
+    controller.all = root;
     controller.type = type;
     controller.parameters = map;
     found.push_back(std::move(controller));
@@ -92,7 +96,8 @@ std::vector<RosController> ros_controllers(const std::string& text, const std::s
 
 bool is_joint_trajectory_controller(const RosController& controller) {
   if (!controller.type.empty()) return controller.type.ends_with("JointTrajectoryController");
-  return controller.parameters->find("joints") != nullptr;
+  return controller.parameters->find("joints") != nullptr ||
+         controller.parameters->find("command_interfaces") != nullptr;
 }
 
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,

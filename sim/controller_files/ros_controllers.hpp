@@ -19,6 +19,7 @@ struct RosController {
       type;  ///< "joint_trajectory_controller/JointTrajectoryController"; empty: the file does not say
   bool ros2 = false;
   yaml::Placed parameters;  ///< the map that `gains` stands in
+  yaml::Placed all;         ///< of the file
 };
 
 /// Whether a text may hold some: it has a key `gains`, which no gains file of armtune's own has.

@@ -145,7 +145,9 @@ std::string field_text(const Gains& gains, const GainField& field) {
 
 std::vector<std::pair<std::string, std::string>> published_path(const std::string& gains_path) {
   std::vector<std::pair<std::string, std::string>> path;
-  const yaml::Node root = yaml::parse_file(gains_path);
+  const std::string text = read_input_file(gains_path, yaml::kMaxBytes, "a YAML file");
+  if (may_hold_controllers(text)) return path;
+  const yaml::Node root = yaml::parse_text(text, gains_path);
   for (const auto& [key, value] : fields_node(root).entries()) {
     if (std::find(kPath.begin(), kPath.end(), key) == kPath.end()) continue;
     const bool is_list = value.kind() == yaml::Node::Kind::kSequence;

@@ -39,7 +39,7 @@ class PlacedBuilder final : public YAML::EventHandler {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) fail(mark, "an alias inside the value that it names");
     if (takes_key(mark, found->second->text)) return;
-    attach(found->second);
+    attach(found->second, true);
   }
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -53,7 +53,8 @@ class PlacedBuilder final : public YAML::EventHandler {
     auto scalar = start(mark, PlacedValue::Kind::kScalar);
     scalar->text = value;
     // Whatever is written otherwise than it reads (quoted, tagged, folded) has no place.
-    const auto at = std::min(text_.size(), static_cast<std::size_t>(std::max(mark.pos, 0)));
+    const std::size_t at =
+        behind_anchor(std::min(text_.size(), static_cast<std::size_t>(std::max(mark.pos, 0))));
     if (!closes_quote(text_.substr(at))) fail(mark, "the quote opened here is never closed; close it");
     if (!value.empty() && text_.substr(at).starts_with(value)) {
       scalar->begin = before_ + at;
@@ -86,6 +87,13 @@ class PlacedBuilder final : public YAML::EventHandler {
 
   [[noreturn]] void fail(const YAML::Mark& mark, std::string_view what) const {
     fail_at(file_, mark.line + 1, {}, what);
+  }
+
+  /// Where the value begins that an anchor at `at` stands before.
+  std::size_t behind_anchor(std::size_t at) const {
+    if (at >= text_.size() || text_[at] != '&') return at;
+    const std::size_t blank = std::min(text_.find_first_of(" \t\r\n", at), text_.size());
+    return std::min(text_.find_first_not_of(" \t\r\n", blank), text_.size());
   }
 
   std::shared_ptr<PlacedValue> start(const YAML::Mark& mark, PlacedValue::Kind kind) {
@@ -130,38 +138,38 @@ class PlacedBuilder final : public YAML::EventHandler {
     if (anchor != 0) anchors_[anchor] = value;
     attach(value);
   }
-  void attach(const Placed& value) {
+  void attach(const Placed& value, bool alias = false) {
     if (open_.empty()) {
       root_ = value;
       return;
     }
     Open& parent = open_.back();
     if (parent.value->kind == PlacedValue::Kind::kMap) {
-      parent.value->entries.emplace_back(std::move(*parent.key), value);
+      parent.value->entries.push_back({std::move(*parent.key), value, alias});
       parent.key.reset();
     } else {
-      parent.value->items.push_back(value);
+      parent.value->items.push_back({{}, value, alias});
     }
   }
 
   /// Takes over what "<<" names and the map does not have itself.
   void merge(PlacedValue& map) {
     std::vector<Placed> merged;
-    for (const auto& [key, value] : map.entries) {
-      if (key != "<<") continue;
-      if (value->kind == PlacedValue::Kind::kSequence) {
-        merged.insert(merged.end(), value->items.begin(), value->items.end());
+    for (const PlacedEntry& entry : map.entries) {
+      if (entry.key != "<<") continue;
+      if (entry.value->kind == PlacedValue::Kind::kSequence) {
+        for (const PlacedEntry& item : entry.value->items) merged.push_back(item.value);
       } else {
-        merged.push_back(value);
+        merged.push_back(entry.value);
       }
     }
     if (merged.empty()) return;
-    std::erase_if(map.entries, [](const auto& entry) { return entry.first == "<<"; });
+    std::erase_if(map.entries, [](const PlacedEntry& entry) { return entry.key == "<<"; });
     for (const Placed& other : merged) {
-      for (const auto& entry : other->entries) {
-        if (map.find(entry.first) != nullptr) continue;
+      for (const PlacedEntry& entry : other->entries) {
+        if (map.find(entry.key) != nullptr) continue;
         count(map.line, 1);
-        map.entries.push_back(entry);
+        map.entries.push_back({entry.key, entry.value, true});
       }
     }
   }
@@ -179,9 +187,9 @@ class PlacedBuilder final : public YAML::EventHandler {
 }  // namespace
 
 const PlacedValue* PlacedValue::find(std::string_view key) const {
-  const auto found =
-      std::find_if(entries.begin(), entries.end(), [key](const auto& entry) { return entry.first == key; });
-  return found == entries.end() ? nullptr : found->second.get();
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [key](const PlacedEntry& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : found->value.get();
 }
 
 Placed read_placed(const std::string& text, const std::string& file) {

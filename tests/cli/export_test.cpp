@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/tuner/support/short_study.hpp"
@@ -108,6 +109,30 @@ TEST_F(ExportCommand, SaysWhatIsWrong) {
   EXPECT_EQ(run_program({"export", run, "--robot", "ur10"}).exit_code, 0);
   EXPECT_THAT(refused({"export", "published", "--out", files_ / "none/gains.yaml"}),
               HasSubstr("none/gains.yaml"));
+}
+
+TEST_F(ExportCommand, GivesAFileOfAnotherControllerBackWithOtherNumbers) {
+  std::string text =
+      "arm_controller:   # ours\n  ros__parameters:\n    command_interfaces: [effort]\n    gains:\n";
+  for (const std::string& joint : joints_) text += "      " + joint + ": {p: 1000.0, i: 0.0, d: 100}\n";
+  const std::string file = files_.write("controllers.yaml", text);
+  Gains gains = load_gains(file, joints_);
+  own(gains, "jtc_p")[1] = 1234.5;
+  own(gains, "jtc_d")[0] = 0.1;
+  const std::string tuned = files_.write("tuned.yaml", gains_yaml(gains, {}));
+  const Finished done = run_program({"export", tuned, "--into", file, "--out", files_ / "new.yaml"});
+  ASSERT_EQ(done.exit_code, 0) << done.err;
+  std::string expected = text;
+  expected.replace(expected.find("d: 100}"), 6, "d: 0.1");
+  expected.replace(expected.find("p: 1000.0", expected.find(joints_[1])), 9, "p: 1234.5");
+  EXPECT_EQ(test::read_text(files_ / "new.yaml"), expected);
+  EXPECT_EQ(run_program({"export", tuned, "--into", file}).out, expected) << "to the screen";
+
+  const Finished other = run_program({"export", "published", "--into", file});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, AllOf(HasSubstr("'adaptive'"), HasSubstr("a joint trajectory controller")));
+  EXPECT_EQ(run_program({"export", tuned, "--into", files_ / "none.yaml"}).exit_code, 2);
+  EXPECT_EQ(run_program({"export", tuned, "--into", file, "--node", "other"}).exit_code, 2);
 }
 
 TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {

@@ -6,9 +6,13 @@
 #include <memory>
 
 #include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
+#include "sim/controller_files/joint_trajectory_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "sim/yaml/document.hpp"
 #include "sim/yaml/joint_values.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/export_origin.hpp"
@@ -25,8 +29,21 @@ struct Arguments {
   GainsToExport what;
   std::string format = "yaml";
   std::string node;
+  std::string into;
   std::string file;
 };
+
+/// The ROS parameter file `args.into` with these gains, and nothing else changed.
+std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
+  const std::string text = read_input_file(args.into, yaml::kMaxBytes, "a ROS parameter file");
+  const RosController controller = chosen_controller(ros_controllers(text, args.into), args.into, args.node);
+  if (gains.gains.controller != kJointTrajectoryController) {
+    throw InputError(
+        fmt::format("{}: gains of the controller '{}' do not fit {}, a joint trajectory controller",
+                    args.what.set, gains.gains.controller, controller.name));
+  }
+  return with_gains(text, controller, args.into, gains.gains, gains.joints);
+}
 
 int run(const Arguments& args) {
   const GainsFormat format = gains_format_from_name(args.format);
@@ -46,7 +63,7 @@ int run(const Arguments& args) {
   file.origin.insert(file.origin.begin(),
                      {"gains", fmt::format("{}, for {}", shown_path(path), robot->name)});
   file.others = published_path(path);
-  const std::string text = gains_text(file, format);
+  const std::string text = args.into.empty() ? gains_text(file, format) : changed_controllers(args, file);
   if (args.file.empty()) {
     say(text);
     return kDone;
@@ -68,9 +85,13 @@ void add_export_command(CLI::App& app, int& exit_code) {
       ->check(CLI::IsMember(gains_format_names()))
       ->capture_default_str();
   command->add_option(
+      "--into", args->into,
+      "a ROS parameter file with a joint_trajectory_controller: that file with these gains, and "
+      "nothing but numbers changed");
+  command->add_option(
       "--node", args->node,
       "name space or node that the parameters are of (default: simple_effort_ctrl; of ros2 '/**', "
-      "every node)");
+      "every node); of --into the controller, where the file has several");
   command->add_option(
       "--robot", args->what.robot,
       "the arm that the gains are for (default: that of the run's study; of gains alone ur10)");
@@ -80,7 +101,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "limits they use in simulation, and the order of numbers. Each gain stands below its unit. Before the\n"
       "first motion of a real arm, see docs/ros.md.\n\n"
       "Example:\n"
-      "  armtune export runs/tuned --format ros2 --out gains.yaml");
+      "  armtune export runs/tuned --format ros2 --out gains.yaml\n"
+      "  armtune export runs/moves --into ros2_controllers.yaml --out tuned_controllers.yaml");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

@@ -83,7 +83,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
 ControllerKind joint_trajectory_controller() {
   constexpr auto kJoints = GainShape::kJoints;
   return {
-      "joint_trajectory_controller",
+      kJointTrajectoryController,
       "ROS's joint_trajectory_controller with effort commands: a PID for each joint along a joint trajectory",
       {},
       {own_gain(kJoints, "jtc_p", "N m/rad", "p of each joint on its position error", 100.0),

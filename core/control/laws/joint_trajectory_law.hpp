@@ -5,6 +5,9 @@
 
 namespace armtune::internal {
 
+/// What this kind is called.
+inline constexpr const char* kJointTrajectoryController = "joint_trajectory_controller";
+
 /// Each joint has a PID on its errors along the desired motion, and a share of the desired velocity:
 ///   tau_i = p e_i + clamp(i integral of e_i, +-i_clamp) + d e_i' + ff_velocity_scale qd_i'(t + period),
 ///   e = qd - q.

@@ -244,6 +244,15 @@ TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   EXPECT_THAT(refused("a: 1\na: 2\n"), HasSubstr("duplicate key"));
 }
 
+TEST(ControllerFile, OnlyTextsWithAKeyOfThatNameAreTakenForSome) {
+  for (const char* text :
+       {"gains: 1", "a:\n  gains:\n", "{a: {gains: {}}}", "'gains': 1", "a: {b: 1,gains: 2}"})
+    EXPECT_TRUE(may_hold_controllers(text)) << text;
+  for (const char* text :
+       {"# gains: runs/tuned\na: 1", "joint_space_gains_p: [1]", "gains_p: 1", "a: gains", "againsts:", ""})
+    EXPECT_FALSE(may_hold_controllers(text)) << text;
+}
+
 TEST(ControllerFile, OneOfSeveralIsAskedForByName) {
   const std::string two =
       with_j1("p: 1.0") + "d:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n";
@@ -272,6 +281,23 @@ TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
   own(gains, "jtc_i")[0] = 1.0;
   EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
               HasSubstr("i of j1 is to be 1.0, and the file has no number for it"));
+}
+
+TEST(ControllerFile, ANumberThatAnAliasHasElsewhereIsNotChanged) {
+  const std::string text =
+      "c:\n  type: effort_controllers/JointTrajectoryController\n  constraints: {goal_time: *p}\n"
+      "  gains: {j1: {p: 1.0, d: 2.0}}\n";
+  const std::string after =
+      "c:\n  type: effort_controllers/JointTrajectoryController\n  joints: [j1]\n"
+      "  gains: {j1: {p: &p 1.0, d: 2.0}}\n  constraints: {goal_time: *p}\n";
+  EXPECT_THAT(test::refusal([&] { ros_controllers(text, "f.yaml"); }), HasSubstr("not valid YAML"));
+  const RosController controller = chosen_controller(ros_controllers(after, "f.yaml"), "f.yaml");
+  Gains gains = joint_trajectory_gains(controller, "f.yaml", {"j1"});
+  own(gains, "jtc_d")[0] = 3.0;
+  EXPECT_THAT(with_gains(after, controller, "f.yaml", gains, {"j1"}), HasSubstr("{p: &p 1.0, d: 3.0}"));
+  own(gains, "jtc_p")[0] = 3.0;
+  EXPECT_THAT(test::refusal([&] { with_gains(after, controller, "f.yaml", gains, {"j1"}); }),
+              AllOf(HasSubstr("f.yaml:4:"), HasSubstr("an alias elsewhere")));
 }
 
 // A thousand aliases of a map of a thousand values cost no more than the map.
