@@ -60,7 +60,7 @@ class PlacedBuilder final : public YAML::EventHandler {
       scalar->begin = before_ + at;
       scalar->end = scalar->begin + value.size();
     }
-    finish(std::move(scalar), anchor);
+    finish(scalar, anchor);
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,

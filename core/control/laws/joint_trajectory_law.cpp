@@ -17,10 +17,10 @@ class JointTrajectoryLaw final : public TorqueLaw {
   explicit JointTrajectoryLaw(const LawSetup& setup)
       : TorqueLaw(setup),
         feeds_forward_(own(setup.gains, "jtc_ff_velocity_scale")),
-        winds_up_(own(setup.gains, "jtc_antiwindup")[0] == 0.0),
         period_(setup.period),
         step_(JointVector::Zero(setup.model.n())) {
     const JointVector& clamp = own(setup.gains, "jtc_i_clamp");
+    const bool winds_up = own(setup.gains, "jtc_antiwindup")[0] == 0.0;
     for (int i = 0; i < setup.model.n(); ++i) {
       RosPidGains& gains = gains_[static_cast<std::size_t>(i)];
       gains.p = own(setup.gains, "jtc_p")[i];
@@ -28,7 +28,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
       gains.d = own(setup.gains, "jtc_d")[i];
       gains.i_max = clamp[i];
       gains.i_min = -clamp[i];
-      gains.anti_windup = winds_up_ ? AntiWindup::kOfContribution : AntiWindup::kOfIntegral;
+      gains.anti_windup = winds_up ? AntiWindup::kOfContribution : AntiWindup::kOfIntegral;
       const auto k = static_cast<std::size_t>(i);
       turns_[k] = !setup.model.joints[k].limits.has_position;
     }
@@ -55,7 +55,10 @@ class JointTrajectoryLaw final : public TorqueLaw {
   MotionPoint<JointVector> desired_motion(const LawInput& in) {
     const ControlOutput& control = in.control;
     if (control.state == ControlState::kFollowPlan) {
-      follows_ = false;
+      // Which is held where a task's references take over.
+      reference_ = control.planned.position;
+      step_.setZero();
+      follows_ = true;
       return control.planned;
     }
     // An obstacle's repulsion is to move the arm, not to stretch a spring.
@@ -72,7 +75,6 @@ class JointTrajectoryLaw final : public TorqueLaw {
   std::array<RosPid, kMaxJoints> pids_{};
   std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
   JointVector feeds_forward_;
-  bool winds_up_;
   double period_;
   JointVector reference_, step_;
   bool follows_ = false;  ///< references, in the last period

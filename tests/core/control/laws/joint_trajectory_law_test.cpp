@@ -31,14 +31,14 @@ TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
         double error = reference[i] - p.measured.q[i];
         if (!model.joints[static_cast<std::size_t>(i)].limits.has_position)
           error = std::atan2(std::sin(error), std::cos(error));
-        integral[i] = std::min(std::max(integral[i] + I[i] * p.period * error, -clamp[i]), clamp[i]);
+        integral[i] = std::min(std::max(integral[i] + I[i] * Period::period * error, -clamp[i]), clamp[i]);
         EXPECT_NEAR(
             tau[i],
             P[i] * error + integral[i] - (D[i] * p.control.S[i]) + ff[i] * p.control.reference.velocity[i],
             1e-9 * (1.0 + std::abs(tau[i])))
             << p.where() << ", joint " << i << ", period " << k;
       }
-      reference += p.period * p.control.reference.velocity;
+      reference += Period::period * p.control.reference.velocity;
       p.move();
     }
   }
