@@ -151,6 +151,11 @@ GainField not_in_loop(GainField gain) {
   return gain;
 }
 
+GainField not_tuned(GainField gain) {
+  gain.search = SearchRange::kNone;
+  return not_in_loop(gain);
+}
+
 void register_controller(ControllerKind kind) {
   add(std::move(kind), registry());
 }

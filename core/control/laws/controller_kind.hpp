@@ -41,6 +41,8 @@ GainField own_gain(GainShape shape, const char* name, const char* unit, const ch
 GainField positive(GainField gain);
 /// The same, but left alone where the gain margin is looked for: a length, an angle, a scale.
 GainField not_in_loop(GainField gain);
+/// The same, but left alone by a search as well, unless a study names it.
+GainField not_tuned(GainField gain);
 
 /// Adds a kind, before anything is loaded. Throws InputError if its name or that of a gain is taken, or
 /// `uses` names what is not a law's.

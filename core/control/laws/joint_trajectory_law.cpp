@@ -91,15 +91,15 @@ ControllerKind joint_trajectory_controller() {
       {own_gain(kJoints, "jtc_p", "N m/rad", "p of each joint on its position error", 100.0),
        own_gain(kJoints, "jtc_i", "N m/(rad s)", "i of each joint on its position error", 0.0),
        own_gain(kJoints, "jtc_d", "N m s/rad", "d of each joint on its velocity error", 10.0),
-       not_in_loop(own_gain(kJoints, "jtc_i_clamp", "N m",
-                            "i_clamp: what the integral contributes at most; the default binds no joint",
-                            kNoClamp)),
-       not_in_loop(own_gain(kJoints, "jtc_ff_velocity_scale", "N m s/rad",
-                            "ff_velocity_scale: torque per desired velocity", 0.0)),
-       not_in_loop(own_gain(GainShape::kScalar, "jtc_antiwindup", "",
-                            "1: the integral itself stays within i_clamp; 0: it grows on, and only what it "
-                            "contributes is clamped",
-                            1.0))},
+       not_tuned(own_gain(kJoints, "jtc_i_clamp", "N m",
+                          "i_clamp: what the integral contributes at most; the default binds no joint",
+                          kNoClamp)),
+       not_tuned(own_gain(kJoints, "jtc_ff_velocity_scale", "N m s/rad",
+                          "ff_velocity_scale: torque per desired velocity", 0.0)),
+       not_tuned(own_gain(GainShape::kScalar, "jtc_antiwindup", "",
+                          "1: the integral itself stays within i_clamp; 0: it grows on, and only what it "
+                          "contributes is clamped",
+                          1.0))},
       [](const LawSetup& setup) { return std::make_unique<JointTrajectoryLaw>(setup); },
       [](const RobotModel& robot, const JointVector& q, Gains& gains) {
         // Critically damped, poles at half the rate, for each joint with the others free.
