@@ -23,7 +23,7 @@ std::string refusal(const std::string& parameters, const std::string& objective 
                     const std::string& constraints = test::kShortConstraints,
                     const std::string& search = test::kShortSearch) {
   const ShortStudy files(parameters, objective, constraints, search);
-  const std::string message = test::refusal([&] { load_study(files.path()); });
+  std::string message = test::refusal([&] { load_study(files.path()); });
   EXPECT_THAT(message, testing::StartsWith(files.path()));
   return message;
 }
@@ -235,7 +235,7 @@ TEST(StudyFile, AnAlgorithmOrStepperThatIsNotOfferedIsRefused) {
 TEST(StudyFile, SearchKeysThatDoNotFitAreRefusedWithTheirLine) {
   const auto search = [](const std::string& text) {
     const ShortStudy files(test::kShortParameters, test::kShortObjective, "", "search:\n  " + text + "\n");
-    const std::string message = test::refusal([&] { load_study(files.path()); });
+    std::string message = test::refusal([&] { load_study(files.path()); });
     // Line 10 is `search:`, after description, gains, scenarios, three lines of parameters and of objective.
     EXPECT_THAT(message, testing::StartsWith(files.path() + ":11: key 'search/"));
     return message;
@@ -303,7 +303,7 @@ class StudyOfTwoKindsOfScenario : public testing::Test {
   }
   std::string refusal(const std::string& scenarios, const std::string& rest) const {
     const std::string path = write(scenarios, rest);
-    const std::string message = test::refusal([&] { load_study(path); });
+    std::string message = test::refusal([&] { load_study(path); });
     EXPECT_THAT(message, testing::StartsWith(path + ":5: key '"));
     return message;
   }
