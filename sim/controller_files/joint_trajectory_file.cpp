@@ -8,12 +8,14 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
+#include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/yaml/decimal.hpp"
 
@@ -49,10 +51,19 @@ class Reader {
       double number = 0.0;
       const auto [end, error] = std::from_chars(size.data(), size.data() + size.size(), number);
       if (error == std::errc() && end == size.data() + size.size() && std::isfinite(number) &&
-          !size.starts_with('-') && value.has_place())
+          !size.starts_with('-') && value.has_place() && is_same_to_all(size))
         return minus ? -number : number;
     }
-    fail(value.line, fmt::format("{} is {}; expected a number", what, shown(value.text)));
+    fail(value.line,
+         fmt::format("{} is {}; expected a number, plainly, without quotes, tags or leading zeros{}", what,
+                     shown(value.text), controller_.ros2 ? "" : ", with a point before an exponent"));
+  }
+
+  /// 010 is octal to YAML 1.1, and 3e2 a text.
+  bool is_same_to_all(std::string_view digits) const {
+    if (digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9') return false;
+    return controller_.ros2 || digits.find_first_of("eE") == std::string_view::npos ||
+           digits.find('.') != std::string_view::npos;
   }
 
   /// What the file has of a joint, at `key`; null: nothing.
@@ -68,7 +79,7 @@ class Reader {
 
   /// ROS 1 has feed-forward in a map of its own.
   const PlacedValue* feed_forward(const std::string& joint) const {
-    if (const PlacedValue* in_gains = of_joint(joint, "ff_velocity_scale")) return in_gains;
+    if (controller_.ros2) return of_joint(joint, "ff_velocity_scale");
     const PlacedValue* map = controller_.parameters->find("velocity_ff");
     return map == nullptr ? nullptr : map->find(joint);
   }
@@ -90,9 +101,12 @@ class Reader {
 
   void refuse_other_commands() const {
     std::vector<std::string> commands;
-    if (const PlacedValue* given = controller_.parameters->find("command_interfaces")) {
+    if (controller_.ros2) {
+      const PlacedValue* given = controller_.parameters->find("command_interfaces");
+      if (given == nullptr || given->kind != PlacedValue::Kind::kSequence)
+        fail(controller_.parameters->line, "no list of command_interfaces; armtune simulates [effort]");
       for (const yaml::PlacedEntry& item : given->items) commands.push_back(item.value->text);
-    } else if (!controller_.ros2 && controller_.type.find('/') != std::string::npos) {
+    } else if (controller_.type.find('/') != std::string::npos) {
       commands.push_back(controller_.type.starts_with("effort_") ? "effort" : controller_.type);
     }
     if (!commands.empty() && commands != std::vector<std::string>{"effort"}) {
@@ -109,6 +123,9 @@ class Reader {
     const double upper = std::isfinite(most) ? most : both;
     const double lower = std::isfinite(least) ? least : -both;
     const int line = controller_.parameters->find("gains")->find(joint)->line;
+    if (controller_.ros2 && (upper < 0.0 || lower > 0.0))
+      fail(line, fmt::format("the integral of {} is clamped to [{}, {}], which leaves no room for 0", joint,
+                             lower, upper));
     if (std::abs(upper) != std::abs(lower)) {
       fail(line,
            fmt::format("the integral of {} is clamped to [{}, {}]; armtune simulates clamps of one size "
@@ -127,6 +144,17 @@ class Reader {
   }
 
   void refuse_limits_of_output(const std::string& joint) const {
+    if (const PlacedValue* deadband = of_joint(joint, "error_deadband")) {
+      if (number(*deadband, "error_deadband") != 0.0)
+        fail(deadband->line, fmt::format("armtune does not simulate error_deadband of {}", joint));
+    }
+    if (const PlacedValue* wraps = of_joint(joint, "angle_wraparound")) {
+      if (wraps->text == "true" || wraps->text == "True")
+        fail(wraps->line,
+             fmt::format("armtune takes the short way round for joints without limits, and does not "
+                         "simulate angle_wraparound of {}",
+                         joint));
+    }
     for (const char* key : {"u_clamp_max", "u_clamp_min"}) {
       const PlacedValue* value = of_joint(joint, key);
       if (value == nullptr || !std::isfinite(number(*value, key))) continue;
@@ -144,9 +172,12 @@ class Reader {
              fmt::format("armtune simulates antiwindup_strategy 'legacy', not {}", shown(strategy->text)));
       return 1.0;
     }
+    if (controller_.ros2) return 1.0;
     const PlacedValue* given = of_joint(joint, "antiwindup");
-    if (given == nullptr) return controller_.ros2 ? 1.0 : 0.0;
-    return given->text == "true" || given->text == "True" ? 1.0 : 0.0;
+    if (given == nullptr || given->text == "false" || given->text == "False") return 0.0;
+    if (given->text == "true" || given->text == "True") return 1.0;
+    fail(given->line,
+         fmt::format("antiwindup of {} is {}; expected true or false", joint, shown(given->text)));
   }
 
  private:
@@ -154,56 +185,66 @@ class Reader {
   const std::string& file_;
 };
 
-/// The numbers that an alias or a merge key has elsewhere than in this controller's gains, by their places.
-class UsedElsewhere {
+/// In how many places of the whole file, aliases and merge keys counted, a value is had.
+class Uses {
  public:
-  explicit UsedElsewhere(const RosController& controller) : controller_(controller) {
-    see(*controller.all, false);
-  }
-  bool contains(std::size_t place) const { return places_.contains(place); }
-
- private:
-  void see(const PlacedValue& value, bool by_alias) {
-    if (!seen_.emplace(&value, by_alias).second) return;
-    if (by_alias && value.has_place()) places_.insert(value.begin);
-    const bool parameters = &value == controller_.parameters.get();
-    for (const auto* entries : {&value.items, &value.entries}) {
-      for (const yaml::PlacedEntry& entry : *entries) {
-        if (parameters && (entry.key == "gains" || entry.key == "velocity_ff")) continue;
-        see(*entry.value, by_alias || entry.alias);
+  explicit Uses(const PlacedValue& root) {
+    visit(root);
+    uses_[&root] = 1.0;
+    // Parents come before children.
+    for (auto value = order_.rbegin(); value != order_.rend(); ++value) {
+      for (const auto* entries : {&(*value)->items, &(*value)->entries}) {
+        for (const yaml::PlacedEntry& entry : *entries) uses_[entry.value.get()] += uses_[*value];
       }
     }
   }
+  double of(const PlacedValue& value) const { return uses_.at(&value); }
 
-  const RosController& controller_;
-  std::set<std::pair<const PlacedValue*, bool>> seen_;
-  std::set<std::size_t> places_;
+ private:
+  void visit(const PlacedValue& value) {
+    if (!uses_.emplace(&value, 0.0).second) return;
+    for (const auto* entries : {&value.items, &value.entries}) {
+      for (const yaml::PlacedEntry& entry : *entries) visit(*entry.value);
+    }
+    order_.push_back(&value);
+  }
+
+  std::unordered_map<const PlacedValue*, double> uses_;  ///< may be astronomical
+  std::vector<const PlacedValue*> order_;                ///< children before parents
 };
 
 /// A number that is to stand in the file in place of another.
 struct Change {
-  std::size_t begin, end;
+  const PlacedValue* at;
+  bool differs;
   std::string text;
-  std::string joint;
+  std::string gain;  ///< "p of shoulder"
 };
 
-/// Adds what a gain of a joint is to be, unless the file has it already.
-void add_change(const Reader& reader, const PlacedValue* at, const std::string& joint,
-                const std::string& what, double now, double wanted, const RosController& controller,
-                const UsedElsewhere& elsewhere, std::vector<Change>& changes) {
-  if (at == nullptr || !at->has_place()) {
-    if (now == wanted) return;
-    reader.fail(controller.parameters->find("gains")->line,
-                fmt::format("{} of {} is to be {}, and the file has no number for it; write one", what, joint,
-                            yaml::decimal(wanted)));
+/// What a gain of a joint is to be. None: the file has no number for it.
+std::optional<Change> change_of(const PlacedValue* at, const std::string& gain, double now, double wanted) {
+  if (at == nullptr || !at->has_place()) return std::nullopt;
+  return Change{at, now != wanted, now == wanted ? at->text : yaml::decimal(wanted), gain};
+}
+
+/// Throws InputError if the changed text does not read back as the gains.
+void refuse_what_is_lost(const std::string& changed, const RosController& controller, const std::string& file,
+                         const Gains& gains, const std::vector<std::string>& joints) {
+  const Gains back = joint_trajectory_gains(
+      chosen_controller(ros_controllers(changed, file), file, controller.name), file, joints);
+  for (const GainField& field : fields_of(gains)) {
+    const auto* own_gain = std::get_if<OwnGain>(&field.member);
+    if (own_gain == nullptr) continue;
+    const std::size_t place = own_gain->place;
+    if (back.own[place] == gains.own[place]) continue;
+    Eigen::Index k = 0;
+    (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
+    const bool each = own_gain->shape == GainShape::kJoints;
+    throw InputError(one_line(
+        fmt::format("{}: {}: {}{} is to be {}, and the file would give {}; write a number for it there", file,
+                    controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
+                    yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
   }
-  if (now != wanted && elsewhere.contains(at->begin)) {
-    reader.fail(at->line,
-                fmt::format("{} of {} is to be {}, and an alias elsewhere in the file has the same number; "
-                            "write it out there",
-                            what, joint, yaml::decimal(wanted)));
-  }
-  changes.push_back({at->begin, at->end, now == wanted ? at->text : yaml::decimal(wanted), joint});
 }
 
 }  // namespace
@@ -242,40 +283,50 @@ std::string with_gains(const std::string& text, const RosController& controller,
                        const Gains& gains, const std::vector<std::string>& joints) {
   const Reader reader(controller, file);
   const Gains now = joint_trajectory_gains(controller, file, joints);
-  const UsedElsewhere elsewhere(controller);
   std::vector<Change> changes;
+  const auto add = [&changes](const PlacedValue* at, const std::string& gain, double had, double wanted) {
+    if (auto change = change_of(at, gain, had, wanted)) changes.push_back(std::move(*change));
+  };
   for (std::size_t k = 0; k < joints.size(); ++k) {
+    const std::string& joint = joints[k];
     const auto place = static_cast<Eigen::Index>(k);
     for (const Name& name : kNames) {
-      add_change(reader, reader.of_joint(joints[k], name.in_file), joints[k], name.in_file,
-                 own(now, name.own)[place], own(gains, name.own)[place], controller, elsewhere, changes);
+      add(reader.of_joint(joint, name.in_file), fmt::format("{} of {}", name.in_file, joint),
+          own(now, name.own)[place], own(gains, name.own)[place]);
     }
-    const double clamp_now = own(now, "jtc_i_clamp")[place], clamp = own(gains, "jtc_i_clamp")[place];
-    const bool one = reader.of_joint(joints[k], "i_clamp") != nullptr;
-    add_change(reader, reader.of_joint(joints[k], one ? "i_clamp" : "i_clamp_max"), joints[k], "i_clamp",
-               clamp_now, clamp, controller, elsewhere, changes);
-    if (const PlacedValue* least = reader.of_joint(joints[k], "i_clamp_min"))
-      add_change(reader, least, joints[k], "i_clamp_min", -clamp_now, -clamp, controller, elsewhere, changes);
-    add_change(reader, reader.feed_forward(joints[k]), joints[k], "feed-forward",
-               own(now, "jtc_ff_velocity_scale")[place], own(gains, "jtc_ff_velocity_scale")[place],
-               controller, elsewhere, changes);
+    const double had = own(now, "jtc_i_clamp")[place], wanted = own(gains, "jtc_i_clamp")[place];
+    for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
+      add(reader.of_joint(joint, key), fmt::format("{} of {}", key, joint), sign * had, sign * wanted);
+    add(reader.feed_forward(joint), "feed-forward of " + joint, own(now, "jtc_ff_velocity_scale")[place],
+        own(gains, "jtc_ff_velocity_scale")[place]);
   }
   std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return a.begin < b.begin; });
+                   [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
+  const Uses uses(*controller.all);
   std::string changed;
   std::size_t copied = 0;
-  for (std::size_t i = 0; i < changes.size(); ++i) {
+  for (std::size_t i = 0, next = 0; i < changes.size(); i = next) {
     const Change& change = changes[i];
-    if (i > 0 && changes[i - 1].begin == change.begin) {
-      if (changes[i - 1].text == change.text) continue;
-      throw InputError(one_line(fmt::format(
-          "{}: {} and {} share a number by an anchor, and are to be {} and {}; write each joint's numbers out",
-          file, changes[i - 1].joint, change.joint, changes[i - 1].text, change.text)));
+    for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
+      if (changes[next].text == change.text) continue;
+      reader.fail(change.at->line,
+                  fmt::format("{} and {} share a number by an anchor, and are to be {} and {}; write "
+                              "both out",
+                              change.gain, changes[next].gain, change.text, changes[next].text));
     }
-    changed += text.substr(copied, change.begin - copied) + change.text;
-    copied = change.end;
+    if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
+      reader.fail(change.at->line,
+                  fmt::format("{} is to be {}, and an alias elsewhere in the file has the same number; "
+                              "write both out",
+                              change.gain, change.text));
+    }
+    if (!change.differs) continue;
+    changed += text.substr(copied, change.at->begin - copied) + change.text;
+    copied = change.at->end;
   }
-  return changed + text.substr(copied);
+  changed += text.substr(copied);
+  refuse_what_is_lost(changed, controller, file, gains, joints);
+  return changed;
 }
 
 }  // namespace armtune::internal

@@ -17,8 +17,9 @@ namespace armtune::internal {
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 
-/// The text of the file with other numbers where the gains differ from its own. Throws InputError if a gain
-/// that differs does not stand in the file, or joints that share a number by an anchor no longer agree.
+/// The text of the file with other numbers where the gains differ from its own; it reads back as they are.
+/// Throws InputError if a gain that differs does not stand in the file, or its number is had by an alias
+/// elsewhere, or by another gain that is to be different.
 std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
                        const Gains& gains, const std::vector<std::string>& joints);
 

@@ -61,6 +61,7 @@ bool may_hold_controllers(std::string_view text) {
         text.substr(0, before).substr(text.substr(0, before).find_last_of('\n') + 1);
     const bool commented = line.find('#') != std::string_view::npos;
     const bool begins = line.empty() || std::string_view(" \t{,").find(line.back()) != std::string_view::npos;
+    after = std::min(text.find_first_not_of(" \t", after), text.size());
     if (begins && !commented && after < text.size() && text[after] == ':') return true;
   }
   return false;

@@ -22,7 +22,7 @@ struct RosController {
   yaml::Placed all;         ///< of the file
 };
 
-/// Whether a text may hold some: it has a key `gains`, which no gains file of armtune's own has.
+/// Whether a text may hold some: it has a key `gains`.
 bool may_hold_controllers(std::string_view text);
 
 /// Every one of the file, in its order. Throws InputError if the text is not YAML.

@@ -36,6 +36,11 @@ const yaml::Node& fields_node(const yaml::Node& root) {
   return *node;
 }
 
+/// Those of ROS that a gains file holds; none where it is armtune's own.
+std::vector<RosController> controllers_in(const std::string& text, const std::string& path) {
+  return may_hold_controllers(text) ? ros_controllers(text, path) : std::vector<RosController>();
+}
+
 /// ROS 2's parameter files may hold several nodes.
 void refuse_several(const yaml::Node& fields) {
   const auto is_node = [](const auto& entry) {
@@ -103,8 +108,8 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
                  const std::string& relative_to) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
   const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
-  if (may_hold_controllers(text)) {
-    Gains gains = joint_trajectory_gains(chosen_controller(ros_controllers(text, path), path), path, joints);
+  if (const auto controllers = controllers_in(text, path); !controllers.empty()) {
+    Gains gains = joint_trajectory_gains(chosen_controller(controllers, path), path, joints);
     validate(gains, joints, path);
     return gains;
   }
@@ -146,7 +151,7 @@ std::string field_text(const Gains& gains, const GainField& field) {
 std::vector<std::pair<std::string, std::string>> published_path(const std::string& gains_path) {
   std::vector<std::pair<std::string, std::string>> path;
   const std::string text = read_input_file(gains_path, yaml::kMaxBytes, "a YAML file");
-  if (may_hold_controllers(text)) return path;
+  if (!controllers_in(text, gains_path).empty()) return path;
   const yaml::Node root = yaml::parse_text(text, gains_path);
   for (const auto& [key, value] : fields_node(root).entries()) {
     if (std::find(kPath.begin(), kPath.end(), key) == kPath.end()) continue;

@@ -84,10 +84,11 @@ void add_export_command(CLI::App& app, int& exit_code) {
                    "yaml: armtune's own; ros1: for rosparam load; ros2: for --params-file")
       ->check(CLI::IsMember(gains_format_names()))
       ->capture_default_str();
-  command->add_option(
+  CLI::Option* into = command->add_option(
       "--into", args->into,
       "a ROS parameter file with a joint_trajectory_controller: that file with these gains, and "
-      "nothing but numbers changed");
+      "nothing but numbers changed; needs --out");
+  into->excludes("--format");
   command->add_option(
       "--node", args->node,
       "name space or node that the parameters are of (default: simple_effort_ctrl; of ros2 '/**', "
@@ -95,7 +96,7 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->add_option(
       "--robot", args->what.robot,
       "the arm that the gains are for (default: that of the run's study; of gains alone ur10)");
-  command->add_option("--out", args->file, "new file (default: to the screen)");
+  into->needs(command->add_option("--out", args->file, "new file (default: to the screen)"));
   command->footer(
       "A comment at the top says which study, seed and inputs the gains came from, how much of the joints'\n"
       "limits they use in simulation, and the order of numbers. Each gain stands below its unit. Before the\n"

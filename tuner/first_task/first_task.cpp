@@ -49,7 +49,6 @@ class Search {
           progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times its time",
                                 options_.mask == TaskMask::kPosition ? " of position alone" : "",
                                 options_.without_floor ? " without a floor" : "",
-
                                 options_.thorough ? " among ten times as many positions" : "", place + 1,
                                 tasks.size(), pace.slowness));
         }
@@ -73,7 +72,7 @@ class Search {
   std::string failed() const {
     if (lightest_ < kHeavy) return failed_;
     return fmt::format(
-        "{}; to hold the arm still takes at least {:.2g} of the effort limit of joint '{}' on each of them",
+        "{}; on the lightest of them, to hold the arm still takes {:.2g} of the effort limit of joint '{}'",
         failed_, lightest_, arm_->joints[static_cast<std::size_t>(loaded_)].name);
   }
 

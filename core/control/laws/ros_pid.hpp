@@ -1,6 +1,6 @@
 #pragma once
-// The PID of one joint as ROS's control_toolbox computes it: the branches `humble` (2.x) and `jazzy` (4.x, of
-// 6 May 2026). What it does to its integral depends on the anti-windup that is asked for.
+// The PID of one joint as ROS's control_toolbox computes it: branches `humble` (3.7) and `jazzy` (4.11, of
+// 6 May 2026). What happens to its integral depends on the anti-windup that is asked for.
 
 #include <algorithm>
 #include <cmath>

@@ -246,16 +246,81 @@ TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
 
 TEST(ControllerFile, OnlyTextsWithAKeyOfThatNameAreTakenForSome) {
   for (const char* text :
-       {"gains: 1", "a:\n  gains:\n", "{a: {gains: {}}}", "'gains': 1", "a: {b: 1,gains: 2}"})
+       {"gains: 1", "a:\n  gains:\n", "{a: {gains: {}}}", "'gains': 1", "a: {b: 1,gains: 2}", "gains : 1"})
     EXPECT_TRUE(may_hold_controllers(text)) << text;
   for (const char* text :
        {"# gains: runs/tuned\na: 1", "joint_space_gains_p: [1]", "gains_p: 1", "a: gains", "againsts:", ""})
     EXPECT_FALSE(may_hold_controllers(text)) << text;
 }
 
+TEST(ControllerFile, IsReadAsRosReadsIt) {
+  const std::vector<std::string> j1 = {"j1"};
+  const auto read = [&j1](const std::string& text) {
+    return joint_trajectory_gains(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml", j1);
+  };
+  const auto ros1 = [](const std::string& gains) {
+    return "c:\n  type: effort_controllers/JointTrajectoryController\n  velocity_ff: {j1: 3.0}\n  gains: {j1: {" +
+           gains + "}}\n";
+  };
+  EXPECT_EQ(own(read(ros1("p: 1.0")), "jtc_antiwindup")[0], 0.0);
+  EXPECT_EQ(own(read(ros1("p: 1.0, antiwindup: true")), "jtc_antiwindup")[0], 1.0);
+  EXPECT_EQ(own(read(with_j1("p: 1.0, antiwindup: false")), "jtc_antiwindup")[0], 1.0)
+      << "no parameter of ROS 2";
+  EXPECT_EQ(own(read(ros1("p: 1.0, ff_velocity_scale: 2.0")), "jtc_ff_velocity_scale")[0], 3.0);
+  EXPECT_EQ(own(read(with_j1("p: 1.0, ff_velocity_scale: 2.0")), "jtc_ff_velocity_scale")[0], 2.0);
+  EXPECT_EQ(own(read(ros1("p: 1.0, i_clamp: -4.0")), "jtc_i_clamp")[0], 4.0) << "ROS 1 takes its size";
+  EXPECT_THAT(refused(ros1("p: 1.0, antiwindup: yes"), j1), HasSubstr("expected true or false"));
+  EXPECT_THAT(refused(ros1("p: 3e2"), j1), HasSubstr("a point before an exponent"));
+  EXPECT_THAT(refused(ros1("p: 010"), j1), HasSubstr("leading zeros"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp: -4.0"), j1), HasSubstr("no room for 0"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, error_deadband: 0.1"), j1), HasSubstr("error_deadband of j1"));
+  EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1), HasSubstr("angle_wraparound of j1"));
+  EXPECT_THAT(refused("c:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n", j1),
+              HasSubstr("no list of command_interfaces"));
+}
+
+// What a file cannot hold is refused, not lost.
+TEST(ControllerFile, TheChangedFileReadsBackAsTheGains) {
+  const std::vector<std::string> j1 = {"j1"};
+  const auto into = [&j1](const std::string& text, const char* gain, double value) {
+    const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+    Gains gains = joint_trajectory_gains(controller, "f.yaml", j1);
+    own(gains, gain)[0] = value;
+    return with_gains(text, controller, "f.yaml", gains, j1);
+  };
+  EXPECT_THAT(into(with_j1("p: 1.0, i: 1.0, i_clamp: 2.0"), "jtc_i_clamp", 3.0), HasSubstr("i_clamp: 3.0"));
+  EXPECT_THAT(into(with_j1("p: 1.0, i_clamp: 9.0, i_clamp_max: 2.0, i_clamp_min: -2.0"), "jtc_i_clamp", 3.0),
+              HasSubstr("i_clamp: 3.0, i_clamp_max: 3.0, i_clamp_min: -3.0"));
+  EXPECT_THAT(into(with_j1("p: 1.0, ff_velocity_scale: 2.0"), "jtc_ff_velocity_scale", 4.0),
+              HasSubstr("ff_velocity_scale: 4.0"));
+  EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0, i: 0.0"), "jtc_i", 3.0); }), HasSubstr("no i_clamp"));
+  EXPECT_THAT(test::refusal([&] { into(with_j1("p: 1.0"), "jtc_antiwindup", 0.0); }),
+              HasSubstr("jtc_antiwindup is to be 0.0, and the file would give 1.0"));
+  // A number, a joint or all gains that somebody else has by an alias.
+  const std::string left =
+      "left:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: &g {j1: {p: 1.0}}\n";
+  const std::string two =
+      left + "right:\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: *g\n";
+  for (
+      const std::string& text :
+      {with_j1("p: &x 1.0, tracking_time_constant: *x"),
+       std::string(
+           "left: &l\n  ros__parameters:\n    command_interfaces: [effort]\n    gains: {j1: {p: 1.0}}\nright: *l\n")}) {
+    EXPECT_THAT(test::refusal([&] { into(text, "jtc_p", 3.0); }), HasSubstr("an alias elsewhere")) << text;
+  }
+  for (const char* name : {"left", "right"}) {
+    const RosController one = chosen_controller(ros_controllers(two, "f.yaml"), "f.yaml", name);
+    Gains gains = joint_trajectory_gains(one, "f.yaml", j1);
+    own(gains, "jtc_p")[0] = 3.0;
+    EXPECT_THAT(test::refusal([&] { with_gains(two, one, "f.yaml", gains, j1); }),
+                HasSubstr("an alias elsewhere"));
+  }
+}
+
 TEST(ControllerFile, OneOfSeveralIsAskedForByName) {
   const std::string two =
-      with_j1("p: 1.0") + "d:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n";
+      with_j1("p: 1.0") +
+      "d:\n  ros__parameters:\n    joints: [j1]\n    command_interfaces: [effort]\n    gains: {j1: {p: 2.0}}\n";
   const auto all = ros_controllers(two, "f.yaml");
   EXPECT_THAT(test::refusal([&] { chosen_controller(all, "f.yaml"); }),
               AllOf(HasSubstr("2 joint trajectory controllers"), HasSubstr("c, d; name one of them")));
@@ -276,11 +341,12 @@ TEST(ControllerFile, NumbersThatAnAnchorSharesCanOnlyChangeTogether) {
               HasSubstr("&all {p: 7.0, d: 2.0}, j2: *all"));
   own(gains, "jtc_p")[1] = 8.0;
   EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
-              AllOf(HasSubstr("j1 and j2 share a number"), HasSubstr("7.0 and 8.0")));
+              AllOf(HasSubstr("f.yaml:4: c: p of j1 and p of j2 share a number"), HasSubstr("7.0 and 8.0")));
   own(gains, "jtc_p")[1] = 7.0;
   own(gains, "jtc_i")[0] = 1.0;
-  EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
-              HasSubstr("i of j1 is to be 1.0, and the file has no number for it"));
+  EXPECT_THAT(
+      test::refusal([&] { with_gains(text, controller, "f.yaml", gains, joints); }),
+      AllOf(HasSubstr("jtc_i of j1 is to be 1.0"), HasSubstr("would give 0.0; write a number for it")));
 }
 
 TEST(ControllerFile, ANumberThatAnAliasHasElsewhereIsNotChanged) {
