@@ -72,6 +72,12 @@ class Reader {
     const PlacedValue* own = gains->find(joint);
     return own == nullptr ? nullptr : own->find(key);
   }
+  double finite(const PlacedValue& value, const std::string& what) const {
+    const double found = number(value, what);
+    if (!std::isfinite(found))
+      fail(value.line, fmt::format("{} is {}; expected a finite number", what, value.text));
+    return found;
+  }
   double of_joint(const std::string& joint, const char* key, double otherwise) const {
     const PlacedValue* value = of_joint(joint, key);
     return value == nullptr ? otherwise : number(*value, fmt::format("gains/{}/{}", joint, key));
@@ -262,11 +268,15 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
   std::optional<double> anti_windup;
   for (Eigen::Index k = 0; k < n; ++k) {
     const std::string& joint = joints[static_cast<std::size_t>(k)];
-    for (const Name& name : kNames) own(gains, name.own)[k] = reader.of_joint(joint, name.in_file, 0.0);
+    for (const Name& name : kNames) {
+      const PlacedValue* value = reader.of_joint(joint, name.in_file);
+      own(gains, name.own)[k] =
+          value == nullptr ? 0.0 : reader.finite(*value, fmt::format("gains/{}/{}", joint, name.in_file));
+    }
     own(gains, "jtc_i_clamp")[k] = reader.clamp(joint);
     const PlacedValue* forward = reader.feed_forward(joint);
     own(gains, "jtc_ff_velocity_scale")[k] =
-        forward == nullptr ? 0.0 : reader.number(*forward, "feed-forward of " + joint);
+        forward == nullptr ? 0.0 : reader.finite(*forward, "feed-forward of " + joint);
     reader.refuse_limits_of_output(joint);
     const double own_anti_windup = reader.anti_windup(joint);
     if (anti_windup && *anti_windup != own_anti_windup) {

@@ -233,6 +233,7 @@ TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: none"), j1), HasSubstr("'legacy'"));
   EXPECT_THAT(refused(with_j1("p: \"1.0\""), j1),
               AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a number")));
+  EXPECT_THAT(refused(with_j1("p: .inf"), j1), HasSubstr("gains/j1/p is .inf; expected a finite number"));
   EXPECT_THAT(refused(with_j1("p: --1"), j1), HasSubstr("expected a number"));
   EXPECT_THAT(refused(with_j1("p: 1.0")), HasSubstr("no gains for j2, j3"));
   EXPECT_THAT(refused(with_j1("p: 1.0"), {"j_1"}),
