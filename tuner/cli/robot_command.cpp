@@ -160,7 +160,7 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
       "and {4:.2g} of its effort limits{5}.\n"
       "In armtune's own dynamics they keep its limits for 30 minutes. Nearly all of 60 other arms at random\n"
-      "keep theirs, or saturate in at most 1 % of the periods.\n"
+      "keep theirs, where torques may saturate in 1 % of the periods.\n"
       "next: armtune tune {0}/study.yaml\n",
       folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
       found.task.scenario.path.terms[0].cosine.norm(), found.metrics[Metric::kJointVelocityMaxRatio],

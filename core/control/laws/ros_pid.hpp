@@ -1,6 +1,7 @@
 #pragma once
 // The PID of one joint as ROS's control_toolbox computes it: branches `humble` (3.7) and `jazzy` (4.11, of
-// 6 May 2026). What happens to its integral depends on the anti-windup that is asked for.
+// 6 May 2026). What happens to its integral depends on the anti-windup that is asked for. Parameter files
+// reach kOfContribution and kOfIntegral; a file that asks for another, or for u_max and the like, is refused.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,7 @@ enum class AntiWindup {
   kOfIntegral,
   /// Jazzy's `none`: used as it was, then it grows, then it is clamped.
   kNone,
-  /// Jazzy's `conditional_integration`: as kNone, but it rests while the output is saturated and the error
-  /// has
+  /// Jazzy's `conditional_integration`: as kNone, but while the output is saturated it rests if the error has
   /// the output's sign.
   kConditional,
   /// Jazzy's `back_calculation`: as kNone, but what saturation cuts off is taken from it at the rate of

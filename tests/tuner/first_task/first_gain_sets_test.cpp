@@ -34,7 +34,7 @@ TEST(FirstGainSets, BeginWithTheGivenOneAndDifferInFourGains) {
   EXPECT_TRUE(firmer && softer && slower && still);
 }
 
-/// A heavy arm with two sliding joints, of which the last has a range of 0.16 m.
+/// A heavy arm of five joints. Two of them slide, the last by 0.16 m only.
 struct Heavy {
   std::shared_ptr<const RobotModel> arm = std::make_shared<const RobotModel>(test::random_arm(5, 1033, true));
   DefaultTask task;
