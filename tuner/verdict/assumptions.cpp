@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/control/laws/first_gains.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "core/robot/friction.hpp"
 #include "sim/scenario/plausibility.hpp"
 
@@ -53,6 +54,14 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
   if (engine == Engine::kSimbody) return;
   add_once(fmt::format("armtune's own dynamics for {}, which Simbody did not simulate", which),
            verdict.assumes);
+}
+
+void add_controller_assumption(const Gains& gains, SimulationVerdict& verdict) {
+  if (gains.controller != kJointTrajectoryController) return;
+  add_once(
+      "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: at the scenarios' control "
+      "period, along a cubic spline, and with an empty integral where a motion begins",
+      verdict.assumes);
 }
 
 void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/gains.hpp"
 #include "sim/plant/engine.hpp"
 #include "sim/plant/stepper.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -17,6 +18,9 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
 
 /// Adds that Simbody did not simulate `which`, such as "the scenarios", where another engine did so alone.
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict);
+
+/// Adds what is taken for granted of the robot's own controller, where that is whose gains these are.
+void add_controller_assumption(const Gains& gains, SimulationVerdict& verdict);
 
 /// The random arms of a yield that the engine simulated alone: those that break a limit Simbody simulates
 /// again.

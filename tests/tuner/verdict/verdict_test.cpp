@@ -244,5 +244,16 @@ TEST(VerdictThresholds, ALoosenedOneIsNamedAndAStricterOneIsNot) {
   }
 }
 
+TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
+  SimulationVerdict verdict;
+  Gains gains;
+  add_controller_assumption(gains, verdict);
+  EXPECT_TRUE(verdict.assumes.empty());
+  gains.controller = "joint_trajectory_controller";
+  add_controller_assumption(gains, verdict);
+  ASSERT_EQ(verdict.assumes.size(), 1U);
+  EXPECT_THAT(verdict.assumes[0], HasSubstr("an empty integral"));
+}
+
 }  // namespace
 }  // namespace armtune::internal
