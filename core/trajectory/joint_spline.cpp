@@ -25,12 +25,24 @@ JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<Joint
   }
 }
 
+JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots,
+                         PointsGive given)
+    : JointSpline(std::move(time), std::move(knots)) {
+  for (MotionPoint<JointVector>& knot : knots_) {
+    if (given == PointsGive::kPositions) knot.velocity.setZero(knot.position.size());
+    if (given != PointsGive::kAccelerations) knot.acceleration.setZero(knot.position.size());
+  }
+  segments_ = ros_segments(time_, knots_, given);
+}
+
 MotionPoint<JointVector> JointSpline::at(double t) const {
+  if (!segments_.empty() && t >= end()) return knots_.back();
   const double inside = std::clamp(t, begin(), end());
   const auto next = std::upper_bound(time_.begin() + 1, time_.end() - 1, inside);
   const auto k = static_cast<std::size_t>(next - time_.begin()) - 1;
-  return linear_acceleration(knots_[k], knots_[k + 1].acceleration, time_[k + 1] - time_[k],
-                             inside - time_[k]);
+  const double s = inside - time_[k];
+  if (!segments_.empty()) return segments_[k].at(s);
+  return linear_acceleration(knots_[k], knots_[k + 1].acceleration, time_[k + 1] - time_[k], s);
 }
 
 JointVector JointSpline::mean_acceleration(double t, double dt) const {

@@ -1,11 +1,13 @@
 #pragma once
-// A joint motion given at knots in time, with acceleration linear between them: what a planner by direct
-// transcription writes and a controller follows.
+// A joint motion given at knots in time. Between them its acceleration is linear, as a planner by direct
+// transcription writes it, or it goes along segments as ROS's controllers make them.
 
 #include <vector>
 
 #include "core/common/types.hpp"
 #include "core/trajectory/motion_point.hpp"
+#include "core/trajectory/quintic.hpp"
+#include "core/trajectory/ros_segments.hpp"
 
 namespace armtune::internal {
 
@@ -14,6 +16,10 @@ class JointSpline {
   /// time [s]: of the knots, rising, at least two. knots: q, q', q'' of n joints at each (rad or m). Throws
   /// InputError if the times do not rise or the counts differ.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
+
+  /// The motion through knots of which so much is given, along ros_segments. At its end it is as the last
+  /// knot says, at rest in what that does not give. Throws as above.
+  JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given);
 
   double begin() const { return time_.front(); }
   double end() const { return time_.back(); }
@@ -31,6 +37,7 @@ class JointSpline {
  private:
   std::vector<double> time_;
   std::vector<MotionPoint<JointVector>> knots_;
+  std::vector<Quintic<JointVector>> segments_;  ///< none: acceleration is linear between knots
 };
 
 }  // namespace armtune::internal

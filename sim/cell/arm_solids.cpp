@@ -1,7 +1,9 @@
 #include "sim/cell/arm_solids.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "sim/cell/hull.hpp"
 #include "sim/cell/mesh_path.hpp"
@@ -11,6 +13,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostTriangles = 500000;
+constexpr double kRod = 1e-3;  // m
 
 std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf) {
   const auto path = mesh_path(shape.file, urdf);
@@ -60,6 +63,31 @@ void add_bare_bodies(const RobotModel& robot, ArmSolids& arm) {
   }
 }
 
+/// What a tool frame that lies off the last body's shapes stands on: a thin rod from there to its origin, the
+/// point that does the work. What a tool is made of beside it only the robot's file can say.
+std::optional<ArmSolid> rod_to_tool(const RobotModel& robot, const std::vector<ArmSolid>& solids) {
+  const Vec3& tool = robot.chain.p_BT;
+  const int last = robot.n() - 1;
+  const Solid point = sphere(kRod);
+  Vec3 from = Vec3::Zero();  // of a body without shapes, its joint
+  double least = tool.norm();
+  for (const ArmSolid& solid : solids) {
+    if (solid.body != last) continue;
+    const Closest near =
+        closest(solid.placed.solid, solid.placed.R_BS, solid.placed.p_BS, point, Mat3::Identity(), tool);
+    if (near.distance >= least) continue;
+    least = near.distance;
+    from = near.on_a;
+  }
+  if (least <= kRod) return std::nullopt;
+  const Vec3 way = tool - from;
+  return ArmSolid{
+      last,
+      "tool",
+      {capsule(kRod, way.norm()), Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way).toRotationMatrix(),
+       0.5 * (from + tool)}};
+}
+
 }  // namespace
 
 ArmSolids arm_solids(const RobotModel& robot) {
@@ -76,6 +104,9 @@ ArmSolids arm_solids(const RobotModel& robot) {
     if (!whole) arm.unknown.push_back(shapes.front()->link_name);
   }
   add_bare_bodies(robot, arm);
+  if (!arm.solids.empty()) {
+    if (auto rod = rod_to_tool(robot, arm.solids)) arm.solids.push_back(std::move(*rod));
+  }
   std::stable_sort(arm.solids.begin(), arm.solids.end(),
                    [](const ArmSolid& a, const ArmSolid& b) { return a.body < b.body; });
   return arm;

@@ -22,6 +22,7 @@ struct ArmSolids {
 
 /// Returns the solids of the arm, one for each shape: of each link its collision geometry, and where it has
 /// none what is to be seen of it. Meshes become their convex hulls: binary STL files that mesh_path() finds.
+/// Where the tool frame lies off the last body's shapes, a rod of 1 mm, "tool", leads from them to it.
 ArmSolids arm_solids(const RobotModel& robot);
 
 }  // namespace armtune::internal

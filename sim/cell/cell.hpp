@@ -14,7 +14,8 @@ struct CellPart {
   std::string name;
   Solid solid;
   Mat3 R_0S = Mat3::Identity();
-  Path path;  ///< of the origin of the solid's frame, base frame
+  Path path;                 ///< of the origin of the solid's frame, base frame
+  bool is_obstacle = false;  ///< one of the scenario's obstacles, which have a place of their own in files
 };
 
 struct Cell {

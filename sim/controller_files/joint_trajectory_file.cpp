@@ -9,15 +9,13 @@
 #include <limits>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
-#include <utility>
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
-#include "sim/yaml/decimal.hpp"
+#include "sim/controller_files/joint_parameters.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -26,20 +24,11 @@ using yaml::PlacedValue;
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-/// A gain of ours and what the file calls it, within a joint's map.
-struct Name {
-  const char* own;
-  const char* in_file;
-};
-constexpr Name kNames[] = {{"jtc_p", "p"}, {"jtc_i", "i"}, {"jtc_d", "d"}};
-
-class Reader {
+/// What is asked of a file beyond where things stand in it.
+class Reader : public JointParameters {
  public:
-  Reader(const RosController& controller, const std::string& file) : controller_(controller), file_(file) {}
-
-  [[noreturn]] void fail(int line, const std::string& what) const {
-    throw InputError(one_line(fmt::format("{}:{}: {}: {}", file_, line, controller_.name, what)));
-  }
+  using JointParameters::JointParameters;
+  using JointParameters::of_joint;
 
   /// Infinite where the file says so (.inf).
   double number(const PlacedValue& value, const std::string& what) const {
@@ -56,22 +45,16 @@ class Reader {
     }
     fail(value.line,
          fmt::format("{} is {}; expected a number, plainly, without quotes, tags or leading zeros{}", what,
-                     shown(value.text), controller_.ros2 ? "" : ", with a point before an exponent"));
+                     shown(value.text), controller().ros2 ? "" : ", with a point before an exponent"));
   }
 
   /// 010 is octal to YAML 1.1, and 3e2 a text.
   bool is_same_to_all(std::string_view digits) const {
     if (digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9') return false;
-    return controller_.ros2 || digits.find_first_of("eE") == std::string_view::npos ||
+    return controller().ros2 || digits.find_first_of("eE") == std::string_view::npos ||
            digits.find('.') != std::string_view::npos;
   }
 
-  /// What the file has of a joint, at `key`; null: nothing.
-  const PlacedValue* of_joint(const std::string& joint, const char* key) const {
-    const PlacedValue* gains = controller_.parameters->find("gains");
-    const PlacedValue* own = gains->find(joint);
-    return own == nullptr ? nullptr : own->find(key);
-  }
   double finite(const PlacedValue& value, const std::string& what) const {
     const double found = number(value, what);
     if (!std::isfinite(found))
@@ -83,15 +66,8 @@ class Reader {
     return value == nullptr ? otherwise : number(*value, fmt::format("gains/{}/{}", joint, key));
   }
 
-  /// ROS 1 has feed-forward in a map of its own.
-  const PlacedValue* feed_forward(const std::string& joint) const {
-    if (controller_.ros2) return of_joint(joint, "ff_velocity_scale");
-    const PlacedValue* map = controller_.parameters->find("velocity_ff");
-    return map == nullptr ? nullptr : map->find(joint);
-  }
-
   void refuse_other_joints(const std::vector<std::string>& joints) const {
-    const PlacedValue* gains = controller_.parameters->find("gains");
+    const PlacedValue* gains = controller().parameters->find("gains");
     std::vector<std::string> missing;
     for (const std::string& joint : joints) {
       if (gains->find(joint) == nullptr) missing.push_back(joint);
@@ -107,16 +83,16 @@ class Reader {
 
   void refuse_other_commands() const {
     std::vector<std::string> commands;
-    if (controller_.ros2) {
-      const PlacedValue* given = controller_.parameters->find("command_interfaces");
+    if (controller().ros2) {
+      const PlacedValue* given = controller().parameters->find("command_interfaces");
       if (given == nullptr || given->kind != PlacedValue::Kind::kSequence)
-        fail(controller_.parameters->line, "no list of command_interfaces; armtune simulates [effort]");
+        fail(controller().parameters->line, "no list of command_interfaces; armtune simulates [effort]");
       for (const yaml::PlacedEntry& item : given->items) commands.push_back(item.value->text);
-    } else if (controller_.type.find('/') != std::string::npos) {
-      commands.push_back(controller_.type.starts_with("effort_") ? "effort" : controller_.type);
+    } else if (controller().type.find('/') != std::string::npos) {
+      commands.push_back(controller().type.starts_with("effort_") ? "effort" : controller().type);
     }
     if (!commands.empty() && commands != std::vector<std::string>{"effort"}) {
-      fail(controller_.parameters->line,
+      fail(controller().parameters->line,
            fmt::format("it commands {}; armtune simulates effort commands alone", fmt::join(commands, ", ")));
     }
   }
@@ -128,8 +104,8 @@ class Reader {
     const double least = of_joint(joint, "i_clamp_min", -both);
     const double upper = std::isfinite(most) ? most : both;
     const double lower = std::isfinite(least) ? least : -both;
-    const int line = controller_.parameters->find("gains")->find(joint)->line;
-    if (controller_.ros2 && (upper < 0.0 || lower > 0.0))
+    const int line = controller().parameters->find("gains")->find(joint)->line;
+    if (controller().ros2 && (upper < 0.0 || lower > 0.0))
       fail(line, fmt::format("the integral of {} is clamped to [{}, {}], which leaves no room for 0", joint,
                              lower, upper));
     if (std::abs(upper) != std::abs(lower)) {
@@ -178,80 +154,14 @@ class Reader {
              fmt::format("armtune simulates antiwindup_strategy 'legacy', not {}", shown(strategy->text)));
       return 1.0;
     }
-    if (controller_.ros2) return 1.0;
+    if (controller().ros2) return 1.0;
     const PlacedValue* given = of_joint(joint, "antiwindup");
     if (given == nullptr || given->text == "false" || given->text == "False") return 0.0;
     if (given->text == "true" || given->text == "True") return 1.0;
     fail(given->line,
          fmt::format("antiwindup of {} is {}; expected true or false", joint, shown(given->text)));
   }
-
- private:
-  const RosController& controller_;
-  const std::string& file_;
 };
-
-/// In how many places of the whole file, aliases and merge keys counted, a value is had.
-class Uses {
- public:
-  explicit Uses(const PlacedValue& root) {
-    visit(root);
-    uses_[&root] = 1.0;
-    // Parents come before children.
-    for (auto value = order_.rbegin(); value != order_.rend(); ++value) {
-      for (const auto* entries : {&(*value)->items, &(*value)->entries}) {
-        for (const yaml::PlacedEntry& entry : *entries) uses_[entry.value.get()] += uses_[*value];
-      }
-    }
-  }
-  double of(const PlacedValue& value) const { return uses_.at(&value); }
-
- private:
-  void visit(const PlacedValue& value) {
-    if (!uses_.emplace(&value, 0.0).second) return;
-    for (const auto* entries : {&value.items, &value.entries}) {
-      for (const yaml::PlacedEntry& entry : *entries) visit(*entry.value);
-    }
-    order_.push_back(&value);
-  }
-
-  std::unordered_map<const PlacedValue*, double> uses_;  ///< may be astronomical
-  std::vector<const PlacedValue*> order_;                ///< children before parents
-};
-
-/// A number that is to stand in the file in place of another.
-struct Change {
-  const PlacedValue* at;
-  bool differs;
-  std::string text;
-  std::string gain;  ///< "p of shoulder"
-};
-
-/// What a gain of a joint is to be. None: the file has no number for it.
-std::optional<Change> change_of(const PlacedValue* at, const std::string& gain, double now, double wanted) {
-  if (at == nullptr || !at->has_place()) return std::nullopt;
-  return Change{at, now != wanted, now == wanted ? at->text : yaml::decimal(wanted), gain};
-}
-
-/// Throws InputError if the changed text does not read back as the gains.
-void refuse_what_is_lost(const std::string& changed, const RosController& controller, const std::string& file,
-                         const Gains& gains, const std::vector<std::string>& joints) {
-  const Gains back = joint_trajectory_gains(
-      chosen_controller(ros_controllers(changed, file), file, controller.name), file, joints);
-  for (const GainField& field : fields_of(gains)) {
-    const auto* own_gain = std::get_if<OwnGain>(&field.member);
-    if (own_gain == nullptr) continue;
-    const std::size_t place = own_gain->place;
-    if (back.own[place] == gains.own[place]) continue;
-    Eigen::Index k = 0;
-    (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
-    const bool each = own_gain->shape == GainShape::kJoints;
-    throw InputError(one_line(
-        fmt::format("{}: {}: {}{} is to be {}, and the file would give {}; write a number for it there", file,
-                    controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
-                    yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
-  }
-}
 
 }  // namespace
 
@@ -268,7 +178,7 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
   std::optional<double> anti_windup;
   for (Eigen::Index k = 0; k < n; ++k) {
     const std::string& joint = joints[static_cast<std::size_t>(k)];
-    for (const Name& name : kNames) {
+    for (const GainName& name : kGainNames) {
       const PlacedValue* value = reader.of_joint(joint, name.in_file);
       own(gains, name.own)[k] =
           value == nullptr ? 0.0 : reader.finite(*value, fmt::format("gains/{}/{}", joint, name.in_file));
@@ -287,56 +197,6 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
   }
   own(gains, "jtc_antiwindup")[0] = anti_windup.value_or(1.0);
   return gains;
-}
-
-std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
-                       const Gains& gains, const std::vector<std::string>& joints) {
-  const Reader reader(controller, file);
-  const Gains now = joint_trajectory_gains(controller, file, joints);
-  std::vector<Change> changes;
-  const auto add = [&changes](const PlacedValue* at, const std::string& gain, double had, double wanted) {
-    if (auto change = change_of(at, gain, had, wanted)) changes.push_back(std::move(*change));
-  };
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    const std::string& joint = joints[k];
-    const auto place = static_cast<Eigen::Index>(k);
-    for (const Name& name : kNames) {
-      add(reader.of_joint(joint, name.in_file), fmt::format("{} of {}", name.in_file, joint),
-          own(now, name.own)[place], own(gains, name.own)[place]);
-    }
-    const double had = own(now, "jtc_i_clamp")[place], wanted = own(gains, "jtc_i_clamp")[place];
-    for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
-      add(reader.of_joint(joint, key), fmt::format("{} of {}", key, joint), sign * had, sign * wanted);
-    add(reader.feed_forward(joint), "feed-forward of " + joint, own(now, "jtc_ff_velocity_scale")[place],
-        own(gains, "jtc_ff_velocity_scale")[place]);
-  }
-  std::stable_sort(changes.begin(), changes.end(),
-                   [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
-  const Uses uses(*controller.all);
-  std::string changed;
-  std::size_t copied = 0;
-  for (std::size_t i = 0, next = 0; i < changes.size(); i = next) {
-    const Change& change = changes[i];
-    for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
-      if (changes[next].text == change.text) continue;
-      reader.fail(change.at->line,
-                  fmt::format("{} and {} share a number by an anchor, and are to be {} and {}; write "
-                              "both out",
-                              change.gain, changes[next].gain, change.text, changes[next].text));
-    }
-    if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
-      reader.fail(change.at->line,
-                  fmt::format("{} is to be {}, and an alias elsewhere in the file has the same number; "
-                              "write both out",
-                              change.gain, change.text));
-    }
-    if (!change.differs) continue;
-    changed += text.substr(copied, change.at->begin - copied) + change.text;
-    copied = change.at->end;
-  }
-  changed += text.substr(copied);
-  refuse_what_is_lost(changed, controller, file, gains, joints);
-  return changed;
 }
 
 }  // namespace armtune::internal

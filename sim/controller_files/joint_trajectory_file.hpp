@@ -1,6 +1,5 @@
 #pragma once
-// Gains of a joint_trajectory_controller: out of its parameter file, and back into it with nothing changed
-// but numbers.
+// Gains of a joint_trajectory_controller out of its parameter file.
 
 #include <string>
 #include <vector>
@@ -16,11 +15,5 @@ namespace armtune::internal {
 /// of the output, anti-windup that rests on them.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
-
-/// The text of the file with other numbers where the gains differ from its own; it reads back as they are.
-/// Throws InputError if a gain that differs does not stand in the file, or its number is had by an alias
-/// elsewhere, or by another gain that is to be different.
-std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
-                       const Gains& gains, const std::vector<std::string>& joints);
 
 }  // namespace armtune::internal

@@ -87,18 +87,22 @@ void MetricAccumulator::add(const Observation& o) {
     const JointVector& planned = o.control->planned.position;
     for (int i = 0; i < model_.n(); ++i) joint_error_.add((*o.q)[i] - planned[i]);
   }
-  gaze_.add(o.gaze_angle);
-  gaze_rate_.add(gaze_rate_error(o));
   compensation_.add(o.compensation_error);
-  const bool outside = o.gaze_angle >= threshold_;
-  if (outside) ++periods_outside_;
-  if (switched) reacquisition_.start(o.time);
-  reacquisition_.add(o.time, outside);
+  if (aims_) add_gaze(o, switched);
   // Half a period's grace against rounding of k * dt.
   if (state_ == ControlState::kFollowTrajectory && !o.control->slerping &&
       o.time - entered_ >= kSettlingTime - 0.5 * period_) {
     add_tracking(o);
   }
+}
+
+void MetricAccumulator::add_gaze(const Observation& o, bool switched) {
+  gaze_.add(o.gaze_angle);
+  gaze_rate_.add(gaze_rate_error(o));
+  const bool outside = o.gaze_angle >= threshold_;
+  if (outside) ++periods_outside_;
+  if (switched) reacquisition_.start(o.time);
+  reacquisition_.add(o.time, outside);
 }
 
 void MetricAccumulator::add_tracking(const Observation& o) {

@@ -57,6 +57,9 @@ class MetricAccumulator {
     from_before_ = true;
   }
 
+  /// The tool is to look at nothing: there are no metrics of the gaze.
+  void aim_at_nothing() { aims_ = false; }
+
   void add(const Observation& o);
   /// Value so far of a metric that only worsens; NaN before it has one, and for all other metrics.
   double so_far(Metric m) const;
@@ -64,6 +67,7 @@ class MetricAccumulator {
   Metrics result(double end);
 
  private:
+  void add_gaze(const Observation& o, bool switched);
   void add_tracking(const Observation& o);
   void add_limits(const Observation& o);
 
@@ -78,6 +82,7 @@ class MetricAccumulator {
   ControlState state_ = ControlState::kLeaveSingularity;
   double entered_ = 0.0;
   bool first_ = true;
+  bool aims_ = true;          ///< the gaze is at a target
   bool from_before_ = false;  ///< target_ is known before the first period
   std::size_t target_ = 0;
 

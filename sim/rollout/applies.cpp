@@ -25,6 +25,12 @@ bool applies(Metric metric, const Scenario& scenario) {
       return scenario.clearance && scenario.clearance->has(Clearance::kFloor);
     case Metric::kJointPositionMinMargin:
       return has_position_limits(*scenario.robot);
+    case Metric::kGazeRms:
+    case Metric::kGazeMax:
+    case Metric::kGazeRateErrorRms:
+    case Metric::kGazeRateErrorMax:
+    case Metric::kGazeTimeOutside:
+      return !scenario.holds_end;
     case Metric::kReacquisitionTime:
       return scenario.switches_target();
     case Metric::kJointErrorRms:

@@ -37,6 +37,7 @@ RunningRollout::RunningRollout(const PreparedScenario& prepared, double threshol
     metrics_.look_from(
         scenario_.active_target(std::max(0.0, scenario_.start_time - scenario_.control_period)));
   }
+  if (scenario_.holds_end) metrics_.aim_at_nothing();
   if (scenario_.stimulus) response_.emplace(scenario_);
   if (scenario_.clearance) {
     cell_.emplace(scenario_.clearance);

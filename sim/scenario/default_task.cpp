@@ -136,6 +136,7 @@ class Placing {
     if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
     if (!reach_goal(arm_, begin, task_.goal)) return false;
     const PathWalk walk = walk_path(scenario, task_.goal, kCentering);
+    if (touches(walk)) return false;
     if (!is_clear(walk) || walk.margin.value < least_margin_ || !is_free(walk)) return false;
     task_.manipulability = walk.manipulability.value;
     task_.load = walk.load.value;
@@ -160,13 +161,28 @@ class Placing {
     return goal + away;
   }
 
+  /// Whether the arm touches something on a way that it could follow otherwise, which is remembered.
+  bool touches(const PathWalk& walk) {
+    if (!can_follow(walk)) return false;
+    for (const LeastClearance& least : walk.nearest) {
+      if (least.pair == nullptr || least.distance > 0.0) continue;
+      if (least.pair->of == Clearance::kSelf) folded_ = true;
+      if (least.pair->of == Clearance::kFloor) ++lows_;
+      if (least.pair->of == Clearance::kCell) {
+        near_ = task_.scenario.clearance->name(*least.pair) + " touch";
+        ++nears_;
+      }
+      return true;
+    }
+    return false;
+  }
+
   /// Two bodies that come too close to each other, as a clause; empty: none do.
   std::string too_near(const PathWalk& walk) const {
     for (const LeastClearance& least : walk.nearest) {
       if (least.pair == nullptr) continue;
       const std::string pair = task_.scenario.clearance->name(*least.pair);
       const bool self = least.pair->of == Clearance::kSelf;
-      if (least.distance <= 0.0) return pair + " touch";
       // The first two links are where the arm stands, whatever its task.
       const int body = task_.scenario.clearance->arm().solids[least.pair->solid].body;
       if (!self && body > 1 && least.distance < kFromCell)

@@ -105,29 +105,32 @@ void read_field(const yaml::Node& node, const GainField& field, const std::vecto
 }  // namespace
 
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
-                 const std::string& relative_to) {
+                 const std::string& relative_to, const std::string& node) {
   const std::string path = find_data_file("gains", name_or_path, relative_to);
   const std::string text = read_input_file(path, yaml::kMaxBytes, "a YAML file");
   if (const auto controllers = controllers_in(text, path); !controllers.empty()) {
-    Gains gains = joint_trajectory_gains(chosen_controller(controllers, path), path, joints);
+    Gains gains = joint_trajectory_gains(chosen_controller(controllers, path, node), path, joints);
     validate(gains, joints, path);
     return gains;
   }
+  if (!node.empty())
+    throw InputError(fmt::format(
+        "{}: it is no ROS parameter file with controllers, so that 'node: {}' names none", path, node));
   const yaml::Node root = yaml::parse_text(text, path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);
   yaml::MapReader map(fields);
   Gains gains;
-  if (const yaml::Node* node = map.optional(kController)) {
+  if (const yaml::Node* named = map.optional(kController)) {
     try {
-      become(gains, node->as_string(), static_cast<int>(joints.size()));
+      become(gains, named->as_string(), static_cast<int>(joints.size()));
     } catch (const InputError& e) {
-      node->fail(e.what());
+      named->fail(e.what());
     }
   }
   for (const GainField& field : fields_of(gains)) {
-    const yaml::Node* node = field.required ? &map.required(field.name) : map.optional(field.name);
-    if (node != nullptr) read_field(*node, field, joints, gains);
+    const yaml::Node* value = field.required ? &map.required(field.name) : map.optional(field.name);
+    if (value != nullptr) read_field(*value, field, joints, gains);
   }
   for (const char* key : kPath) map.ignore(key);
   for (const char* key : kOfEveryNode) map.ignore(key);

@@ -15,9 +15,10 @@ namespace armtune::internal {
 /// are the adaptive one's. The fields stand at the top or under one key of any name (the published
 /// `simple_effort_ctrl`), or one below another (ROS 2's node and `ros__parameters`). The path of the
 /// published file (circularTrajectory*) is accepted and not used: the scenario says where the tool goes; so
-/// are the parameters that ROS 2 gives every node. Validated. Throws InputError.
+/// are the parameters that ROS 2 gives every node. node: which controller of a ROS parameter file that has
+/// several. Validated. Throws InputError.
 Gains load_gains(const std::string& name_or_path, const std::vector<std::string>& joints,
-                 const std::string& relative_to = {});
+                 const std::string& relative_to = {}, const std::string& node = {});
 
 /// A field's value as it stands in such a file.
 std::string field_text(const Gains& gains, const GainField& field);

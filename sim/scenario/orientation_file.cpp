@@ -104,7 +104,7 @@ ToolOrientation read_orientation(const yaml::Node& node, const Path& path, std::
     check_along(*along, path, orientation);
   }
   if (const yaml::Node* waypoints = map.optional("waypoints")) {
-    const Waypoints file = read_waypoints_node(*waypoints);
+    const UserTable file = read_waypoints_node(*waypoints);
     inputs.push_back(file.path);
     orientation = load_orientations(file);
   }

@@ -175,7 +175,7 @@ Path read_polyline(const yaml::Node& node, const Files&) {
 }
 
 Path read_waypoints(const yaml::Node& node, const Files& files) {
-  const Waypoints waypoints = read_waypoints_node(node);
+  const UserTable waypoints = read_waypoints_node(node);
   files.inputs.push_back(waypoints.path);
   Path path;
   path.spline = std::make_shared<const PositionSpline>(load_waypoints(waypoints, files.of_poses));

@@ -116,8 +116,12 @@ double depth(const PathWalk& walk) {
 
 }  // namespace
 
+bool can_follow(const PathWalk& walk) {
+  return !is_off_path(walk) && !is_singular(walk) && walk.margin.value >= 0.0;
+}
+
 bool is_clear(const PathWalk& walk) {
-  return !is_off_path(walk) && !is_singular(walk) && walk.margin.value >= 0.0 && contact(walk) == nullptr;
+  return can_follow(walk) && contact(walk) == nullptr;
 }
 
 namespace {

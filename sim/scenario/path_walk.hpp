@@ -19,6 +19,9 @@ PathWalk walk_path(const Scenario& scenario, const JointVector& q, double center
                    double roll_gain = 0.0);
 
 /// The path is followed to a millimetre, within the joints' limits, and off singularities.
+bool can_follow(const PathWalk& walk);
+
+/// The same, and the arm touches neither itself nor its cell.
 bool is_clear(const PathWalk& walk);
 
 /// What is wrong with it in one sentence, with place and figure: it passes its own target, the path leaves

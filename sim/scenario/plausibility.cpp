@@ -6,9 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/control/pose_search.hpp"
-#include "core/robot/holding_load.hpp"
+#include "core/robot/dynamics.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
@@ -106,28 +107,70 @@ void doubt_limits(const RobotModel& robot, std::vector<Doubt>& doubts) {
       doubts);
 }
 
-/// The pose, of many at random, in which gravity takes the largest share of an effort limit.
-void doubt_efforts(const RobotModel& robot, std::vector<Doubt>& doubts) {
-  const JointVector efforts = robot.effort_limits();
-  const bool slides = std::any_of(robot.chain.motion.begin(), robot.chain.motion.begin() + robot.n(),
-                                  [](JointMotion motion) { return motion == JointMotion::kPrismatic; });
-  double largest = 1.0;
-  Doubt found;
+/// The position in which gravity asks the most of a joint, of those that were looked at, and how much [N m,
+/// N].
+struct Heaviest {
+  double torque = 0.0;
+  JointVector q;
+};
+
+JointVector holding_torque(const RobotModel& robot, const JointVector& q) {
+  Poses poses;
+  forward_kinematics(robot.chain, q, poses);
+  JointVector torque;
+  gravity_torque(robot.chain, poses, torque);
+  return torque;
+}
+
+/// Moves one joint after the other while that asks more of joint i, in ever smaller steps.
+void climb(const RobotModel& robot, int i, Heaviest& heaviest) {
+  for (double step = 0.5; step > 0.01; step *= 0.5) {
+    for (int k = 0; k < robot.n(); ++k) {
+      for (const double sign : {-1.0, 1.0}) {
+        JointVector q = heaviest.q;
+        q[k] += sign * step;
+        const JointLimits& limits = robot.joints[static_cast<std::size_t>(k)].limits;
+        if (limits.has_position) q[k] = std::clamp(q[k], limits.lower, limits.upper);
+        const double torque = std::abs(holding_torque(robot, q)[i]);
+        if (torque > heaviest.torque) heaviest = {torque, q};
+      }
+    }
+  }
+}
+
+/// Of each joint: the largest of many positions at random, and of those about it.
+std::vector<Heaviest> heaviest_positions(const RobotModel& robot) {
+  std::vector<Heaviest> found(static_cast<std::size_t>(robot.n()));
   for (unsigned sample = 0; sample < kPoses; ++sample) {
     const JointVector q = sample_position(robot, sample);
-    const HoldingLoad load = holding_load(robot.chain, q, efforts);
-    if (load.share <= largest) continue;
-    largest = load.share;
-    const JointVector shown = in_degrees(robot, q);
-    const std::string& name = robot.joints[static_cast<std::size_t>(load.joint)].name;
-    found.proposed = {{"limits", name, "effort", ""}};
-    found.says = fmt::format(
-        "{}: it needs {:.3g} to hold the arm still at [{:.3g}] deg{}, and its effort limit is {:.3g}; check the limit "
-        "and the masses",
-        name, load.share * efforts[load.joint], fmt::join(shown, ", "), slides ? " and m" : "",
-        efforts[load.joint]);
+    const JointVector torque = holding_torque(robot, q);
+    for (int i = 0; i < robot.n(); ++i) {
+      Heaviest& heaviest = found[static_cast<std::size_t>(i)];
+      if (std::abs(torque[i]) >= heaviest.torque) heaviest = {std::abs(torque[i]), q};
+    }
   }
-  if (!found.says.empty()) doubts.push_back(found);
+  for (int i = 0; i < robot.n(); ++i) climb(robot, i, found[static_cast<std::size_t>(i)]);
+  return found;
+}
+
+/// Joints that cannot hold the arm everywhere.
+void doubt_efforts(const RobotModel& robot, std::vector<Doubt>& doubts) {
+  const auto slides = [&robot](std::size_t k) { return robot.chain.motion[k] == JointMotion::kPrismatic; };
+  bool any_slides = false;
+  for (std::size_t k = 0; k < robot.joints.size(); ++k) any_slides = any_slides || slides(k);
+  const std::vector<Heaviest> heaviest = heaviest_positions(robot);
+  for (std::size_t k = 0; k < heaviest.size(); ++k) {
+    const JointInfo& joint = robot.joints[k];
+    if (heaviest[k].torque <= joint.limits.effort) continue;
+    const char* unit = slides(k) ? "N" : "N m";
+    doubts.push_back(
+        {fmt::format(
+             "{}: it needs {:.3g} {} to hold the arm still at [{:.3g}] deg{}, and its effort limit is "
+             "{:.3g} {}; check the limit and the masses",
+             joint.name, heaviest[k].torque, unit, fmt::join(in_degrees(robot, heaviest[k].q), ", "),
+             any_slides ? " and m" : "", joint.limits.effort, unit),
+         {{"limits", joint.name, "effort", ""}}});
+  }
 }
 
 void doubt_last_joint(const RobotModel& robot, std::vector<Doubt>& doubts) {
@@ -146,19 +189,36 @@ void doubt_last_joint(const RobotModel& robot, std::vector<Doubt>& doubts) {
        {{"hold", joint.name, "", rest}}});
 }
 
-/// The proposed values as lines of a robot YAML, each a comment.
-std::string proposed_lines(const Proposed& proposed) {
-  std::string text, key, name;
-  for (const ProposedValue& p : proposed) {
-    if (p.key != key) text += fmt::format("# {}:\n", p.key);
-    if (p.field.empty()) {
-      text += fmt::format("#   {}: {}\n", yaml::quoted(p.name), p.value);
-    } else {
-      if (p.key != key || p.name != name) text += fmt::format("#   {}:\n", yaml::quoted(p.name));
-      text += fmt::format("#     {}: {}\n", p.field, p.value);
+/// The proposed values as lines of a robot YAML, each key once, and each line behind a comment mark.
+std::string proposed_lines(const std::vector<Doubt>& found) {
+  using Fields = std::vector<const ProposedValue*>;
+  std::vector<std::pair<std::string, std::vector<std::pair<std::string, Fields>>>> keys;
+  const auto at = [](auto& list, const std::string& name) -> auto& {
+    const auto same =
+        std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; });
+    return same != list.end() ? same->second
+                              : list.emplace_back(name, decltype(list.front().second){}).second;
+  };
+  for (const Doubt& doubt : found) {
+    for (const ProposedValue& value : doubt.proposed) {
+      Fields& fields = at(at(keys, value.key), value.name);
+      const bool known = std::any_of(fields.begin(), fields.end(),
+                                     [&](const ProposedValue* other) { return other->field == value.field; });
+      if (!known) fields.push_back(&value);
     }
-    key = p.key;
-    name = p.name;
+  }
+  std::string text;
+  for (const auto& [key, names] : keys) {
+    text += fmt::format("#{}:\n", key);
+    for (const auto& [name, fields] : names) {
+      if (fields.front()->field.empty()) {
+        text += fmt::format("#  {}: {}\n", yaml::quoted(name), fields.front()->value);
+        continue;
+      }
+      text += fmt::format("#  {}:\n", yaml::quoted(name));
+      for (const ProposedValue* value : fields)
+        text += fmt::format("#    {}: {}\n", value->field, value->value);
+    }
   }
   return text;
 }
@@ -182,12 +242,11 @@ std::vector<std::string> doubts(const RobotModel& robot) {
 
 std::string proposals_yaml(const std::string& urdf, const std::vector<Doubt>& found) {
   std::string text = urdf.empty() ? "" : fmt::format("urdf: {}\n", yaml::quoted(urdf));
+  text += "# What armtune doubts:\n";
+  for (const Doubt& doubt : found) text += "\n" + yaml::comment(doubt.says);
   text +=
-      "# What armtune doubts, and what could stand here instead. Take the # away from what is right, give the\n"
-      "# values that are missing, and put lines under one key together.\n";
-  for (const Doubt& doubt : found)
-    text += fmt::format("\n{}{}", yaml::comment(doubt.says), proposed_lines(doubt.proposed));
-  return text;
+      "\n# What could stand here instead. Take the # away from what is right, and give the values that are missing.\n";
+  return text + proposed_lines(found);
 }
 
 }  // namespace armtune::internal

@@ -74,6 +74,7 @@ struct Scenario {
   std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
   Path path;                                   ///< of the tool, base frame
   TaskMask mask = TaskMask::kPose;             ///< which part of path and gaze the arm is to hold
+  bool holds_end = false;  ///< the task is to stay where the planned motion ended, and aims at nothing
   std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` says how the tool is turned
   std::optional<ToolOrientation> orientation;
   double switch_every = 0.0;         ///< targets take turns [s]; 0: always the first, or as `schedule` says

@@ -114,9 +114,9 @@ void read_start(const yaml::Node& node, Scenario& scenario) {
 
 /// The planned motion, whose beginning is the scenario's.
 void read_planned(const yaml::Node& node, Scenario& scenario) {
-  const std::string path = path_in(node);
-  scenario.planned = std::make_shared<const JointSpline>(load_planned_motion(path, *scenario.robot));
-  scenario.inputs.push_back(path);
+  const PlannedFile file = read_planned_node(node);
+  scenario.planned = std::make_shared<const JointSpline>(load_planned_motion(file, *scenario.robot));
+  scenario.inputs.push_back(file.table.path);
   scenario.start_time = scenario.planned->begin();
   scenario.start_position = scenario.planned->knots().front().position;
   scenario.start_velocity = scenario.planned->knots().front().velocity;
@@ -125,6 +125,7 @@ void read_planned(const yaml::Node& node, Scenario& scenario) {
 /// A planned motion alone: what is left to do then is to stay where it ends, the tool as it is.
 void hold_the_end(Scenario& scenario) {
   constexpr double kAhead = 1.0;  // m
+  scenario.holds_end = true;
   Poses poses;
   forward_kinematics(scenario.robot->chain, scenario.planned->knots().back().position, poses);
   scenario.path = Path{poses.p_0T, 0.0, 0.0, {}};
@@ -133,8 +134,8 @@ void hold_the_end(Scenario& scenario) {
 
 /// Whether orientation and path come from one file of waypoints, which is then read in one way.
 bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
-  const Waypoints a = read_waypoints_node(turns);
-  const Waypoints b = read_waypoints_node(points);
+  const UserTable a = read_waypoints_node(turns);
+  const UserTable b = read_waypoints_node(points);
   if (a.path != b.path) return false;
   if (a.units.time != b.units.time || a.columns != b.columns)
     turns.fail("the path reads the same file with other 'units' or 'columns'; give both the same");
@@ -188,11 +189,17 @@ double read_duration(const yaml::Node* node, const Scenario& scenario) {
   node->fail(message);
 }
 
-/// The scenario's cell, or that of the robot's file. node: null where the scenario has none of its own.
+/// The scenario's cell, or that of the robot's file, with the scenario's obstacles in it. node: null where
+/// the scenario has none of its own.
 void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& scenario) {
-  const std::optional<Cell> cell =
+  std::optional<Cell> cell =
       node != nullptr ? std::optional(read_cell(*node, scenario.inputs)) : cell_of(robot, scenario.inputs);
-  if (cell) scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, *cell);
+  if (!cell) return;
+  for (const MovingObstacle& obstacle : scenario.obstacles) {
+    if (obstacle.radius > 0.0)
+      cell->parts.push_back({obstacle.name, sphere(obstacle.radius), Mat3::Identity(), obstacle.path, true});
+  }
+  scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, std::move(*cell));
 }
 
 }  // namespace
@@ -234,6 +241,8 @@ Scenario load_scenario(const std::string& name_or_path) {
     if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
       schedule->fail("stands beside 'switch_every', by which targets take turns; set that to 0");
   }
+  if (const yaml::Node* obstacles = map.optional("obstacles"))
+    scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
   read_clearance(map.optional("cell"), read_robot_file(robot, robot_folder), scenario);
   // A plan has a start of its own, over a base's.
   if (const yaml::Node* start = map.optional("start_position_deg"); start != nullptr && !scenario.planned) {
@@ -246,8 +255,6 @@ Scenario load_scenario(const std::string& name_or_path) {
     if (scenario.orientation) camera->fail("sees targets, and there are none; take it out");
     scenario.camera = read_camera(*camera);
   }
-  if (const yaml::Node* obstacles = map.optional("obstacles"))
-    scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
   if (const yaml::Node* from = map.optional("obstacle_distance")) read_distance(*from, scenario);
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
     if (scenario.planned)

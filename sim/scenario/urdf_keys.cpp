@@ -81,6 +81,8 @@ std::vector<Shape> read_shapes(const yaml::Node& node) {
 
 void read_tool(const yaml::Node& node, UrdfOptions& options) {
   yaml::MapReader map(node);
+  for (const char* key : {"xyz", "rpy", "mass", "center", "moments", "shapes"}) map.ignore(key);
+  map.finish();  // a misspelt key is not to be told as another one that is missing
   if (const yaml::Node* xyz = map.optional("xyz")) options.p_tip_T = Vec3(xyz->as_numbers(3).data());
   if (const yaml::Node* rpy = map.optional("rpy")) {
     const auto angles = rpy->as_numbers(3);
@@ -100,7 +102,6 @@ void read_tool(const yaml::Node& node, UrdfOptions& options) {
           "than the sum of the other two");
   }
   if (const yaml::Node* shapes = map.optional("shapes")) options.tool_shapes = read_shapes(*shapes);
-  map.finish();
 }
 
 }  // namespace

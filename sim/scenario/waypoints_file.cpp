@@ -1,28 +1,19 @@
 #include "sim/scenario/waypoints_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <string_view>
 #include <vector>
 
 #include "armtune/error.hpp"
-#include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
 #include "core/trajectory/cubic_spline.hpp"
-#include "sim/csv/csv_parts.hpp"
 #include "sim/csv/csv_table.hpp"
-#include "sim/csv/line_cells.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/motion_rows.hpp"
 #include "sim/yaml/map_reader.hpp"
-#include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -38,83 +29,8 @@ bool is_one_of(const std::array<const char*, N>& names, const std::string& name)
   return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
 }
 
-constexpr std::size_t kMostBytes = 48U << 20;
-
-/// The text with commas between its cells, whatever stands there, and the names of its first line in lower
-/// case. Throws InputError for a number with a comma in it.
-std::string with_commas(std::string_view text, const std::string& path) {
-  std::string result;
-  std::vector<std::string_view> cells;
-  char separator = ',';
-  long number = 0;
-  text.remove_prefix(byte_order_mark(text));
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (++number == 1) separator = find_separator(line);
-    split_cells(line, separator, cells);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (cells[i].find(',') != std::string_view::npos) {
-        throw InputError(fmt::format(
-            "{}:{}: the cell {} of this file, whose cells are separated by {}, has a comma; write numbers with a point",
-            path, number, shown(std::string(cells[i])), separator_name(separator)));
-      }
-      result += i > 0 ? "," : "";
-      result += cells[i];
-    }
-    if (number == 1) {
-      std::transform(result.begin(), result.end(), result.begin(),
-                     [](unsigned char c) { return static_cast<char>(c < 128 ? std::tolower(c) : c); });
-    }
-    result += '\n';
-  }
-  return result;
-}
-
-bool is_number(std::string_view text) {
-  double value = 0.0;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size();
-}
-
-/// Whether the first line of a table with commas holds numbers and no names.
-bool has_no_names(const std::string& text) {
-  std::vector<std::string_view> cells;
-  split_cells(std::string_view(text).substr(0, text.find('\n')), ',', cells);
-  return std::all_of(cells.begin(), cells.end(), is_number);
-}
-
-/// A table with its names, and what messages call it.
-struct NamedTable {
-  CsvTable table;
-  std::string name;
-};
-
-NamedTable parse_table(const Waypoints& waypoints) {
-  const std::string& path = waypoints.path;
-  std::string text = with_commas(read_input_file(path, kMostBytes, "a CSV file"), path);
-  std::string name = path;
-  if (has_no_names(text)) {
-    if (waypoints.columns.empty()) {
-      throw InputError(fmt::format(
-          "{}:1: the first line holds numbers and no names; add a line of names, or say where the file is "
-          "named which column is which: waypoints: {{file: {}, columns: [time, x, y, z]}}",
-          path, yaml::quoted(std::filesystem::path(path).filename().string())));
-    }
-    text = fmt::format("{}\n{}", fmt::join(waypoints.columns, ","), text);
-    name += " (below a line of names)";
-  } else if (!waypoints.columns.empty()) {
-    throw InputError(
-        fmt::format("{}:1: the first line holds names; leave 'columns' out, or take that line away", path));
-  }
-  return {CsvTable::parse(text, name, CsvOrigin::kUser), name};
-}
-
-NamedTable read_table(const Waypoints& waypoints) {
-  NamedTable named = parse_table(waypoints);
+ParsedTable read_table(const UserTable& waypoints) {
+  ParsedTable named = parse_user_table(waypoints, ColumnNames::kInLowerCase, "waypoints", "time, x, y, z");
   const CsvTable& table = named.table;
   const std::string& path = named.name;
   for (const std::string& column : table.header()) {
@@ -128,13 +44,6 @@ NamedTable read_table(const Waypoints& waypoints) {
     throw InputError(
         fmt::format("{}: {} rows; a path has at most {}: thin them out", path, table.rows(), kMostWaypoints));
   return named;
-}
-
-/// Times in the table's unit, in seconds.
-std::vector<double> seconds(const NamedTable& named, const Waypoints& waypoints) {
-  std::vector<double> time = rising_times(named.table, named.name);
-  for (double& t : time) t *= waypoints.units.time;
-  return time;
 }
 
 /// These columns of every row.
@@ -152,24 +61,16 @@ std::vector<std::array<double, N>> numbers(const CsvTable& table, const std::arr
 
 }  // namespace
 
-Waypoints read_waypoints_node(const yaml::Node& node) {
-  Waypoints waypoints;
-  if (node.kind() != yaml::Node::Kind::kMap) {
-    waypoints.path = file_beside(node.as_string(), node.file());
-    return waypoints;
-  }
+UserTable read_waypoints_node(const yaml::Node& node) {
+  if (node.kind() != yaml::Node::Kind::kMap) return {file_beside(node.as_string(), node.file())};
   yaml::MapReader map(node);
-  const yaml::Node& file = map.required("file");
-  waypoints.path = file_beside(file.as_string(), file.file());
-  if (const yaml::Node* units = map.optional("units"))
-    waypoints.units = yaml::read_file_units(*units, "time length");
-  if (const yaml::Node* columns = map.optional("columns")) waypoints.columns = columns->as_strings();
+  UserTable waypoints = read_user_table(map, "time length");
   map.finish();
   return waypoints;
 }
 
-PositionSpline load_waypoints(const Waypoints& waypoints, bool of_poses) {
-  const NamedTable named = read_table(waypoints);
+PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
+  const ParsedTable named = read_table(waypoints);
   const CsvTable& table = named.table;
   const std::string& path = named.name;
   for (const std::string& column : table.header()) {
@@ -179,7 +80,7 @@ PositionSpline load_waypoints(const Waypoints& waypoints, bool of_poses) {
         "where this is the tool's path, or take the column out",
         path, column));
   }
-  const std::vector<double> time = seconds(named, waypoints);
+  const std::vector<double> time = rising_seconds(named, waypoints);
   std::vector<Vec3> positions;
   positions.reserve(table.rows());
   for (const auto& row : numbers(table, kPlace, path))
@@ -195,11 +96,11 @@ PositionSpline load_waypoints(const Waypoints& waypoints, bool of_poses) {
   return {time, knots, false};
 }
 
-ToolOrientation load_orientations(const Waypoints& waypoints) {
-  const NamedTable named = read_table(waypoints);
+ToolOrientation load_orientations(const UserTable& waypoints) {
+  const ParsedTable named = read_table(waypoints);
   const CsvTable& table = named.table;
   const std::string& path = named.name;
-  const std::vector<double> time = seconds(named, waypoints);
+  const std::vector<double> time = rising_seconds(named, waypoints);
   std::vector<Eigen::Quaterniond> orientations;
   orientations.reserve(table.rows());
   for (const auto& row : numbers(table, kTurn, path)) {

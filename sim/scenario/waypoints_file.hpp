@@ -3,32 +3,22 @@
 // qy, qz beside them, or alone. Commas, semicolons, tabs or blanks separate the cells; names may have
 // capitals. Other units, and columns without a line of names, are said where the file is named.
 
-#include <string>
-#include <vector>
-
 #include "core/trajectory/position_spline.hpp"
 #include "core/trajectory/tool_orientation.hpp"
-#include "sim/yaml/file_units.hpp"
+#include "sim/scenario/user_table.hpp"
 
 namespace armtune::internal {
 
-/// A file of waypoints, and what its numbers are.
-struct Waypoints {
-  std::string path;
-  yaml::FileUnits units;
-  std::vector<std::string> columns;  ///< of a file without a line of names; empty: it has one
-};
-
 /// A path from the folder of the file that names it, or {file, units: {time, length}, columns: [time, x,
 /// ...]}. Throws InputError with file, line and key.
-Waypoints read_waypoints_node(const yaml::Node& node);
+UserTable read_waypoints_node(const yaml::Node& node);
 
 /// The cubic spline through x, y, z, at rest before its beginning and after its end, where its acceleration
 /// jumps. of_poses: qw, qx, qy, qz may stand beside them. Throws InputError naming file, line and column.
-PositionSpline load_waypoints(const Waypoints& waypoints, bool of_poses);
+PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses);
 
 /// The turn through qw, qx, qy, qz (turning_through); x, y, z may stand beside them. Throws InputError naming
 /// file, line and column.
-ToolOrientation load_orientations(const Waypoints& waypoints);
+ToolOrientation load_orientations(const UserTable& waypoints);
 
 }  // namespace armtune::internal

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/control/laws/controller_kind.hpp"
+#include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
 #include "tests/fuzz/support/input.hpp"
 

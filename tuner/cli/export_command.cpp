@@ -8,7 +8,7 @@
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/controller_files/changed_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/gains_file.hpp"

@@ -81,8 +81,9 @@ Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> set
       s.obstacles.push_back({obstacle.path, obstacle.radius});
     if (!s.obstacles.empty()) s.influence_radius = influence_radius;
     if (scenario.clearance) {
-      for (const CellPart& part : scenario.clearance->cell().parts)
-        s.cell.push_back({part.name, drawn(part), part.path});
+      for (const CellPart& part : scenario.clearance->cell().parts) {
+        if (!part.is_obstacle) s.cell.push_back({part.name, drawn(part), part.path});
+      }
       // It is drawn across the base frame's z.
       const bool upright = height_of(Vec3::UnitZ(), *scenario.robot) > 1.0 - 1e-6;
       if (upright) s.floor = scenario.clearance->cell().floor;

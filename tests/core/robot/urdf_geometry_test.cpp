@@ -1,5 +1,7 @@
 // Frames and inertias that come out of a URDF, against independent sums and products of its numbers.
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <numbers>
 #include <random>
@@ -101,6 +103,37 @@ TEST_F(UrdfGeometry, Ur10PosesEqualTheProductOfItsTransforms) {
   UrdfOptions on_ee_link;
   on_ee_link.tip_link = "ee_link";
   expect_same_poses(read_urdf(kUr10, on_ee_link), joints, q);
+}
+
+// As a UR's calibrated description has them: origins and angles of the arm's make, a little beside the
+// nominal ones, and a shoulder that is far off along its axis, which the elbow takes back.
+TEST_F(UrdfGeometry, ACalibratedArmsPosesEqualTheProductOfItsTransforms) {
+  const double h = kPi / 2;
+  const std::vector<UrdfJoint> joints = {
+      {"revolute", {0, 0, 0.162476}, {0, 0, -2.1e-5}, Vec3::UnitZ()},
+      {"revolute", {0.000131, 0, 0}, {h + 0.000418, 0, 1.3e-5}, Vec3::UnitZ()},
+      {"revolute", {-0.425063, 0, 0}, {0.00163, 0.00213, 7.2e-5}, Vec3::UnitZ()},
+      {"revolute", {-0.392261, -0.000412, 2.741831}, {3.14091, -3.13998, 3.141589}, Vec3::UnitZ()},
+      {"revolute", {-8.7e-5, -0.099651, -0.000135}, {h + 0.00117, 0, -4.4e-5}, Vec3::UnitZ()},
+      {"revolute", {2.2e-5, 0.099557, -0.000228}, {h + 0.00229, kPi, kPi - 3.1e-5}, Vec3::UnitZ()},
+  };
+  std::string urdf = R"(<robot name="calibrated"><link name="l0"/>)";
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const auto list = [](const Vec3& v) {
+      return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
+    };
+    urdf += fmt::format(
+        R"(<link name="l{1}"><inertial><mass value="2"/><inertia ixx="0.02" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial></link>)"
+        R"(<joint name="j{1}" type="revolute"><parent link="l{0}"/><child link="l{1}"/><origin xyz="{2}" rpy="{3}"/>)"
+        R"(<axis xyz="{4}"/><limit lower="-6.2" upper="6.2" velocity="3" effort="150"/></joint>)",
+        k, k + 1, list(joints[k].xyz), list(joints[k].rpy), list(joints[k].axis));
+  }
+  const RobotModel arm = read_urdf(write(urdf + "</robot>"));
+  ASSERT_EQ(arm.n(), 6);
+  JointVector q(6);
+  q << 0.3, -1.2, 1.9, -0.4, 2.5, -3.0;
+  expect_same_poses(arm, joints, q);
+  EXPECT_GT(std::abs((arm.chain.R_PB0[2] * Vec3::UnitZ()).x()), 1e-3) << "the elbow's axis is skew";
 }
 
 TEST_F(UrdfGeometry, RandomArmsWithFixedLinksBetweenPosesEqualTheProductOfTheirTransforms) {

@@ -269,35 +269,6 @@ TEST(ClearanceModel, TheFirstLinkIsNoPairWithTheFloorOnlyWhereItStandsOnIt) {
   EXPECT_FALSE(has_first(ClearanceModel(std::make_shared<const RobotModel>(arm), cell)));
 }
 
-/// A link that is fixed to another and has nothing but what is to be seen of it counts as that; what cannot
-/// be read is named, the base too.
-TEST(ArmSolids, EveryLinkCountsWithItsOwnShapes) {
-  RobotModel arm = test::with_rods(test::seven_joint_arm());
-  for (Shape& shape : arm.shapes) shape.link_name = "link " + std::to_string(shape.link);
-  Shape gripper = arm.shapes.back();
-  gripper.collision = false;
-  gripper.link = arm.shapes.back().link + 1;
-  gripper.link_name = "gripper";
-  arm.shapes.push_back(gripper);
-  Shape mesh = gripper;
-  mesh.kind = ShapeKind::kMesh;
-  mesh.file = "nowhere.stl";
-  mesh.collision = true;
-  mesh.link += 1;
-  mesh.link_name = "camera";
-  arm.shapes.push_back(mesh);
-  Shape beside = mesh;
-  beside.kind = ShapeKind::kSphere;
-  beside.size = {0.1, 0.0, 0.0};
-  arm.shapes.push_back(beside);
-  const ArmSolids all = arm_solids(arm);
-  EXPECT_THAT(all.unknown, ElementsAre("camera"));
-  EXPECT_EQ(all.solids.size(), arm.shapes.size() - 1) << "the readable shape of the camera is kept";
-  std::erase_if(arm.shapes, [](const Shape& shape) { return shape.body == -1 || shape.body == 3; });
-  EXPECT_THAT(arm_solids(arm).unknown, testing::Contains(arm.base_link));
-  EXPECT_THAT(arm_solids(arm).unknown, testing::Contains(arm.joints[3].link));
-}
-
 TEST(ClearanceModel, OfABundledArmSaysWhichLinksAreLeftOut) {
   const ClearanceModel model(load_robot("ur5e"), Cell{});
   EXPECT_THAT(

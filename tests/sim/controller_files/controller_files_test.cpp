@@ -10,6 +10,7 @@
 
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/valid_gains.hpp"
+#include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
 #include "tests/sim/support/files.hpp"
 

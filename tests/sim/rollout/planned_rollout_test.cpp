@@ -94,6 +94,27 @@ TEST_F(PlannedRollout, TheMetricsAreThoseOfTheTrueJointsAgainstThePlan) {
   EXPECT_TRUE(applies(Metric::kPositionMax, base_));
 }
 
+// Without targets the tool is to stay as it is in the end; where it looks meanwhile means nothing.
+TEST_F(PlannedRollout, OfAMotionAloneHasNoMetricsOfTheGaze) {
+  folder_.write("plan.csv", test::plan_csv(*base_.robot, plan_));
+  const Scenario alone = load_scenario(folder_.write(
+      "alone.yaml",
+      "robot: ur10\ncontrol_period: 0.002\nplanned: plan.csv\nduration: planned\ntheta_start: {model_scale: 1}\n"));
+  const Scenario with_targets = scenario();
+  const auto metrics_of = [](const Scenario& s) {
+    return Rollout(s, Stepper::kMidpoint, Engine::kNative).run(published_gains(s)).metrics;
+  };
+  const Metrics of_alone = metrics_of(alone), of_targets = metrics_of(with_targets);
+  for (const Metric gaze : {Metric::kGazeRms, Metric::kGazeMax, Metric::kGazeRateErrorRms,
+                            Metric::kGazeRateErrorMax, Metric::kGazeTimeOutside}) {
+    EXPECT_TRUE(std::isnan(of_alone[gaze])) << name(gaze);
+    EXPECT_FALSE(applies(gaze, alone)) << name(gaze);
+    EXPECT_FALSE(std::isnan(of_targets[gaze])) << name(gaze);
+    EXPECT_TRUE(applies(gaze, with_targets)) << name(gaze);
+  }
+  EXPECT_EQ(of_alone[Metric::kJointErrorMax], of_targets[Metric::kJointErrorMax]);
+}
+
 /// Largest |q - qd| of the quintic as a plan, and how far that run is from leaveSingularity's of the same
 /// quintic.
 struct AsPlanAndAsItself {

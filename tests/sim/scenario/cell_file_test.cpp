@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/control/obstacle_distance.hpp"
 #include "sim/cell/clearance_model.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -157,6 +158,30 @@ TEST(ScenarioCell, TakesTheCellOfTheRobotUnlessItHasItsOwn) {
   EXPECT_TRUE(own.clearance->cell().parts.empty());
   folder.write("arm.yaml", kRobot);
   EXPECT_FALSE(load_scenario(folder.write("c.yaml", text)).clearance);
+}
+
+TEST(ScenarioCell, ObstaclesWithABodyAreParts) {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "robot: ur5e\ncontrol_period: 0.002\nduration: 1\nstart_position_deg: [0, -90, 90, -90, -90, 0]\n"
+      "path: {hold: [0.4, 0.1, 0.4]}\ntargets: [{name: a, hold: [0.4, 0.1, 0]}]\ntheta_start: {model_scale: 1}\n"
+      "obstacles: [{name: ball, hold: [0, 0, 0.4], radius: 0.1}, {name: point, hold: [1, 1, 1]}]\n";
+  EXPECT_FALSE(load_scenario(folder.write("a.yaml", text)).clearance);
+  const Scenario s = load_scenario(folder.write("b.yaml", text + "cell: {}\n"));
+  ASSERT_TRUE(s.clearance->has(Clearance::kCell));
+  ASSERT_EQ(s.clearance->cell().parts.size(), 1U);
+  EXPECT_EQ(s.clearance->cell().parts[0].name, "ball");
+  EXPECT_TRUE(s.clearance->cell().parts[0].is_obstacle);
+  // It stands in the upper arm, between two joints' origins that are clear of it.
+  Poses poses;
+  forward_kinematics(s.robot->chain, s.start_position, poses);
+  EXPECT_GT(clearance(s.robot->chain, poses, std::vector<Obstacle>{s.obstacles[0].at(0.0)}), 0.0);
+  double least = 1.0;
+  for (const ContactPair& pair : s.clearance->pairs()) {
+    if (pair.of == Clearance::kCell)
+      least = std::min(least, s.clearance->distance(pair, poses, Vec3(0.0, 0.0, 0.4)).distance);
+  }
+  EXPECT_LT(least, 0.0);
 }
 
 TEST(ScenarioCell, FindsAStartThatTouchesNothingOfTheCell) {

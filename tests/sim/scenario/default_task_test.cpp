@@ -116,6 +116,38 @@ TEST(DefaultTask, AnArmThatHangsHasNoFloorUnlessItIsGiven) {
   EXPECT_LT(height_of(task.scenario.path.center, *robot), 0.0);
 }
 
+TEST(DefaultTask, ATableInTheWayIsAvoidedOrNamed) {
+  const auto table = [](double side, const Vec3& center) {
+    TaskOptions options;
+    options.cell = Cell{};
+    Path rests;
+    rests.center = center;
+    options.cell->parts.push_back({"table", box({side, side, 0.05}), Mat3::Identity(), rests});
+    return options;
+  };
+  const auto arm = load_robot("ur5e");
+  const DefaultTask free = default_task(arm, {});
+  // A plate across the circle that it would take without one.
+  const Vec3 center = free.scenario.path.center;
+  const DefaultTask beside = default_task(arm, table(0.3, center));
+  const auto nearest = [](const Scenario& scenario, const JointVector& goal) {
+    double least = 1.0;
+    for (const LeastClearance& found : walk_path(scenario, goal, 0.2).nearest)
+      least = std::min(least, found.pair == nullptr ? 1.0 : found.distance);
+    return least;
+  };
+  EXPECT_GT(nearest(beside.scenario, beside.goal), 0.0);
+  Scenario crossing = free.scenario;
+  crossing.clearance = beside.scenario.clearance;
+  EXPECT_LT(nearest(crossing, free.goal), 0.0) << "the plate is in the way";
+  // One that the arm stands in, above a floor: it leaves no place.
+  TaskOptions through = table(3.0, Vec3(0.0, 0.0, 0.35));
+  through.cell->floor = 0.0;
+  EXPECT_THAT(
+      test::refusal([&] { default_task(arm, through); }),
+      testing::AllOf(testing::HasSubstr("no first task was found"), testing::HasSubstr("and table touch")));
+}
+
 TEST(DefaultTask, ATaskThatNoJointCanHoldIsRefusedWithWhatItNeeds) {
   RobotModel weak = *load_robot("ur10");
   for (JointInfo& joint : weak.joints) joint.limits.effort = 1.0;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "sim/scenario/robot_file.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -40,8 +41,9 @@ class PlannedMotion : public testing::Test {
       text += line;
     }
     const std::string path = write(text);
-    return refusal([&] { load_planned_motion(path, *robot_); });
+    return refusal([&] { load(path); });
   }
+  JointSpline load(const std::string& path) const { return load_planned_motion({{path}}, *robot_); }
   Scenario scenario(const std::string& keys) const {
     return load_scenario(folder_.write("own.yaml", "base: moving_target\n" + keys));
   }
@@ -52,7 +54,7 @@ class PlannedMotion : public testing::Test {
 };
 
 TEST_F(PlannedMotion, ReadsEveryKnotToTheBitWhereverItsColumnsStand) {
-  const JointSpline plan = load_planned_motion(write(csv()), *robot_);
+  const JointSpline plan = load(write(csv()));
   EXPECT_EQ(plan.time().size(), 401U);
   EXPECT_EQ(plan.begin(), 8.0);
   EXPECT_EQ(plan.end(), 10.0);
@@ -66,7 +68,7 @@ TEST_F(PlannedMotion, ReadsEveryKnotToTheBitWhereverItsColumnsStand) {
   test::QuinticPlan other = plan_;
   other.start = plan_.start.reverse();
   other.goal = plan_.goal.reverse();
-  const JointSpline same = load_planned_motion(write(test::plan_csv(reversed, other)), *robot_);
+  const JointSpline same = load(write(test::plan_csv(reversed, other)));
   for (std::size_t k = 0; k < plan.knots().size(); ++k) {
     EXPECT_EQ(plan.knots()[k].position, same.knots()[k].position);
     EXPECT_EQ(plan.knots()[k].velocity, same.knots()[k].velocity);
@@ -78,7 +80,7 @@ TEST_F(PlannedMotion, OfWaypointsGoesThroughThemAtRestAtBothEnds) {
   std::string text = "time";
   for (const JointInfo& joint : robot_->joints) text += ",joint/" + joint.name + "/position";
   text += "\n8,0,0,0,0,0,0\n9,0.1,0.2,0.3,-0.1,-0.2,-0.3\n11,0.5,0,0,0,0,0\n";
-  const JointSpline plan = load_planned_motion(write(text), *robot_);
+  const JointSpline plan = load(write(text));
   EXPECT_EQ(plan.begin(), 8.0);
   EXPECT_EQ(plan.end(), 11.0);
   EXPECT_NEAR(plan.at(9.0).position[2], 0.3, 1e-12);
@@ -92,12 +94,95 @@ TEST_F(PlannedMotion, OfWaypointsGoesThroughThemAtRestAtBothEnds) {
   std::string far = text;
   far.replace(far.find("0.1,0.2,0.3"), 11, "0.1,0.2,3.1");
   far.replace(far.find("11,0.5,0,0"), 10, "9.4,0.5,0,3.1");
-  EXPECT_THAT(
-      refusal([&] { load_planned_motion(write(far), *robot_); }),
-      AllOf(HasSubstr("plan.csv:3 and 4, between them"), HasSubstr("elbow_joint"), HasSubstr("3.14159")));
+  EXPECT_THAT(refusal([&] { load(write(far)); }),
+              AllOf(HasSubstr("plan.csv:3 and the next point, between them"), HasSubstr("elbow_joint"),
+                    HasSubstr("3.14159")));
   // A velocity for one joint alone is a plan with columns missing.
   text.replace(text.find('\n'), 1, ",joint/elbow_joint/velocity\n");
-  EXPECT_THAT(refusal([&] { load_planned_motion(write(text), *robot_); }), HasSubstr("plan.csv"));
+  EXPECT_THAT(refusal([&] { load(write(text)); }), HasSubstr("plan.csv"));
+}
+
+TEST_F(PlannedMotion, PointsThatAreJoinedAsRosDoesAreWhereItsSegmentsAre) {
+  // A joint between two points: of positions a straight line, of velocities too a cubic, of accelerations
+  // too a quintic.
+  const auto text = [this](int columns) {
+    std::string header = "time", from = "\n2", to = "\n4";
+    const std::vector<const char*> names = {"position", "velocity", "acceleration"};
+    const std::vector<const char*> starts = {",0", ",0", ",0"}, ends = {",0.8", ",0.4", ",-0.6"};
+    for (const JointInfo& joint : robot_->joints) {
+      for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c) {
+        header += ",joint/" + joint.name + "/" + names[c];
+        from += starts[c];
+        to += ends[c];
+      }
+    }
+    return header + from + to + "\n";
+  };
+  const auto middle = [&](int columns) {
+    folder_.write("moves.csv", text(columns));
+    return scenario("planned: {file: moves.csv, segments: as_ros}\nduration: planned\n").planned->at(3.0);
+  };
+  const JointVector one = JointVector::Ones(6);
+  EXPECT_LT((middle(1).position - 0.4 * one).norm(), 1e-14);
+  EXPECT_LT((middle(1).velocity - 0.4 * one).norm(), 1e-14);
+  // By hand from (q, q') = (0, 0) to (0.8, 0.4) in T = 2 s: c2 = 0.4, c3 = -0.1.
+  EXPECT_LT((middle(2).position - 0.3 * one).norm(), 1e-14);
+  EXPECT_LT((middle(2).velocity - 0.5 * one).norm(), 1e-14);
+  // With q'' = -0.6 there: c3 = 0.45, c4 = -0.25, c5 = 0.0375.
+  EXPECT_LT((middle(3).position - 0.2375 * one).norm(), 1e-14);
+  // Rows with velocities and without accelerations can be joined in no other way.
+  EXPECT_LT((load(folder_.write("moves.csv", text(2))).at(3.0).position - 0.3 * one).norm(), 1e-14);
+  // Of accelerations that are not linear between rows, a motion that is to be smooth is refused.
+  EXPECT_THAT(refusal([&] { load(folder_.write("moves.csv", text(3))); }), HasSubstr("more rows"));
+}
+
+TEST_F(PlannedMotion, AUsersTableMayHavePlainNamesOtherUnitsOrNoNames) {
+  std::string header = "time";
+  for (const JointInfo& joint : robot_->joints) header += ";" + joint.name;
+  const std::string rows = "0;0;0;0;0;0;0\n1500;90;0;-45;0;0;0\n";
+  folder_.write("moves.csv", header + "\n" + rows);
+  const std::string units = "units: {angle: deg, time: ms}";
+  const Scenario named = scenario("planned: {file: moves.csv, " + units + "}\nduration: planned\n");
+  EXPECT_EQ(named.planned->end(), 1.5);
+  EXPECT_DOUBLE_EQ(named.planned->at(1.5).position[0], std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(named.planned->at(1.5).position[2], -std::numbers::pi / 4);
+  folder_.write("moves.csv", rows);
+  EXPECT_THAT(refusal([&] { scenario("planned: moves.csv\nduration: planned\n"); }),
+              AllOf(HasSubstr("moves.csv:1"),
+                    HasSubstr("planned: {file: \"moves.csv\", columns: [time, shoulder_pan")));
+  folder_.write("moves.csv", header + "\n" + rows);
+  EXPECT_THAT(refusal([&] { scenario("planned: moves.csv\nduration: planned\n"); }),
+              AllOf(HasSubstr("is 90, outside"), HasSubstr("units: {angle: deg}")));
+  folder_.write("moves.csv", rows);
+  std::string columns = "time";
+  for (const JointInfo& joint : robot_->joints) columns += ", " + joint.name;
+  EXPECT_EQ(
+      scenario("planned: {file: moves.csv, " + units + ", columns: [" + columns + "]}\nduration: planned\n")
+          .planned->at(1.5)
+          .position,
+      named.planned->at(1.5).position);
+  EXPECT_THAT(refusal([&] { scenario("planned: {file: moves.csv, segments: cubic}\nduration: planned\n"); }),
+              AllOf(HasSubstr("planned/segments"), HasSubstr("as_ros")));
+}
+
+TEST_F(PlannedMotion, AMessageOfRosIsOne) {
+  std::string names = "joint_names: [";
+  for (const JointInfo& joint : robot_->joints) names += joint.name + ", ";
+  folder_.write("moves.yaml", names.substr(0, names.size() - 2) +
+                                  "]\npoints:\n- {positions: [0, 0, 0, 0, 0, 0], time_from_start: {sec: 0}}\n"
+                                  "- {positions: [1, 0, 3.0, 0, 0, 0], time_from_start: {sec: 2}}\n");
+  const Scenario s = scenario("planned: moves.yaml\nduration: planned\n");
+  EXPECT_EQ(s.planned->at(0.5).position[0], 0.25) << "joined by straight lines, as ROS does";
+  EXPECT_TRUE(s.start_velocity.isZero(0.0));
+  EXPECT_TRUE(s.planned->at(2.0).velocity.isZero(0.0));
+  folder_.write("moves.yaml",
+                names.substr(0, names.size() - 2) +
+                    "]\npoints:\n- {positions: [0, 0, 0, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], "
+                    "time_from_start: 0}\n"
+                    "- {positions: [1, 0, 3.0, 0, 0, 0], velocities: [0, 0, -9, 0, 0, 0], "
+                    "time_from_start: 2}\n");
+  EXPECT_THAT(refusal([&] { scenario("planned: moves.yaml\nduration: planned\n"); }),
+              AllOf(HasSubstr("moves.yaml:3 and the next point, between them"), HasSubstr("elbow_joint")));
 }
 
 TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {
@@ -127,7 +212,7 @@ TEST_F(PlannedMotion, MayPassAPositionLimitByAPlannersToleranceOnly) {
       text += test::plan_row(t, {position, JointVector::Zero(6), JointVector::Zero(6)});
     }
     const std::string path = write(text);
-    return refusal([&] { load_planned_motion(path, *robot_); });
+    return refusal([&] { load(path); });
   };
   for (const double side : {-1.0, 1.0}) {
     const double limit = side < 0.0 ? elbow.lower : elbow.upper;
@@ -137,14 +222,13 @@ TEST_F(PlannedMotion, MayPassAPositionLimitByAPlannersToleranceOnly) {
 }
 
 TEST_F(PlannedMotion, AFileThatIsNotOneIsRefused) {
-  EXPECT_THAT(refusal([&] { load_planned_motion(folder_ / "none.csv", *robot_); }),
-              HasSubstr("no such file"));
+  EXPECT_THAT(refusal([&] { load(folder_ / "none.csv"); }), HasSubstr("no such file"));
   const std::string text = csv();
   const std::string one_row = text.substr(0, text.find('\n', text.find('\n') + 1) + 1);
-  EXPECT_THAT(refusal([&] { load_planned_motion(write(one_row), *robot_); }), HasSubstr("at least two"));
+  EXPECT_THAT(refusal([&] { load(write(one_row)); }), HasSubstr("at least two"));
   std::string no_elbow = text;
   no_elbow.replace(text.find("elbow_joint/velocity"), 5, "ankle");
-  EXPECT_THAT(refusal([&] { load_planned_motion(write(no_elbow), *robot_); }),
+  EXPECT_THAT(refusal([&] { load(write(no_elbow)); }),
               AllOf(HasSubstr("plan.csv:1"), HasSubstr("joint/elbow_joint/velocity")));
 }
 

@@ -71,7 +71,13 @@ TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) 
   EXPECT_THAT(refused(", units: {length: feet}"), HasSubstr("'feet' is none of: m, cm, mm, in"));
   EXPECT_THAT(refused(", units: {angle: deg}"), AllOf(HasSubstr("'angle'"), HasSubstr("time")));
   folder.write("robot.csv", kCommas);
-  EXPECT_THAT(refused(", columns: [time, x, y, z]"), HasSubstr("the first line holds names"));
+  // Names of another language are replaced.
+  folder.write("robot.csv", "Zeit;X-Pos;Y-Pos;Z-Pos\n0;1;2;3\n2;4;5;6\n");
+  EXPECT_THAT(refused(""), HasSubstr("zeit"));
+  const PositionSpline german = read(", columns: [time, x, y, z]");
+  EXPECT_EQ(german.end(), 2.0);
+  EXPECT_EQ(german.at(2.0).position, Vec3(4, 5, 6));
+  EXPECT_THAT(refused(", columns: [time, x, y]"), HasSubstr("robot.csv:2"));
 }
 
 }  // namespace

@@ -1,0 +1,136 @@
+#include "sim/controller_files/changed_gains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
+#include "core/control/laws/controller_kind.hpp"
+#include "sim/controller_files/joint_parameters.hpp"
+#include "sim/controller_files/joint_trajectory_file.hpp"
+#include "sim/yaml/decimal.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using yaml::PlacedValue;
+
+/// In how many places of the whole file, aliases and merge keys counted, a value is had.
+class Uses {
+ public:
+  explicit Uses(const PlacedValue& root) {
+    visit(root);
+    uses_[&root] = 1.0;
+    // Parents come before children.
+    for (auto value = order_.rbegin(); value != order_.rend(); ++value) {
+      for (const auto* entries : {&(*value)->items, &(*value)->entries}) {
+        for (const yaml::PlacedEntry& entry : *entries) uses_[entry.value.get()] += uses_[*value];
+      }
+    }
+  }
+  double of(const PlacedValue& value) const { return uses_.at(&value); }
+
+ private:
+  void visit(const PlacedValue& value) {
+    if (!uses_.emplace(&value, 0.0).second) return;
+    for (const auto* entries : {&value.items, &value.entries}) {
+      for (const yaml::PlacedEntry& entry : *entries) visit(*entry.value);
+    }
+    order_.push_back(&value);
+  }
+
+  std::unordered_map<const PlacedValue*, double> uses_;  ///< may be astronomical
+  std::vector<const PlacedValue*> order_;                ///< children before parents
+};
+
+/// A number that is to stand in the file in place of another.
+struct Change {
+  const PlacedValue* at;
+  bool differs;
+  std::string text;
+  std::string gain;  ///< "p of shoulder"
+};
+
+/// What a gain of a joint is to be. None: the file has no number for it.
+std::optional<Change> change_of(const PlacedValue* at, const std::string& gain, double now, double wanted) {
+  if (at == nullptr || !at->has_place()) return std::nullopt;
+  return Change{at, now != wanted, now == wanted ? at->text : yaml::decimal(wanted), gain};
+}
+
+/// Throws InputError if the changed text does not read back as the gains.
+void refuse_what_is_lost(const std::string& changed, const RosController& controller, const std::string& file,
+                         const Gains& gains, const std::vector<std::string>& joints) {
+  const Gains back = joint_trajectory_gains(
+      chosen_controller(ros_controllers(changed, file), file, controller.name), file, joints);
+  for (const GainField& field : fields_of(gains)) {
+    const auto* own_gain = std::get_if<OwnGain>(&field.member);
+    if (own_gain == nullptr) continue;
+    const std::size_t place = own_gain->place;
+    if (back.own[place] == gains.own[place]) continue;
+    Eigen::Index k = 0;
+    (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
+    const bool each = own_gain->shape == GainShape::kJoints;
+    throw InputError(one_line(
+        fmt::format("{}: {}: {}{} is to be {}, and the file would give {}; write a number for it there", file,
+                    controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
+                    yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
+  }
+}
+
+}  // namespace
+
+std::string with_gains(const std::string& text, const RosController& controller, const std::string& file,
+                       const Gains& gains, const std::vector<std::string>& joints) {
+  const JointParameters parameters(controller, file);
+  const Gains now = joint_trajectory_gains(controller, file, joints);
+  std::vector<Change> changes;
+  const auto add = [&changes](const PlacedValue* at, const std::string& gain, double had, double wanted) {
+    if (auto change = change_of(at, gain, had, wanted)) changes.push_back(std::move(*change));
+  };
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const std::string& joint = joints[k];
+    const auto place = static_cast<Eigen::Index>(k);
+    for (const GainName& name : kGainNames) {
+      add(parameters.of_joint(joint, name.in_file), fmt::format("{} of {}", name.in_file, joint),
+          own(now, name.own)[place], own(gains, name.own)[place]);
+    }
+    const double had = own(now, "jtc_i_clamp")[place], wanted = own(gains, "jtc_i_clamp")[place];
+    for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
+      add(parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), sign * had, sign * wanted);
+    add(parameters.feed_forward(joint), "feed-forward of " + joint, own(now, "jtc_ff_velocity_scale")[place],
+        own(gains, "jtc_ff_velocity_scale")[place]);
+  }
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });
+  const Uses uses(*controller.all);
+  std::string changed;
+  std::size_t copied = 0;
+  for (std::size_t i = 0, next = 0; i < changes.size(); i = next) {
+    const Change& change = changes[i];
+    for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
+      if (changes[next].text == change.text) continue;
+      parameters.fail(change.at->line,
+                      fmt::format("{} and {} share a number by an anchor, and are to be {} and {}; write "
+                                  "both out",
+                                  change.gain, changes[next].gain, change.text, changes[next].text));
+    }
+    if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
+      parameters.fail(change.at->line,
+                      fmt::format("{} is to be {}, and an alias elsewhere in the file has the same number; "
+                                  "write both out",
+                                  change.gain, change.text));
+    }
+    if (!change.differs) continue;
+    changed += text.substr(copied, change.at->begin - copied) + change.text;
+    copied = change.at->end;
+  }
+  changed += text.substr(copied);
+  refuse_what_is_lost(changed, controller, file, gains, joints);
+  return changed;
+}
+
+}  // namespace armtune::internal

@@ -1,0 +1,20 @@
+#pragma once
+// Points of a joint motion as a user's file gives them, in the order of an arm's joints.
+
+#include <string>
+#include <vector>
+
+#include "core/common/types.hpp"
+#include "core/trajectory/motion_point.hpp"
+#include "core/trajectory/ros_segments.hpp"
+
+namespace armtune::internal {
+
+struct MotionPoints {
+  std::vector<double> time;                      ///< rising, from 0 s or later on
+  std::vector<MotionPoint<JointVector>> points;  ///< n joints each [rad or m, and per s, per s^2]
+  PointsGive given = PointsGive::kPositions;     ///< what else is zero
+  std::vector<std::string> where;                ///< of each: "FILE:LINE"
+};
+
+}  // namespace armtune::internal

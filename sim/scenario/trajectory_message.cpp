@@ -1,0 +1,146 @@
+#include "sim/scenario/trajectory_message.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
+#include "core/common/nearest.hpp"
+#include "sim/yaml/document.hpp"
+
+namespace armtune::internal {
+namespace {
+
+/// `ros2 topic echo` ends every message with such a line.
+yaml::Node parse_message(const std::string& path) {
+  std::string text = read_input_file(path, yaml::kMaxBytes, "a trajectory message");
+  while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
+  if (text.ends_with("\n---")) text.resize(text.size() - 3);
+  return yaml::parse_text(text, path);
+}
+
+/// The map that has `points`, at the top or within a goal or another message.
+const yaml::Node& trajectory_in(const yaml::Node& root) {
+  const yaml::Node* node = &root;
+  while (node->kind() == yaml::Node::Kind::kMap && node->find("points") == nullptr) {
+    const yaml::Node* inner = nullptr;
+    for (const char* key : {"goal", "trajectory", "joint_trajectory"}) {
+      if (inner == nullptr) inner = node->find(key);
+    }
+    if (inner == nullptr) break;
+    node = inner;
+  }
+  if (node->kind() != yaml::Node::Kind::kMap || node->find("points") == nullptr)
+    root.fail("no trajectory_msgs/JointTrajectory: it has neither 'points' nor a 'joint_trajectory'");
+  return *node;
+}
+
+const yaml::Node& required(const yaml::Node& map, const char* key) {
+  const yaml::Node* node = map.find(key);
+  if (node == nullptr) map.fail(fmt::format("it has no '{}'", key));
+  return *node;
+}
+
+/// Where each joint of the robot stands in the message.
+std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& robot) {
+  const std::vector<std::string> in_file = names.as_strings();
+  std::vector<std::size_t> places;
+  places.reserve(robot.joints.size());
+  for (const JointInfo& joint : robot.joints) {
+    const auto found = std::find(in_file.begin(), in_file.end(), joint.name);
+    if (found == in_file.end()) {
+      names.fail(fmt::format("joint '{}' of {} is missing{}; it has: {}", joint.name, robot.name,
+                             suggestion(joint.name, in_file), fmt::join(in_file, ", ")));
+    }
+    places.push_back(static_cast<std::size_t>(found - in_file.begin()));
+  }
+  return places;
+}
+
+/// {sec, nanosec} of ROS 2, {secs, nsecs} of ROS 1, or seconds.
+double seconds_in(const yaml::Node& time) {
+  if (time.kind() != yaml::Node::Kind::kMap) return time.as_number();
+  const bool ros1 = time.find("secs") != nullptr;
+  const yaml::Node* nanoseconds = time.find(ros1 ? "nsecs" : "nanosec");
+  return required(time, ros1 ? "secs" : "sec").as_number() +
+         (nanoseconds == nullptr ? 0.0 : 1e-9 * nanoseconds->as_number());
+}
+
+/// An empty list stands for none.
+const yaml::Node* numbers_in(const yaml::Node& point, const char* key) {
+  const yaml::Node* node = point.find(key);
+  return node == nullptr || node->kind() == yaml::Node::Kind::kNull || node->items().empty() ? nullptr : node;
+}
+
+class Points {
+ public:
+  Points(const yaml::Node& message, const RobotModel& robot)
+      : places_(places_of(required(message, "joint_names"), robot)),
+        joints_(required(message, "joint_names").items().size()) {}
+
+  JointVector values(const yaml::Node& list) const {
+    const std::vector<double> all = list.as_numbers(joints_);
+    JointVector values(static_cast<Eigen::Index>(places_.size()));
+    for (std::size_t i = 0; i < places_.size(); ++i) values[static_cast<Eigen::Index>(i)] = all[places_[i]];
+    return values;
+  }
+  JointVector values_or_zero(const yaml::Node* list) const {
+    return list == nullptr ? JointVector(JointVector::Zero(static_cast<Eigen::Index>(places_.size())))
+                           : values(*list);
+  }
+
+ private:
+  std::vector<std::size_t> places_;
+  std::size_t joints_;
+};
+
+PointsGive given_in(const yaml::Node& point) {
+  const bool velocities = numbers_in(point, "velocities") != nullptr;
+  const bool accelerations = numbers_in(point, "accelerations") != nullptr;
+  if (accelerations && !velocities)
+    point.fail("it has accelerations and no velocities, which ROS does not join; give both or none");
+  return accelerations ? PointsGive::kAccelerations
+         : velocities  ? PointsGive::kVelocities
+                       : PointsGive::kPositions;
+}
+
+}  // namespace
+
+bool is_trajectory_message(const std::string& path) {
+  return path.ends_with(".yaml") || path.ends_with(".yml");
+}
+
+MotionPoints load_trajectory_message(const std::string& path, const RobotModel& robot) {
+  const yaml::Node root = parse_message(path);
+  const yaml::Node& message = trajectory_in(root);
+  const yaml::Node& points = required(message, "points");
+  const Points reader(message, robot);
+  MotionPoints motion;
+  for (const yaml::Node& point : points.items()) {
+    const double time = seconds_in(required(point, "time_from_start"));
+    if (time < 0.0) point.fail(fmt::format("time_from_start is {} s; nothing comes before 0 s", time));
+    if (!motion.time.empty() && time <= motion.time.back())
+      point.fail(fmt::format("time_from_start {} s does not rise after {} s; each point must be later", time,
+                             motion.time.back()));
+    const PointsGive given = given_in(point);
+    if (motion.time.empty()) motion.given = given;
+    if (given != motion.given)
+      point.fail(
+          "velocities or accelerations are given for some points alone; give them for all or for none");
+    const yaml::Node* positions = numbers_in(point, "positions");
+    if (positions == nullptr) point.fail("it has no positions");
+    motion.time.push_back(time);
+    motion.points.push_back({reader.values(*positions),
+                             reader.values_or_zero(numbers_in(point, "velocities")),
+                             reader.values_or_zero(numbers_in(point, "accelerations"))});
+    motion.where.push_back(fmt::format("{}:{}", path, point.line()));
+  }
+  if (motion.time.size() < 2)
+    points.fail(fmt::format("{} points; a motion needs at least two, the first where the arm stands",
+                            motion.time.size()));
+  return motion;
+}
+
+}  // namespace armtune::internal
