@@ -31,6 +31,26 @@ std::vector<std::string> files_in(const std::string& folder) {
   return names;
 }
 
+// What is doubtful about an arm is said before anything rests on it.
+TEST(Simulate, AndTuneWarnOfADoubtfulArm) {
+  const ShortStudy files;
+  files.write(
+      "light.yaml",
+      "urdf: " ARMTUNE_SOURCE_DIR
+      "/sim/robots/ur10.urdf\nrotor_inertia: [1, 1, 1, 0.2, 0.2, 0.2]\ninertia:\n  upper_arm_link: {mass: "
+      "0.01, center: [0, 0, 0.2], moments: [1.0e-4, 0, 0, 1.0e-4, 0, 1.0e-5]}\n");
+  const std::string own = files.write("own.yaml", "base: short.yaml\nrobot: light.yaml\n");
+  const Finished simulated = run_program({"simulate", own, "--gains", files / "gains.yaml"});
+  EXPECT_THAT(simulated.err, HasSubstr("armtune: warning: ur10: upper_arm_link (0.01 kg)"));
+  const std::string study =
+      files.write("doubtful.yaml",
+                  "gains: gains.yaml\nscenarios: [own.yaml]\nparameters: [{name: task_space_gains_p}]\n"
+                  "objective: [{metric: error/position/rms, weight: 1}]\n");
+  const Finished tuned =
+      run_program({"tune", study, "--max-evaluations", "1", "--no-analysis", "--out", files / "doubtful"});
+  EXPECT_THAT(tuned.err, HasSubstr("armtune: warning: ur10: upper_arm_link (0.01 kg)"));
+}
+
 TEST(Simulate, WritesTheFilesItNames) {
   const ShortStudy files;
   const Finished done = run_program({"simulate", files / "short.yaml", "--gains", files / "gains.yaml",

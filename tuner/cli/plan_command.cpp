@@ -38,7 +38,8 @@ constexpr const char* kFooter =
     "rest has no acceleration; one that\nmoves begins with any, unless start/acceleration is given. Torque, "
     "tool path, gaze and distances are held at the knots; what\nthey do between them is printed, and in "
     "limits.csv. The folder also has motion.csv (the motion at even times) and\nreport.html with replay and "
-    "limits. Nothing here knows the arm's surroundings or its own links: run a trajectory\nslowly first.\n\n"
+    "limits. In a scenario with a 'cell' the arm keeps its clearance from that and from itself; without one\n"
+    "nothing is known of either. Run a trajectory slowly first.\n\n"
     "Bundled tasks:\n";
 constexpr const char* kExample =
     "\nExample, and the plan followed in simulation:\n  armtune plan ur10_switch --out runs/switch\n"

@@ -43,6 +43,7 @@ int conclude_parsing(const CLI::App& app, const CLI::ParseError& error) {
 
 void add_commands(CLI::App& app, int& exit_code) {
   add_robot_command(app, exit_code);
+  add_init_command(app, exit_code);
   add_simulate_command(app, exit_code);
   add_tune_command(app, exit_code);
   add_pareto_command(app, exit_code);

@@ -119,10 +119,10 @@ void show_contacts(const RobotModel& model) {
     say(fmt::format(
         "Shapes of {} are not given, or not all of them can be read: self-collision is not looked for with these links.\n",
         fmt::join(unknown, ", ")));
-  if (!contacts.has(Clearance::kSelf)) return;
-  say(fmt::format(
-      "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",
-      contacts.pairs().size()));
+  if (contacts.has(Clearance::kSelf))
+    say(fmt::format(
+        "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",
+        contacts.pairs().size()));
   const std::vector<std::string> left_out = contacts.left_out_by_their_make();
   if (!left_out.empty())
     say(fmt::format("Left out, as their shapes meet at nearly every position: {}.\n",
@@ -159,7 +159,7 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
       "and {4:.2g} of its effort limits{5}.\n"
-      "In armtune's own dynamics they keep its limits for 30 minutes. Nearly all of 60 other arms at random\n"
+      "In armtune's own dynamics the arm keeps its limits for 30 minutes. Nearly all of 60 other arms at random\n"
       "keep theirs, where torques may saturate in 1 % of the periods.\n"
       "next: armtune tune {0}/study.yaml\n",
       folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
@@ -195,8 +195,8 @@ void write_proposals(const RobotFile& file, const std::string& urdf, const std::
   }
   refuse_existing(path);
   write_text_file(path, proposals_yaml(urdf, found));
-  say(fmt::format("{}: {} lacks nothing; its doubtful figures are there, with proposals as comments\n", path,
-                  file.path));
+  say(fmt::format("{}: {} lacks nothing; its doubtful figures are there, with proposals as comments{}\n",
+                  path, file.path, file.root ? ", to be added to it" : ""));
 }
 
 void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {

@@ -3,7 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "armtune/error.hpp"
+#include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
+#include "tuner/cli/controller_study_options.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/named_choice.hpp"
 #include "tuner/cli/on_ranks.hpp"
@@ -13,6 +16,7 @@
 #include "tuner/cli/warm_arguments.hpp"
 #include "tuner/cli/yardstick_option.hpp"
 #include "tuner/first_task/steady_start.hpp"
+#include "tuner/run/run_folder.hpp"
 #include "tuner/session/study_files.hpp"
 
 namespace armtune::internal::cli {
@@ -20,7 +24,8 @@ namespace {
 
 struct Arguments {
   std::string study = "ur10_gaze";
-  std::string controller;  ///< in place of the study's; empty: its own
+  ControllerStudyInputs own;  ///< in place of a study's file; without a robot: none
+  std::string controller;     ///< in place of the study's; empty: its own
   long max_evaluations = 0;
   long seed = -1;
   bool yardstick = false;
@@ -40,7 +45,23 @@ Study load(const Arguments& args) {
   return study;
 }
 
-int run(const Arguments& args, RankGroup& team) {
+/// The study of the user's own files, which is written beside the run's folder unless that is resumed.
+void take_own_files(Arguments& args, RankGroup& team) {
+  if (args.own.robot.empty()) return;
+  if (team.several())
+    throw InputError(
+        "tune: several ranks cannot write one study; write it by armtune init with the same options, and tune that");
+  RunPlace& place = args.settings.place;
+  if (place.folder.empty()) place.folder = default_run_folder(stem(args.own.robot));
+  const std::string beside = place.folder + "_study";
+  args.study = beside + "/study.yaml";
+  if (place.resume) return;
+  refuse_used_folder(place.folder);
+  make_controller_study(args.own, beside);
+}
+
+int run(Arguments& args, RankGroup& team) {
+  take_own_files(args, team);
   const Study study = load_inputs(args.settings.place, [&args] { return load(args); });
   TuneSettings settings = args.settings;
   if (settings.place.folder.empty()) settings.place.folder = default_run_folder(study.name);
@@ -59,8 +80,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   TuneSettings& settings = args->settings;
   settings.workers = default_workers();
   CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
-  command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
-      ->capture_default_str();
+  CLI::Option* study = command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
+                           ->capture_default_str();
+  add_controller_study_options(*command, args->own, false);
+  command->get_option("--controllers")->excludes(study);
   add_controller_option(*command, args->controller);
   add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
                   settings.workers, settings.deadline);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/scenario/data_files.hpp"
 #include "tuner/cli/conclusion.hpp"
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/interrupt.hpp"
@@ -156,6 +157,11 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
                     seen ? fmt::format("open {}/report.html in a browser; or ", folder) : "", program_name(),
                     folder, folder));
   }
+  if (!outcome.controllers.empty())
+    say(fmt::format(
+        "{0}/{1} is {2} with the tuned gains and nothing else changed. Before the robot's first motion "
+        "under them: docs/ros.md\n",
+        folder, outcome.controllers, shown_path(study_.gains)));
   if (outcome.ending == Ending::kInterrupted) {
     say(fmt::format("interrupted: {}; to go on: {} tune --resume {}\n",
                     outcome.result.interrupted ? "the search was not finished"

@@ -46,6 +46,15 @@ bool keep_limits(const std::vector<RolloutResult>& results) {
                      [](const RolloutResult& result) { return keeps_limits(result, 1.0); });
 }
 
+/// What a controller's own gains are that are not tuned: a file's stay.
+void keep_untuned(const Gains& given, Gains& gains) {
+  for (const GainField& field : fields_of(given)) {
+    const auto* own_gain = std::get_if<OwnGain>(&field.member);
+    if (own_gain != nullptr && field.search == SearchRange::kNone)
+      gains.own[own_gain->place] = given.own[own_gain->place];
+  }
+}
+
 /// Gains for the first scenario, with the goal pose that `given` has, and of its kind.
 std::vector<Gains> first_sets(const Scenario& scenario, const Gains& given) {
   const RobotModel& robot = *scenario.robot;
@@ -57,6 +66,7 @@ std::vector<Gains> first_sets(const Scenario& scenario, const Gains& given) {
   for (Gains& gains : sets) {
     if (gains.controller != given.controller)
       gains = controlled_by(controller_kind(given.controller), gains, robot, goal);
+    keep_untuned(given, gains);
   }
   return sets;
 }
@@ -78,7 +88,7 @@ std::optional<Gains> completing(const Study& study, const std::vector<Gains>& se
 /// impossible.
 std::optional<Gains> first_gains(const Study& study, int workers) {
   const Scenario& first = study.scenarios.front();
-  const Gains in_file = load_gains(study.gains, joint_names(*first.robot));
+  const Gains in_file = load_gains(study.gains, joint_names(*first.robot), {}, study.node);
   try {
     return completing(study, first_sets(first, in_file), workers);
   } catch (const InputError&) {

@@ -104,9 +104,12 @@ std::vector<std::pair<std::string, std::string>> drawn_arm_files(const Scenario&
   const RobotModel arm = plant_model(drawn);
   return {
       {"arm.urdf", urdf_text(arm)},
-      {"arm.yaml", robot_yaml(arm, "arm.urdf",
-                              fmt::format("The arm that was simulated in {}, with its payload and friction",
-                                          drawn.name))}};
+      {"arm.yaml",
+       robot_yaml(arm, "arm.urdf",
+                  fmt::format("The arm that was simulated in {}, with its payload and friction{}", drawn.name,
+                              drawn.clearance ? ". What stands around it is not here: without the 'cell' of "
+                                                "its robot or scenario nothing looks for contact"
+                                              : ""))}};
 }
 
 }  // namespace armtune::internal

@@ -23,7 +23,9 @@ double ratio(double value, double reference) {
 }  // namespace
 
 const std::vector<Metric>& headline_metrics() {
-  static const std::vector<Metric> metrics = {Metric::kPositionMax,
+  static const std::vector<Metric> metrics = {Metric::kJointErrorRms,
+                                              Metric::kJointErrorMax,
+                                              Metric::kPositionMax,
                                               Metric::kOrientationMax,
                                               Metric::kLinearVelocityRms,
                                               Metric::kAngularVelocityRms,

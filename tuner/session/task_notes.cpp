@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <set>
+#include <string>
+
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "sim/scenario/path_walk.hpp"
+#include "sim/scenario/plausibility.hpp"
 
 namespace armtune::internal {
 
@@ -12,11 +16,27 @@ void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver&
   const auto [trouble, winds] = find_task_trouble(scenario, gains);
   if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
   if (!trouble.empty()) observer.warned(fmt::format("{}: {}", scenario.name, trouble));
+  const double end = scenario.start_time + scenario.duration;
+  if (scenario.path.spline && scenario.path.spline->begin() >= end) {
+    observer.warned(fmt::format(
+        "{}: the path's waypoints begin at {:.4g} s, and the scenario ends at {:.4g} s; if their times are not in "
+        "seconds, say so: units: {{time: ms}}",
+        scenario.name, scenario.path.spline->begin(), end));
+  }
   if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
     observer.warned(fmt::format(
         "{}: the controller {} learns nothing, and the scenario tells it nothing of the arm, not even its "
         "weight; give it 'theta_start: {{model_scale: 1}}', or a theta from armtune identify",
         scenario.name, gains.controller));
+  }
+}
+
+void warn_of_doubts(const std::vector<Scenario>& scenarios, SessionObserver& observer) {
+  std::set<std::string> told;
+  for (const Scenario& scenario : scenarios) {
+    const RobotModel& robot = *scenario.robot;
+    if (!told.insert(robot.source + "\n" + robot.name).second) continue;
+    for (const std::string& doubt : doubts(robot)) observer.warned(fmt::format("{}: {}", robot.name, doubt));
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // A word about tasks that no gains, or none of their controller, can do, before anything is simulated.
 
+#include <vector>
+
 #include "core/control/gains.hpp"
 #include "sim/scenario/scenario.hpp"
 #include "tuner/session/observer.hpp"
@@ -12,7 +14,10 @@ namespace armtune::internal {
 /// path itself winds a joint up beyond its limits within the scenario's duration, which no gain prevents.
 void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver& observer);
 
-/// The last of these alone: throws InputError if the path itself winds a joint up.
+/// Warns of what is doubtful about the arms of the scenarios, of each arm once (see plausibility.hpp).
+void warn_of_doubts(const std::vector<Scenario>& scenarios, SessionObserver& observer);
+
+/// Throws InputError if the path itself winds a joint up.
 void refuse_winding(const Scenario& scenario, const Gains& gains);
 
 }  // namespace armtune::internal

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
+#include "sim/controller_files/changed_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/rollout/columns.hpp"
 #include "sim/scenario/gains_file.hpp"
+#include "sim/yaml/document.hpp"
 #include "tuner/evaluation/evaluations_file.hpp"
 #include "tuner/evaluation/simulate_points.hpp"
 #include "tuner/rollouts/simulate.hpp"
@@ -32,6 +37,15 @@ const char* title_of(SearchOutcome outcome) {
       return "NOT feasible: the point with the least violation that armtune found";
   }
   return "";
+}
+
+/// A file's own name, but for those that a run's folder has itself.
+std::string name_beside_results(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  for (const char* taken : {"gains.yaml", "study.yaml", "reduced_study.yaml", "run.yaml", "verdict.yaml"}) {
+    if (name == taken) return "ros_" + name;
+  }
+  return name;
 }
 
 bool same_metrics(const RolloutResult& a, const RolloutResult& b) {
@@ -105,6 +119,19 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
                        result.best.objective, largest_velocity_ratio(study, result.best), robust_text(study),
                        result.best.feasible ? "feasible" : "NOT feasible",
                        result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));
+}
+
+std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {
+  if (study.gains.empty() || gains.controller != kJointTrajectoryController) return {};
+  const std::string text = read_input_file(study.gains, yaml::kMaxBytes, "a YAML file");
+  if (!may_hold_controllers(text)) return {};
+  const auto controllers = ros_controllers(text, study.gains);
+  if (controllers.empty()) return {};
+  const std::string name = name_beside_results(study.gains);
+  write_text_file(folder + "/" + name,
+                  with_gains(text, chosen_controller(controllers, study.gains, study.node), study.gains,
+                             gains, joint_names(*study.scenarios.front().robot)));
+  return name;
 }
 
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,

@@ -24,6 +24,11 @@ void judge(const Objective& objective, const ComparedSet& simulated, TuneResult&
 
 void write_gains(const Study& study, const TuneResult& result, const std::string& folder);
 
+/// The ROS parameter file that the start gains came from, with these gains in it and nothing else changed.
+/// Returns its name in the folder; empty, and writes nothing, where they came from no such file. Throws
+/// InputError if the file cannot hold the gains.
+std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder);
+
 /// errors.csv of all sets, and columns.csv. yardsticks: one for the start and one for the result.
 void write_errors(const Study& study, const std::vector<ComparedSet>& sets,
                   const std::vector<YardstickFiles>& yardsticks, const std::string& folder);

@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "armtune/error.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tuner/evaluation/evaluations_file.hpp"
 #include "tuner/evaluation/simulate_points.hpp"
@@ -34,6 +35,7 @@ std::optional<TuneOutcome> TuneSession::run(RankGroup& ranks) {
   }
   warn_of_given(study_, observer_);
   warn_of_clamped(study_, observer_);
+  warn_of_doubts(study_.scenarios, observer_);
   // Before the start gains are simulated: a task that none can do may be why they do not complete it.
   for (const Scenario& scenario : study_.scenarios) warn_of_task(scenario, study_.space.start, observer_);
   CandidateRunner workers(ranks.pool(), study_.robust);
@@ -177,6 +179,16 @@ bool TuneSession::analyse(CandidateRunner& workers) {
   return true;
 }
 
+/// The robot's own file with gains that passed every check.
+void TuneSession::write_controllers_if_any() {
+  try {
+    outcome_.controllers = write_controllers(study_, outcome_.result.best.gains, folder());
+  } catch (const InputError& e) {
+    observer_.warned(fmt::format("the gains are in gains.yaml alone: {}", e.what()));
+  }
+  if (!outcome_.controllers.empty()) outcome_.files.push_back(outcome_.controllers);
+}
+
 void TuneSession::conclude(bool analysed) {
   const TuneResult& result = outcome_.result;
   const bool interrupted = result.interrupted || context_.stop;  // then some checks are missing
@@ -189,6 +201,7 @@ void TuneSession::conclude(bool analysed) {
     add({"gains.yaml", "errors.csv", "rollout_<scenario>.csv", "evaluations.csv", "columns.csv", "study.yaml",
          "run.yaml"});
     if (study_.given) add({"given/"});
+    if (!interrupted && outcome_.verdict.passed()) write_controllers_if_any();
     if (!interrupted) add({"verdict.yaml"});
     if (analysed) add({"margins.csv", "sensitivity.csv", "reduced_study.yaml"});
     add(yardsticks_.back().written);

@@ -49,7 +49,10 @@ struct TuneOutcome {
   std::optional<Sensitivity> sensitivity;
   SimulationVerdict verdict;
   std::vector<std::string> files;  ///< names of those in the folder
-  double seconds = 0.0;            ///< that the session took
+  /// Of them, the ROS parameter file that the start gains came from, with the result's; empty: a check
+  /// failed, or there is none.
+  std::string controllers;
+  double seconds = 0.0;  ///< that the session took
 };
 
 /// Hears of a tuning run while it is under way.
@@ -90,6 +93,7 @@ class TuneSession {
   void write_reports();
   bool analyse(CandidateRunner& workers);
   void check(bool analysed);
+  void write_controllers_if_any();
   void conclude(bool analysed);
 
   Study study_;

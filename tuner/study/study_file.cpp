@@ -211,13 +211,15 @@ Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts
   const auto joints = joint_names(*study.scenarios.front().robot);
   if (parts.start) {
     const yaml::Node* named = map.optional("gains");
+    study.node = map.string("node", "");
     if (named != nullptr && !study.source.empty())
       study.gains = find_data_file("gains", named->as_string(), folder);
     if (parts.joints != joints) throw InputError("study: the start gains are for an arm of other joints");
     return *parts.start;
   }
   study.gains = find_data_file("gains", map.required("gains").as_string(), folder);
-  return load_gains(study.gains, joints);
+  study.node = map.string("node", "");
+  return load_gains(study.gains, joints, {}, study.node);
 }
 
 /// source: path of the file, empty for a text. Sets everything but the name.

@@ -48,6 +48,16 @@ std::vector<std::string> stiff_joints(const Scenario& scenario, const RobotModel
   return names;
 }
 
+/// What of the arm stands for it where its distance from obstacles is taken; empty: its shapes do, or no
+/// obstacle has a body.
+std::string looked_at_for_obstacles(const Scenario& scenario) {
+  const bool bodies = std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(),
+                                  [](const MovingObstacle& obstacle) { return obstacle.radius > 0.0; });
+  if (!bodies || (scenario.clearance && scenario.clearance->has(Clearance::kCell))) return {};
+  return scenario.robot->chain.link_radius.size() > 0 ? "capsules from joint to joint and on to the tool"
+                                                      : "the origins of its joints and the tool";
+}
+
 }  // namespace
 
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict) {
@@ -60,7 +70,7 @@ void add_controller_assumption(const Gains& gains, SimulationVerdict& verdict) {
   if (gains.controller != kJointTrajectoryController) return;
   add_once(
       "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: at the scenarios' control "
-      "period, along a cubic spline, and with an empty integral where a motion begins",
+      "period, along the motion as the scenario joins its points, and with an empty integral where a motion begins",
       verdict.assumes);
 }
 
@@ -83,6 +93,9 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
         add_once(fmt::format("{} do not touch: their shapes meet at nearly every position", pair),
                  verdict.assumes);
     }
+    if (const std::string bodies = looked_at_for_obstacles(scenario); !bodies.empty())
+      add_once(fmt::format("of the arm, nothing but {} meets an obstacle in {}", bodies, scenario.name),
+               verdict.assumes);
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {

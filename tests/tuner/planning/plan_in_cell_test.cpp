@@ -1,5 +1,6 @@
 // A motion that is planned round what stands in its way.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/scenario/robot_file.hpp"
@@ -50,7 +51,12 @@ double least_distance(const PlanTask& task, const PlanProblem& problem, const Tr
 
 TEST(PlanInACell, GoesRoundAWallThatItWouldCrossOtherwise) {
   const test::TemporaryFolder folder;
-  const PlanTask blind = load_plan_task(task_files(folder, ""));
+  // A task that says nothing keeps away as well.
+  PlanTask blind = load_plan_task(task_files(folder, ""));
+  EXPECT_EQ(blind.clearance, 0.02);
+  EXPECT_THAT(test::refusal([&] { load_plan_task(task_files(folder, "clearance: 0\n")); }),
+              testing::AllOf(testing::HasSubstr("clearance"), testing::HasSubstr("must not touch")));
+  blind.clearance = 0.0;
   const PlanProblem across = plan_problem(blind);
   const PlannedTrajectory crossed = solve_plan(across);
   EXPECT_LT(least_distance(blind, across, crossed.trajectory, Clearance::kCell), 0.0);

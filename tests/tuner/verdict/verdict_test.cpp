@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/control/laws/first_gains.hpp"
+#include "core/robot/link_radius.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/csv/text_file.hpp"
 #include "tests/sim/support/files.hpp"
@@ -16,6 +17,7 @@ namespace armtune::internal {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -242,6 +244,29 @@ TEST(VerdictThresholds, ALoosenedOneIsNamedAndAStricterOneIsNot) {
     EXPECT_GE(usual, field.least);
     EXPECT_LE(usual, field.most);
   }
+}
+
+TEST(Assumptions, SayWhatOfTheArmMeetsAnObstacle) {
+  const auto assumed = [](const Scenario& scenario) {
+    SimulationVerdict verdict;
+    add_assumptions({scenario}, Stepper::kMidpoint, verdict);
+    return verdict.assumes;
+  };
+  Scenario points = test::scenario_of("obstacle_pass");
+  EXPECT_THAT(assumed(points), Not(Contains(HasSubstr("meets an obstacle"))));
+  Scenario balls = points;
+  for (MovingObstacle& obstacle : balls.obstacles) obstacle.radius = 0.1;
+  EXPECT_THAT(assumed(balls),
+              Contains(HasSubstr("nothing but the origins of its joints and the tool meets an "
+                                 "obstacle in obstacle_pass")));
+  Scenario links = balls;
+  links.robot = std::make_shared<const RobotModel>(with_link_surfaces(*balls.robot));
+  EXPECT_THAT(assumed(links), Contains(HasSubstr("nothing but capsules from joint to joint")));
+  Scenario shapes = balls;
+  Cell cell;
+  cell.parts.push_back({"ball", sphere(0.1), Mat3::Identity(), balls.obstacles[0].path, true});
+  shapes.clearance = std::make_shared<const ClearanceModel>(balls.robot, cell);
+  EXPECT_THAT(assumed(shapes), Not(Contains(HasSubstr("meets an obstacle"))));
 }
 
 TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {

@@ -28,6 +28,16 @@ report::Scene scene_of_plan(const PlanTask& task) {
   return scene;
 }
 
+/// What the motion is known to keep away from.
+std::string known_of_contact(const PlanTask& task) {
+  const auto& clearance = task.scenario.clearance;
+  if (task.clearance > 0.0 && clearance && !clearance->pairs().empty())
+    return fmt::format(
+        "It keeps {:g} m from the cell of {}; nothing else is known of what stands around the arm.",
+        task.clearance, task.scenario.name);
+  return "Nothing here knows the arm's surroundings or its own links.";
+}
+
 }  // namespace
 
 PlanSession::PlanSession(PlanSettings settings, SessionContext context, SessionObserver& observer)
@@ -67,11 +77,10 @@ void PlanSession::write_files() {
                   columns_csv({{"trajectory.csv", described(trajectory_columns(task, robot))},
                                {"motion.csv", described(motion_columns(task, robot))},
                                {"limits.csv", limits_columns()}}));
-  write_text_file(
-      folder + "/joint_trajectory.yaml",
-      ros_trajectory(robot, planned.trajectory, settings_.ros,
-                     {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
-                      "Nothing here knows the arm's surroundings or its own links: run it slowly first."}));
+  write_text_file(folder + "/joint_trajectory.yaml",
+                  ros_trajectory(robot, planned.trajectory, settings_.ros,
+                                 {"trajectory_msgs/JointTrajectory by armtune plan, task " + task.name,
+                                  known_of_contact(task) + " Run it slowly first."}));
   write_text_file(folder + "/" + planned_scenario_name(task), planned_scenario_yaml(task));
   Provenance p;
   p.command = context_.invocation.line;

@@ -19,6 +19,7 @@
 namespace armtune::internal {
 namespace {
 
+constexpr double kFromCell = 0.02;  // m, where a task does not say
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr long kFewestKnots =
     12;  // start and end are six conditions a joint, and an interval has one freedom
@@ -162,6 +163,20 @@ std::string no_switch(const PlanTask& task) {
                      fmt::join(times, ", "));
 }
 
+/// What is kept from the scenario's obstacles and its cell, which must not be touched.
+double read_clearance(yaml::MapReader& map, const Scenario& scenario) {
+  const bool has_cell = scenario.clearance && !scenario.clearance->pairs().empty();
+  const double clearance = map.number_in("clearance", has_cell ? kFromCell : 0.0, 0.0, kInfinity);
+  if (has_cell && clearance == 0.0)
+    map.required("clearance")
+        .fail(
+            scenario.name +
+            " has a cell, which the arm must not touch; give a distance above 0, or plan in a scenario without one");
+  if (clearance > 0.0 && scenario.obstacles.empty() && !has_cell)
+    map.required("clearance").fail(scenario.name + " has neither obstacles nor a cell");
+  return clearance;
+}
+
 }  // namespace
 
 const std::vector<std::pair<PlanKind, std::string>>& plan_kinds() {
@@ -210,7 +225,7 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   task.path_tolerance = map.number_in("path_tolerance", task.path_tolerance, 0.0, 1.0);
   task.gaze_threshold = map.number_in("gaze_threshold", task.gaze_threshold, 1e-4, 3.0);
   task.end_gaze = map.boolean("end_gaze", task.end_gaze);
-  task.clearance = map.number_in("clearance", task.clearance, 0.0, kInfinity);
+  task.clearance = read_clearance(map, task.scenario);
   if (const yaml::Node* limits = map.optional("limits")) task.limits = read_limits(*limits, joints);
   const long knots = map.integer("knots", task.knots);
   if (knots < kFewestKnots || knots > kMostKnots)
@@ -232,9 +247,6 @@ PlanTask load_plan_task(const std::string& name_or_path) {
       task.scenario.active_target(task.at + task.scenario.control_period) ==
           task.scenario.active_target(std::max(0.0, task.at - task.scenario.control_period)))
     map.required("at").fail(no_switch(task));
-  const bool has_cell = task.scenario.clearance && !task.scenario.clearance->pairs().empty();
-  if (task.clearance > 0.0 && task.scenario.obstacles.empty() && !has_cell)
-    map.required("clearance").fail(task.scenario.name + " has neither obstacles nor a cell");
   return task;
 }
 

@@ -1,0 +1,175 @@
+#include "tuner/controller_study/controller_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "sim/csv/text_file.hpp"
+#include "sim/scenario/robot_file.hpp"
+#include "tests/sim/support/files.hpp"
+#include "tuner/session/tune_files.hpp"
+#include "tuner/study/study.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+const std::string kExample = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
+
+ControllerStudyInputs example() {
+  return {"ur5e", kExample + "ros2_controllers.yaml", "", {kExample + "moves.csv"}};
+}
+
+/// The example's parameters with one text in place of another.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = test::read_text(kExample + "ros2_controllers.yaml");
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(ControllerStudy, LoadsWithTheFilesGainsItsRateAndEveryMotion) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  // Motions of one name, and one that is called as a file that is written.
+  inputs.trajectories.push_back(inputs.trajectories.front());
+  std::filesystem::copy_file(kExample + "moves.csv", folder / "study.csv");
+  inputs.trajectories.push_back(folder / "study.csv");
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  EXPECT_THAT(files.written,
+              UnorderedElementsAre("study.yaml", "moves.yaml", "moves_2.yaml", "study_2.yaml"));
+  const Study study = load_study(files.study);
+  ASSERT_EQ(study.scenarios.size(), 3U);
+  const Scenario& scenario = study.scenarios.front();
+  EXPECT_EQ(scenario.name, "moves");
+  EXPECT_EQ(scenario.control_period, 0.002);
+  EXPECT_FALSE(scenario.has_task());
+  // Positions alone are joined by straight lines, as ROS does, and that is said.
+  EXPECT_FALSE(scenario.planned->at(0.5).velocity.isZero(0.0));
+  EXPECT_TRUE(scenario.planned->at(0.5).acceleration.isZero(1e-12));
+  EXPECT_EQ(study.space.start.controller, "joint_trajectory_controller");
+  EXPECT_EQ(study.space.free.size(), 18U);
+  EXPECT_TRUE(scenario.clearance->has(Clearance::kSelf));
+  EXPECT_THAT(study.constraints, Contains(testing::Field(&Constraint::metric, Metric::kClearanceSelf)));
+  EXPECT_FALSE(study.margins.empty());
+  EXPECT_TRUE(study.robust);
+  EXPECT_THAT(files.notes, Contains(HasSubstr("straight lines")));
+}
+
+TEST(ControllerStudy, EstimatesTheRotorsThatNobodyGives) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.robot = ARMTUNE_SOURCE_DIR "/examples/ur5e/ur5e.urdf";
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  EXPECT_THAT(files.written, Contains("robot.yaml"));
+  EXPECT_THAT(files.notes, Contains(HasSubstr("rotor inertia")));
+  EXPECT_EQ(load_study(files.study).scenarios[0].robot->estimated_rotors.size(), 6U);
+}
+
+TEST(ControllerStudy, SaysNothingOfAMotionWithVelocities) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.trajectories = {folder.write(
+      "moves.yaml",
+      "joint_names: [shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, "
+      "wrist_3_joint]\npoints:\n"
+      "- {positions: [0, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 0}\n"
+      "- {positions: [1, -1.5, 1, 0, 0, 0], velocities: [0, 0, 0, 0, 0, 0], time_from_start: 2}\n")};
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "made");
+  EXPECT_THAT(files.notes, IsEmpty());
+  EXPECT_EQ(load_study(files.study).scenarios[0].planned->at(1.0).position[0], 0.5);
+}
+
+TEST(ControllerStudy, TakesTheRateThatIsGivenOverTheFiles) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.rate = 250.0;
+  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "a").study).scenarios[0].control_period,
+            0.004);
+  inputs.rate = 0.0;
+  inputs.controllers = folder.write("none.yaml", changed("update_rate: 500", "use_sim_time: false"));
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "b"); }),
+              AllOf(HasSubstr("none.yaml"), HasSubstr("--rate HZ")));
+  inputs.controllers = folder.write("fast.yaml", changed("update_rate: 500", "update_rate: 0"));
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "b"); }),
+              AllOf(HasSubstr("fast.yaml:3"), HasSubstr("update_rate is '0'")));
+  // A controller's own rate comes before that of its manager.
+  inputs.controllers = folder.write(
+      "own.yaml",
+      changed("command_interfaces: [effort]", "command_interfaces: [effort]\n    update_rate: 100"));
+  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "c").study).scenarios[0].control_period, 0.01);
+}
+
+TEST(ControllerStudy, WritesNothingWhereAFileIsWrong) {
+  const test::TemporaryFolder folder;
+  const auto refused = [&](const ControllerStudyInputs& inputs) {
+    const std::string why = test::refusal([&] { write_controller_study(inputs, folder / "new"); });
+    EXPECT_FALSE(std::filesystem::exists(folder / "new")) << why;
+    return why;
+  };
+  ControllerStudyInputs inputs = example();
+  inputs.robot = "ur10e";
+  EXPECT_THAT(refused(inputs), HasSubstr("ur10e"));
+  inputs = example();
+  inputs.robot = "panda";
+  EXPECT_THAT(refused(inputs), HasSubstr("ros2_controllers.yaml"));
+  inputs = example();
+  inputs.trajectories = {folder / "none.csv"};
+  EXPECT_THAT(refused(inputs), HasSubstr("none.csv"));
+  inputs = example();
+  inputs.node = "leg_controller";
+  EXPECT_THAT(refused(inputs), AllOf(HasSubstr("leg_controller"), HasSubstr("arm_controller")));
+  std::filesystem::create_directory(folder / "full");
+  folder.write("full/something.txt", "kept");
+  inputs = example();
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "full"); }), HasSubstr("full"));
+}
+
+TEST(ControllerStudy, TakesTheControllerThatIsNamedOfSeveral) {
+  const test::TemporaryFolder folder;
+  std::string text = test::read_text(kExample + "ros2_controllers.yaml");
+  std::string second = text.substr(text.find("arm_controller:\n"));
+  second.replace(0, 3, "leg");
+  second.replace(second.find("p: 2000.0"), 9, "p: 1500.0");
+  ControllerStudyInputs inputs = example();
+  inputs.controllers = folder.write("two.yaml", text + second);
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "a"); }),
+              HasSubstr("name one of them"));
+  inputs.node = "leg_controller";
+  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  EXPECT_EQ(study.space.start.own[0][0], 1500.0);
+  // And it is that one whose numbers change.
+  Gains tuned = study.space.start;
+  tuned.own[0][0] = 1234.5;
+  std::filesystem::create_directory(folder / "run");
+  EXPECT_EQ(write_controllers(study, tuned, folder / "run"), "two.yaml");
+  std::string expected = text + second;
+  expected.replace(expected.find("p: 1500.0"), 9, "p: 1234.5");
+  EXPECT_EQ(test::read_text(folder / "run/two.yaml"), expected);
+}
+
+TEST(ControllerStudy, AParameterFileThatIsCalledAsOneOfTheRunsGetsAnotherName) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers = folder.write("gains.yaml", test::read_text(kExample + "ros2_controllers.yaml"));
+  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  std::filesystem::create_directory(folder / "run");
+  EXPECT_EQ(write_controllers(study, study.space.start, folder / "run"), "ros_gains.yaml");
+  EXPECT_EQ(test::read_text(folder / "run/ros_gains.yaml"), test::read_text(inputs.controllers))
+      << "gains that are the file's change nothing";
+}
+
+TEST(ControllerStudy, OtherStudiesHaveNoParameterFileToChange) {
+  const test::TemporaryFolder folder;
+  const Study study = load_study("ur10_gaze");
+  EXPECT_EQ(write_controllers(study, study.space.start, folder / "."), "");
+}
+
+}  // namespace
+}  // namespace armtune::internal

@@ -1,0 +1,50 @@
+#include "tuner/cli/controller_study_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+
+#include "tuner/cli/say.hpp"
+
+namespace armtune::internal::cli {
+
+void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required) {
+  CLI::Option* robot = command.add_option(
+      "--robot", inputs.robot, "the arm: an expanded URDF, a robot YAML, or a bundled robot such as ur5e");
+  CLI::Option* controllers =
+      command.add_option("--controllers", inputs.controllers,
+                         "ROS parameter file with a joint_trajectory_controller, as it lies in a package");
+  CLI::Option* trajectory =
+      command
+          .add_option(
+              "--trajectory", inputs.trajectories,
+              "motions that the gains are tuned for, one or several: CSV with times and joint positions, "
+              "or a trajectory_msgs/JointTrajectory as YAML")
+          ->expected(1, -1);
+  CLI::Option* node = command.add_option("--node", inputs.node,
+                                         "which controller of --controllers, where the file has several");
+  CLI::Option* rate =
+      command
+          .add_option("--rate", inputs.rate,
+                      "how often the controller runs [Hz] (default: update_rate in --controllers)")
+          ->check(CLI::Range(10.0, 10000.0));
+  if (required) {
+    for (CLI::Option* option : {robot, controllers, trajectory}) option->required();
+    return;
+  }
+  robot->needs(controllers);
+  controllers->needs(robot)->needs(trajectory);
+  trajectory->needs(controllers);
+  node->needs(controllers);
+  rate->needs(controllers);
+}
+
+std::string make_controller_study(const ControllerStudyInputs& inputs, const std::string& folder) {
+  const ControllerStudyFiles files = write_controller_study(inputs, folder);
+  for (const std::string& note : files.notes) say(fmt::format("note: {}\n", note));
+  say(fmt::format("wrote {}: {}\n", folder, fmt::join(files.written, ", ")));
+  return files.study;
+}
+
+}  // namespace armtune::internal::cli

@@ -1,0 +1,37 @@
+// armtune init: a study out of a robot, its controller's parameters and its motions, to be looked at and
+// changed.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "tuner/cli/commands.hpp"
+#include "tuner/cli/controller_study_options.hpp"
+#include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/say.hpp"
+
+namespace armtune::internal::cli {
+
+void add_init_command(CLI::App& app, int&) {
+  auto inputs = std::make_shared<ControllerStudyInputs>();
+  auto folder = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "init", "Write a study of a ROS controller's gains, out of the robot, its parameter file and motions");
+  add_controller_study_options(*command, *inputs, true);
+  command->add_option("--out", *folder, "new folder for the study")->required();
+  command->footer(
+      "Writes study.yaml (what is tuned, for what, within which limits), a scenario for each motion (noise, delay,\n"
+      "payload: what your robot has and the controller does not know), and robot.yaml where nobody gives the arm's\n"
+      "rotor inertia. Change what is not as on your robot, then tune. 'armtune tune' with the same options does\n"
+      "both at once.\n\n"
+      "Example:\n"
+      "  armtune init --robot ur5e --controllers ros2_controllers.yaml --trajectory moves.csv --out mine\n"
+      "  armtune tune mine/study.yaml --out runs/mine");
+  command->callback([inputs, folder] {
+    const std::string study = make_controller_study(*inputs, *folder);
+    say(fmt::format("next: {} tune {}\n", program_name(), study));
+  });
+}
+
+}  // namespace armtune::internal::cli
