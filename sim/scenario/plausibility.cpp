@@ -124,7 +124,9 @@ JointVector holding_torque(const RobotModel& robot, const JointVector& q) {
 
 /// Moves one joint after the other while that asks more of joint i, in ever smaller steps.
 void climb(const RobotModel& robot, int i, Heaviest& heaviest) {
-  for (double step = 0.5; step > 0.01; step *= 0.5) {
+  double step = 1.0;
+  for (int halving = 0; halving < 6; ++halving) {
+    step *= 0.5;
     for (int k = 0; k < robot.n(); ++k) {
       for (const double sign : {-1.0, 1.0}) {
         JointVector q = heaviest.q;

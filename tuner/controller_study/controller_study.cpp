@@ -215,7 +215,7 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
   }
   const FolderLock lock = make_run_folder(folder);
   for (const auto& [name, content] : texts) {
-    write_text_file(folder + "/" + name, content);
+    write_text_file(fmt::format("{}/{}", folder, name), content);
     files.written.push_back(name);
   }
   return files;

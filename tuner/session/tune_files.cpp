@@ -41,7 +41,7 @@ const char* title_of(SearchOutcome outcome) {
 
 /// A file's own name, but for those that a run's folder has itself.
 std::string name_beside_results(const std::string& path) {
-  const std::string name = std::filesystem::path(path).filename().string();
+  std::string name = std::filesystem::path(path).filename().string();
   for (const char* taken : {"gains.yaml", "study.yaml", "reduced_study.yaml", "run.yaml", "verdict.yaml"}) {
     if (name == taken) return "ros_" + name;
   }
@@ -127,7 +127,7 @@ std::string write_controllers(const Study& study, const Gains& gains, const std:
   if (!may_hold_controllers(text)) return {};
   const auto controllers = ros_controllers(text, study.gains);
   if (controllers.empty()) return {};
-  const std::string name = name_beside_results(study.gains);
+  std::string name = name_beside_results(study.gains);
   write_text_file(folder + "/" + name,
                   with_gains(text, chosen_controller(controllers, study.gains, study.node), study.gains,
                              gains, joint_names(*study.scenarios.front().robot)));
