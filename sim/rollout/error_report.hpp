@@ -1,12 +1,14 @@
 #pragma once
 // errors.csv: one row per scenario, every metric; columns.csv: what every column means.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/rollout/columns.hpp"
 #include "sim/rollout/limit_watch.hpp"
 #include "sim/rollout/rollout.hpp"
+#include "sim/rollout/shake_watch.hpp"
 
 namespace armtune::internal {
 
@@ -15,6 +17,7 @@ struct ScenarioResult {
   RolloutResult result;
   std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were passed, the earliest first
   LeastClearances nearest = {};          ///< of a scenario with a cell, whose clearance model it refers to
+  std::optional<Shake> shake = {};       ///< the first joint whose torque swings to and fro
 };
 
 /// A column of errors.csv that is no metric of the rollout itself.

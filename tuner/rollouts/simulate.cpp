@@ -43,16 +43,19 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     if (!options.folder.empty() || options.recorded) recorder.emplace(scenarios[i], options.record_stride);
     const double deadline = deadline_of(options.deadline, scenarios[i]);
     LimitWatch limits(*scenarios[i].robot);
+    ShakeWatch shakes(*scenarios[i].robot);
     RunningTime time;
     bool late = false;
     results[i].result = rollout.run(gains_of(scenarios[i]), [&](const Observation& o) {
       if (recorder) (*recorder)(o);
       limits.look(o);
+      shakes.look(o);
       if (o.cell != nullptr) results[i].nearest = o.cell->least();
       late = time.look() > deadline;
       return !late && !stop;
     });
     results[i].broken = limits.broken();
+    results[i].shake = shakes.first();
     if (late) {
       results[i].result.reason += fmt::format(
           " of {} s: its deadline of {} s was over; allow more with --rollout-deadline, or find "

@@ -67,6 +67,8 @@ void TuneSession::check(bool analysed) {
   add_controller_assumption(result.best.gains, verdict);
   verdict.notes = loosened(study_.thresholds);
   if (study_.given) verdict.notes.push_back(given_note(study_));
+  for (const ComparedSet& set : outcome_.sets)
+    add_shake_notes(set.results, &set == &outcome_.sets[1] ? "" : set.name + " gains", verdict);
   add_bounds_note(study_, result.best.gains, verdict);
 }
 

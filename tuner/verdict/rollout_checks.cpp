@@ -102,6 +102,14 @@ void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vecto
   }
 }
 
+void add_shake_notes(const std::vector<ScenarioResult>& results, const std::string& set,
+                     SimulationVerdict& verdict) {
+  for (const ScenarioResult& r : results) {
+    if (r.shake)
+      verdict.notes.push_back(fmt::format("in {}, {}", named(r.scenario, set), to_string(*r.shake)));
+  }
+}
+
 void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {
   const auto without = [&](Clearance kind) {
     std::vector<std::string> names;

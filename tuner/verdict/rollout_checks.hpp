@@ -23,6 +23,10 @@ void add_rollout_checks(const std::vector<ScenarioResult>& results, const std::s
 void add_contact_checks(const std::vector<Scenario>& scenarios, const std::vector<ScenarioResult>& results,
                         const std::string& set, SimulationVerdict& verdict);
 
+/// Adds a note for each scenario in which a joint shakes (see shake_watch.hpp).
+void add_shake_notes(const std::vector<ScenarioResult>& results, const std::string& set,
+                     SimulationVerdict& verdict);
+
 /// Lists as not checked the kinds of contact that some of the scenarios cannot have: without a cell none of
 /// them is looked for.
 void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);

@@ -188,6 +188,17 @@ TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
   }
 }
 
+TEST(RolloutChecks, NoteTheJointThatShakesWithItsScenarioAndSet) {
+  ScenarioResult steady = result_of("steady", {});
+  ScenarioResult shaking = result_of("shaking", {});
+  shaking.shake = Shake{"wrist_1_joint", 0.5, 30.0, 1.2};
+  SimulationVerdict verdict;
+  add_shake_notes({steady, shaking}, "start gains", verdict);
+  EXPECT_THAT(verdict.notes,
+              ElementsAre(AllOf(HasSubstr("in shaking under start gains, wrist_1_joint shakes"),
+                                HasSubstr("30 Hz"))));
+}
+
 TEST(RolloutChecks, AScenarioThatDidNotCompleteFailsWithItsReason) {
   ScenarioResult broken = result_of("a", {});
   broken.result.status = RolloutStatus::kDiverged;
