@@ -257,11 +257,15 @@ class ArmBuilder {
     // Bodies are numbered along the chain: body b carries joint b + 1.
     const int next_body = parent.body + 1;
     const auto next = static_cast<std::size_t>(next_body);
-    if (next < model_.joints.size())
+    if (next < model_.joints.size()) {
+      const UrdfJoint& other = tree_->joints.at(model_.joints[next].name);
       refuse(
-          "armtune needs a serial arm: joints '{}' and '{}' both move on '{}'; make one of them fixed, "
-          "hold one of them, or name the tip_link",
-          model_.joints[next].name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link);
+          "armtune needs a serial arm: joints '{0}' and '{1}' both move on '{2}'; hold both by 'hold: {{{0}: {3}, {1}: "
+          "{4}}}' in a robot YAML if they are a gripper's fingers, else name the tip_link, or hold the one that is not "
+          "the arm's",
+          other.name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link,
+          place_to_hold(other, options_), place_to_hold(joint, options_));
+    }
     if (model_.n() == kMaxJoints)
       refuse("joint '{}': it is moving joint {}; armtune takes up to {}", joint.name, kMaxJoints + 1,
              kMaxJoints);

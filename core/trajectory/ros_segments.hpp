@@ -13,11 +13,11 @@
 
 namespace armtune::internal {
 
-/// What every point of a trajectory gives, each with those before it.
+/// What every point of a trajectory gives: kVelocities stands for positions and velocities.
 enum class PointsGive { kPositions, kVelocities, kAccelerations };
 
-/// The segments between neighbours. time [s]: rising, at least two, as many as points. points: n joints each
-/// (rad or m); what they do not give does not count.
+/// Returns the segments between neighbouring points. time [s]: rising, at least two, as many as points.
+/// points: n joints each (rad or m); what they do not give does not count.
 std::vector<Quintic<JointVector>> ros_segments(const std::vector<double>& time,
                                                const std::vector<MotionPoint<JointVector>>& points,
                                                PointsGive given);

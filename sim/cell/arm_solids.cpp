@@ -1,5 +1,7 @@
 #include "sim/cell/arm_solids.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
@@ -15,21 +17,30 @@ namespace {
 constexpr std::size_t kMostTriangles = 500000;
 constexpr double kRod = 1e-3;  // m
 
-std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf) {
+/// Nothing where `why` says what is wrong with it.
+std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf, std::string& why) {
   const auto path = mesh_path(shape.file, urdf);
-  if (!path) return std::nullopt;
+  if (!path) {
+    why = fmt::format("no such file in the robot's folder, nor in one that {} names", kMeshFolders);
+    return std::nullopt;
+  }
   const auto corners = read_binary_stl(*path, kMostTriangles);
-  if (!corners) return std::nullopt;
+  if (!corners) {
+    why = fmt::format("no binary STL file of up to {} triangles; convert it", kMostTriangles);
+    return std::nullopt;
+  }
   std::vector<Vec3> points;
   points.reserve(corners->size() / 3);
   for (std::size_t i = 0; i + 2 < corners->size(); i += 3) {
     const Eigen::Vector3f point((*corners)[i], (*corners)[i + 1], (*corners)[i + 2]);
     points.push_back(shape.size.cwiseProduct(point.cast<double>()));
   }
-  return convex_hull(points);
+  auto hull = convex_hull(points);
+  if (!hull) why = "its points have no volume";
+  return hull;
 }
 
-std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf) {
+std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf, std::string& why) {
   switch (shape.kind) {
     case ShapeKind::kBox:
       return box(shape.size);
@@ -42,7 +53,7 @@ std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf) {
     case ShapeKind::kMesh:
       break;
   }
-  return hull_of_mesh(shape, urdf);
+  return hull_of_mesh(shape, urdf, why);
 }
 
 /// The shapes of one link that count.
@@ -97,7 +108,9 @@ ArmSolids arm_solids(const RobotModel& robot) {
     const std::vector<const Shape*> shapes = counting(robot, link);
     bool whole = true;
     for (const Shape* shape : shapes) {
-      const auto solid = solid_of(*shape, robot.source);
+      std::string why;
+      const auto solid = solid_of(*shape, robot.source, why);
+      if (!solid) arm.unread.push_back(fmt::format("{}: {}", shape->file, why));
       whole = whole && solid;
       if (solid) arm.solids.push_back({shape->body, shape->link_name, {*solid, shape->R_BS, shape->p_BS}});
     }

@@ -105,6 +105,23 @@ void ClearanceModel::add_floor_pairs() {
   }
 }
 
+ClearanceModel ClearanceModel::with_obstacles_on(const std::vector<Path>& paths) const {
+  ClearanceModel model = *this;
+  std::size_t next = 0;
+  for (CellPart& part : model.cell_.parts) {
+    if (part.is_obstacle) part.path = paths.at(next++);
+  }
+  return model;
+}
+
+ClearanceModel ClearanceModel::without_obstacles() const {
+  ClearanceModel model = *this;
+  std::erase_if(model.pairs_, [&model](const ContactPair& pair) {
+    return pair.of == Clearance::kCell && model.cell_.parts[pair.other].is_obstacle;
+  });
+  return model;
+}
+
 Closest ClearanceModel::distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const {
   const auto placed = [&](const ArmSolid& solid, Mat3& R_0S, Vec3& p_0S) {
     R_0S = solid.placed.R_BS;

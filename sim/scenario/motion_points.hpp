@@ -14,7 +14,11 @@ struct MotionPoints {
   std::vector<double> time;                      ///< rising, from 0 s or later on
   std::vector<MotionPoint<JointVector>> points;  ///< n joints each [rad or m, and per s, per s^2]
   PointsGive given = PointsGive::kPositions;     ///< what else is zero
-  std::vector<std::string> where;                ///< of each: "FILE:LINE"
+  std::string file;                              ///< what messages call it
+  std::vector<std::size_t> lines;                ///< of each point in it
+
+  /// Returns "FILE:LINE" of a point.
+  std::string where(std::size_t point) const { return file + ":" + std::to_string(lines[point]); }
 };
 
 }  // namespace armtune::internal

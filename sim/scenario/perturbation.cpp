@@ -168,6 +168,14 @@ Scenario perturbed(const Scenario& scenario, const Perturbation& perturbation, s
   };
   for (NamedPath& target : result.targets) start_anywhere(target.path);
   for (MovingObstacle& obstacle : result.obstacles) start_anywhere(obstacle.path);
+  if (result.clearance && !result.obstacles.empty()) {
+    // Where the controller keeps away from them contact is looked for, too.
+    std::vector<Path> paths;
+    for (const MovingObstacle& obstacle : result.obstacles) {
+      if (obstacle.radius > 0.0) paths.push_back(obstacle.path);
+    }
+    result.clearance = std::make_shared<const ClearanceModel>(result.clearance->with_obstacles_on(paths));
+  }
   return result;
 }
 

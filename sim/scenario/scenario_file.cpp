@@ -196,6 +196,12 @@ void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& sc
       node != nullptr ? std::optional(read_cell(*node, scenario.inputs)) : cell_of(robot, scenario.inputs);
   if (!cell) return;
   for (const MovingObstacle& obstacle : scenario.obstacles) {
+    const bool taken = std::any_of(cell->parts.begin(), cell->parts.end(),
+                                   [&](const CellPart& part) { return part.name == obstacle.name; });
+    if (taken)
+      throw InputError(
+          fmt::format("{}: an obstacle and a part of the cell are both called '{}'; rename one of them",
+                      scenario.source, obstacle.name));
     if (obstacle.radius > 0.0)
       cell->parts.push_back({obstacle.name, sphere(obstacle.radius), Mat3::Identity(), obstacle.path, true});
   }

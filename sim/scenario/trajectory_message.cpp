@@ -46,6 +46,11 @@ const yaml::Node& required(const yaml::Node& map, const char* key) {
 /// Where each joint of the robot stands in the message.
 std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& robot) {
   const std::vector<std::string> in_file = names.as_strings();
+  for (std::size_t i = 1; i < in_file.size(); ++i) {
+    if (std::find(in_file.begin(), in_file.begin() + static_cast<std::ptrdiff_t>(i), in_file[i]) !=
+        in_file.begin() + static_cast<std::ptrdiff_t>(i))
+      names.fail(fmt::format("joint '{}' stands there twice", in_file[i]));
+  }
   std::vector<std::size_t> places;
   places.reserve(robot.joints.size());
   for (const JointInfo& joint : robot.joints) {
@@ -118,6 +123,7 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
   const yaml::Node& points = required(message, "points");
   const Points reader(message, robot);
   MotionPoints motion;
+  motion.file = path;
   for (const yaml::Node& point : points.items()) {
     const double time = seconds_in(required(point, "time_from_start"));
     if (time < 0.0) point.fail(fmt::format("time_from_start is {} s; nothing comes before 0 s", time));
@@ -135,7 +141,7 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
     motion.points.push_back({reader.values(*positions),
                              reader.values_or_zero(numbers_in(point, "velocities")),
                              reader.values_or_zero(numbers_in(point, "accelerations"))});
-    motion.where.push_back(fmt::format("{}:{}", path, point.line()));
+    motion.lines.push_back(static_cast<std::size_t>(point.line()));
   }
   if (motion.time.size() < 2)
     points.fail(fmt::format("{} points; a motion needs at least two, the first where the arm stands",

@@ -9,12 +9,12 @@
 
 namespace armtune::internal {
 
-/// Whether a file of that name is read as a message: it ends with .yaml or .yml.
+/// Returns true if a file of that name is read as a message: its name ends with .yaml or .yml.
 bool is_trajectory_message(const std::string& path);
 
-/// Its points, for the joints of this robot in the order of the robot; what it has of other joints does not
-/// count. Time is time_from_start. Throws InputError with file, line and key if a joint of the robot is
-/// missing, points differ in what they give, a number is missing, or times do not rise.
+/// Reads its points, in the order of the joints of this robot. Other joints in the file are ignored. Time is
+/// time_from_start. Throws InputError with file, line and key if a joint of the robot is missing, points
+/// differ in what they give, a number is missing, or times do not rise.
 MotionPoints load_trajectory_message(const std::string& path, const RobotModel& robot);
 
 }  // namespace armtune::internal

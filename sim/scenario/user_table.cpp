@@ -76,7 +76,10 @@ UserTable read_user_table(yaml::MapReader& map, const char* units) {
   UserTable table;
   const yaml::Node& file = map.required("file");
   table.path = file_beside(file.as_string(), file.file());
-  if (const yaml::Node* given = map.optional("units")) table.units = yaml::read_file_units(*given, units);
+  if (const yaml::Node* given = map.optional("units")) {
+    table.units = yaml::read_file_units(*given, units);
+    table.has_units = true;
+  }
   if (const yaml::Node* columns = map.optional("columns")) table.columns = columns->as_strings();
   return table;
 }

@@ -15,8 +15,12 @@ namespace armtune::internal {
 struct UserTable {
   std::string path;
   yaml::FileUnits units = {};
-  std::vector<std::string> columns =
-      {};  ///< in place of its line of names, if it has one; empty: as that says
+  /// In place of the file's line of names, if it has one; empty: as that says.
+  std::vector<std::string> columns = {};
+  bool has_units = false;  ///< units were given
+
+  /// Returns true if anything was said of its numbers.
+  bool is_described() const { return has_units || !columns.empty(); }
 };
 
 /// Reads the keys file, units and columns of a map, whose other keys are the caller's. The path is from the
@@ -38,7 +42,7 @@ enum class ColumnNames { kAsWritten, kInLowerCase };
 ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std::string& key,
                              const std::string& columns);
 
-/// Column `time` in seconds; see rising_times.
+/// Returns column `time` in seconds; see rising_times.
 std::vector<double> rising_seconds(const ParsedTable& parsed, const UserTable& file);
 
 }  // namespace armtune::internal

@@ -300,5 +300,26 @@ TEST(Perturbed, ByNothingIsTheScenarioButForItsSeed) {
   EXPECT_EQ(same.obstacles[0].path.phase, scenario.obstacles[0].path.phase);
 }
 
+// The controller keeps away from a ball where it is; contact is looked for in the same place.
+TEST(Perturbation, ObstaclesAreInTheCellWhereTheyAreInTheScenario) {
+  const test::TemporaryFolder folder;
+  const Scenario scenario = load_scenario(
+      folder.write("balls.yaml",
+                   "base: realistic_fixed_target\n"
+                   "obstacles:\n"
+                   "  - {name: point, circle: {center: [1, 1, 1], radius: 0.2, period: 4}}\n"
+                   "  - {name: ball, circle: {center: [-1, 1, 1], radius: 0.3, period: 5}, radius: 0.1}\n"
+                   "cell: {parts: [{name: wall, box: [0.1, 2, 2], center: [-2, 0, 0]}]}\n"));
+  const Scenario drawn = perturbed(scenario, {}, 1, 5);
+  ASSERT_EQ(drawn.clearance->cell().parts.size(), 2U);
+  const CellPart& ball = drawn.clearance->cell().parts[1];
+  ASSERT_TRUE(ball.is_obstacle);
+  EXPECT_NE(drawn.obstacles[1].path.phase, scenario.obstacles[1].path.phase);
+  for (const double t : {0.0, 1.3})
+    EXPECT_EQ(ball.path.at(t).position, drawn.obstacles[1].path.at(t).position);
+  EXPECT_EQ(drawn.clearance->cell().parts[0].path.at(0.0).position, Vec3(-2.0, 0.0, 0.0));
+  EXPECT_EQ(drawn.clearance->pairs().size(), scenario.clearance->pairs().size());
+}
+
 }  // namespace
 }  // namespace armtune::internal

@@ -98,8 +98,9 @@ TEST_F(PlannedMotion, OfWaypointsGoesThroughThemAtRestAtBothEnds) {
               AllOf(HasSubstr("plan.csv:3 and the next point, between them"), HasSubstr("elbow_joint"),
                     HasSubstr("3.14159")));
   // A velocity for one joint alone is a plan with columns missing.
-  text.replace(text.find('\n'), 1, ",joint/elbow_joint/velocity\n");
-  EXPECT_THAT(refusal([&] { load(write(text)); }), HasSubstr("plan.csv"));
+  const std::string one_velocity =
+      text.substr(0, text.find('\n')) + ",joint/elbow_joint/velocity\n8,0,0,0,0,0,0,0\n9,0,0,0,0,0,0,0\n";
+  EXPECT_THAT(refusal([&] { load(write(one_velocity)); }), HasSubstr("joint/shoulder_pan_joint/velocity"));
 }
 
 TEST_F(PlannedMotion, PointsThatAreJoinedAsRosDoesAreWhereItsSegmentsAre) {
@@ -183,6 +184,26 @@ TEST_F(PlannedMotion, AMessageOfRosIsOne) {
                     "time_from_start: 2}\n");
   EXPECT_THAT(refusal([&] { scenario("planned: moves.yaml\nduration: planned\n"); }),
               AllOf(HasSubstr("moves.yaml:3 and the next point, between them"), HasSubstr("elbow_joint")));
+}
+
+TEST_F(PlannedMotion, OfAMessageTheUnitsAreKnown) {
+  std::string names = "joint_names: [";
+  for (const JointInfo& joint : robot_->joints) names += joint.name + ", ";
+  const auto message = [&](const char* last) {
+    folder_.write("moves.yaml", names.substr(0, names.size() - 2) +
+                                    "]\npoints:\n- {positions: [0, 0, 0, 0, 0, 0], time_from_start: 0}\n" +
+                                    "- {positions: [" + last + ", 0, 0, 0, 0, 0], time_from_start: 2}\n");
+  };
+  message("1");
+  for (const char* key : {"units: {angle: deg}", "units: {time: s}", "columns: [time]"})
+    EXPECT_THAT(refusal([&] {
+                  scenario(std::string("planned: {file: moves.yaml, ") + key + "}\nduration: planned\n");
+                }),
+                HasSubstr("a JointTrajectory has"))
+        << key;
+  message("90");
+  EXPECT_THAT(refusal([&] { scenario("planned: moves.yaml\nduration: planned\n"); }),
+              AllOf(HasSubstr("moves.yaml:4"), HasSubstr("has radians"), testing::Not(HasSubstr("units"))));
 }
 
 TEST_F(PlannedMotion, WhatIsNoMotionOfTheRobotIsRefusedWithLineAndColumn) {

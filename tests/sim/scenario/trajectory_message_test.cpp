@@ -57,7 +57,7 @@ TEST_F(TrajectoryMessage, OfRos2GivesEveryJointWhatIsItsOwn) {
   EXPECT_EQ(motion.points[0].velocity, velocity);
   EXPECT_EQ(motion.points[0].acceleration, JointVector(JointVector::Zero(6)));
   EXPECT_EQ(motion.points[1].position[2], 0.7);
-  EXPECT_THAT(motion.where[1], HasSubstr("moves.yaml:"));
+  EXPECT_THAT(motion.where(1), HasSubstr("moves.yaml:15"));
 }
 
 /// Two points, all joints at rest, with more in each.
@@ -92,6 +92,7 @@ TEST_F(TrajectoryMessage, IsFoundWithinGoalsAndOtherMessagesAndTakesTimesOfRos1)
 
 TEST_F(TrajectoryMessage, WhatRosWouldNotFollowIsRefusedWithItsLine) {
   const std::string zeros = "[0, 0, 0, 0, 0, 0, 0]";
+  EXPECT_THAT(refused("joint_names: [elbow_joint, elbow_joint]\n" + points("", "1")), HasSubstr("twice"));
   EXPECT_THAT(refused("controller: {}\n"), HasSubstr("no trajectory_msgs/JointTrajectory"));
   EXPECT_THAT(refused("joint_names: [elbow_joit]\n" + points("", "1")),
               AllOf(HasSubstr("moves.yaml:1"), HasSubstr("'shoulder_pan_joint' of ur10 is missing"),

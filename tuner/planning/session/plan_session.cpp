@@ -1,6 +1,7 @@
 #include "tuner/planning/session/plan_session.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -28,14 +29,26 @@ report::Scene scene_of_plan(const PlanTask& task) {
   return scene;
 }
 
-/// What the motion is known to keep away from.
+/// What the motion is known to keep away from, as a comment for whoever sends it to a robot.
 std::string known_of_contact(const PlanTask& task) {
+  std::vector<std::string> kept;
   const auto& clearance = task.scenario.clearance;
-  if (task.clearance > 0.0 && clearance && !clearance->pairs().empty())
-    return fmt::format(
-        "It keeps {:g} m from the cell of {}; nothing else is known of what stands around the arm.",
-        task.clearance, task.scenario.name);
-  return "Nothing here knows the arm's surroundings or its own links.";
+  if (task.clearance > 0.0 && !task.scenario.obstacles.empty()) kept.emplace_back("the obstacles");
+  if (task.clearance > 0.0 && clearance) {
+    if (clearance->has(Clearance::kCell)) kept.emplace_back("the parts of the cell");
+    if (clearance->has(Clearance::kFloor)) kept.emplace_back("the floor");
+  }
+  const bool self = task.clearance > 0.0 && clearance && clearance->has(Clearance::kSelf);
+  if (kept.empty() && !self) return "Nothing here knows the arm's surroundings or its own links.";
+  std::string text;
+  if (!kept.empty())
+    text = fmt::format("At its knots it keeps {:g} m from {} of {}. ", task.clearance, fmt::join(kept, ", "),
+                       task.scenario.name);
+  text += self ? "Links do not touch each other there." : "Nothing here knows the arm's own links.";
+  if (clearance && !clearance->arm().unknown.empty())
+    text += fmt::format(" Not looked at: {}, whose shapes are not known.",
+                        fmt::join(clearance->arm().unknown, ", "));
+  return text;
 }
 
 }  // namespace

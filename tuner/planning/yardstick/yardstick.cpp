@@ -124,6 +124,9 @@ PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOp
   task.knots = options.knots;
   if (options.clearance > 0.0 && !scenario.obstacles.empty())
     task.clearance = std::max(0.0, std::min(options.clearance, event.nearest - kClearanceRoom));
+  // How near the run itself came to obstacles is known of joints' origins and links as lines, not of shapes.
+  if (scenario.clearance)
+    task.scenario.clearance = std::make_shared<const ClearanceModel>(scenario.clearance->without_obstacles());
   switch (event.kind) {
     case EventKind::kSwitch:
       task.kind = PlanKind::kSwitch;

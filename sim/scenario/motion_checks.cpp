@@ -1,0 +1,93 @@
+#include "sim/scenario/motion_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "armtune/error.hpp"
+#include "core/trajectory/linear_acceleration.hpp"
+
+namespace armtune::internal {
+namespace {
+
+/// How far a row may lie beside the motion of the rows before it, in position [rad, m] and velocity [rad/s,
+/// m/s]: what numbers of six digits leave.
+constexpr double kPositionJump = 1e-5;
+constexpr double kVelocityJump = 1e-4;
+/// A planner's limits hold but for its own tolerance [rad, m].
+constexpr double kBeyondLimit = 1e-6;
+constexpr int kLooks = 32;
+
+}  // namespace
+
+void MotionChecks::check_position(int joint, double q, std::size_t point, bool between) const {
+  const JointInfo& info = robot_.joints[static_cast<std::size_t>(joint)];
+  const JointLimits& limits = info.limits;
+  if (!limits.has_position) return;
+  if (q >= limits.lower - kBeyondLimit && q <= limits.upper + kBeyondLimit) return;
+  const double from_degrees = q * std::numbers::pi / 180.0;
+  const bool degrees =
+      std::abs(q) > 2.0 * std::numbers::pi && from_degrees >= limits.lower && from_degrees <= limits.upper;
+  throw InputError(
+      fmt::format("{}{}: joint/{}/position is {:.9g}, outside the joint's limits {:.6g} .. {:.6g}; {}",
+                  points_.where(point), between ? " and the next point, between them" : "", info.name, q,
+                  limits.lower, limits.upper, degrees ? degrees_ : "plan for this robot"));
+}
+
+void MotionChecks::at_points() const {
+  for (std::size_t k = 0; k < points_.points.size(); ++k) {
+    for (int i = 0; i < robot_.n(); ++i) check_position(i, points_.points[k].position[i], k, false);
+  }
+}
+
+void MotionChecks::between_knots() const {
+  for (std::size_t k = 0; k + 1 < points_.points.size(); ++k) {
+    const MotionPoint<JointVector>& knot = points_.points[k];
+    const double h = points_.time[k + 1] - points_.time[k];
+    for (int i = 0; i < robot_.n(); ++i) {
+      // v + a s + j s^2 / 2 = 0, in the form that divides by no small number.
+      const double v = knot.velocity[i], a = knot.acceleration[i];
+      const double j = (points_.points[k + 1].acceleration[i] - a) / h;
+      const double root = std::sqrt(std::max(0.0, a * a - 2.0 * j * v));
+      const double q = -(a + std::copysign(root, a));
+      for (const double s : {q / j, 2.0 * v / q}) {
+        if (!(s > 0.0 && s < h)) continue;
+        check_position(i, knot.position[i] + s * (v + s * (a / 2.0 + s * j / 6.0)), k, true);
+      }
+    }
+  }
+}
+
+void MotionChecks::between_points(const JointSpline& motion) const {
+  for (std::size_t k = 0; k + 1 < points_.time.size(); ++k) {
+    const double h = points_.time[k + 1] - points_.time[k];
+    for (int look = 1; look < kLooks; ++look) {
+      const JointVector q = motion.at(points_.time[k] + h * look / kLooks).position;
+      for (int i = 0; i < robot_.n(); ++i) check_position(i, q[i], k, true);
+    }
+  }
+}
+
+void MotionChecks::steps() const {
+  for (std::size_t k = 0; k + 1 < points_.points.size(); ++k) {
+    const double h = points_.time[k + 1] - points_.time[k];
+    const MotionPoint<JointVector>& row = points_.points[k + 1];
+    const MotionPoint<JointVector> expected = linear_acceleration(points_.points[k], row.acceleration, h, h);
+    for (int i = 0; i < robot_.n(); ++i) {
+      const auto check = [&](const char* what, double value, double wanted, double most) {
+        if (std::abs(value - wanted) <= most) return;
+        throw InputError(fmt::format(
+            "{}: joint/{}/{} is {:.9g}, {:.3g} beside the motion from the row before, whose acceleration is linear "
+            "between rows; at most {:g}: give more rows, more digits, or accelerations that fit",
+            points_.where(k + 1), robot_.joints[static_cast<std::size_t>(i)].name, what, value,
+            std::abs(value - wanted), most));
+      };
+      check("position", row.position[i], expected.position[i], kPositionJump);
+      check("velocity", row.velocity[i], expected.velocity[i], kVelocityJump);
+    }
+  }
+}
+
+}  // namespace armtune::internal
