@@ -183,7 +183,7 @@ TEST_F(BadInput, LeavesNoFolderBehind) {
   EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
   refused({"simulate", "moving_traget", "--out", files_ / "run"});
   EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
-  refused({"identify", files_.write("log.csv", "time,q\n0,1\n"), "--out", files_ / "run"});
+  refused({"identify", files_.write("log.csv", "time,q\n0,1\n"), "--robot", "ur10", "--out", files_ / "run"});
   EXPECT_FALSE(std::filesystem::exists(files_ / "run"));
 }
 
@@ -191,7 +191,7 @@ TEST_F(BadInput, Usage) {
   EXPECT_THAT(refused({"simulate", "moving_target", "--frob"}),
               testing::AllOf(HasSubstr("--frob"), HasSubstr("--help")));
   EXPECT_THAT(refused({"tune", "--workers", "abc"}), HasSubstr("abc"));
-  EXPECT_THAT(refused({"identify", files_ / "no\nlog.csv"}), HasSubstr("no\\nlog.csv"));
+  EXPECT_THAT(refused({"identify", files_ / "no\nlog.csv", "--robot", "ur10"}), HasSubstr("no\\nlog.csv"));
   EXPECT_THAT(refused({"robot", files_ / "no\narm.urdf"}), HasSubstr("no\\narm.urdf"));
 }
 

@@ -179,6 +179,34 @@ TEST(Help, SaysWhatIsWrongWhereTheBundledDataIsMissing) {
   EXPECT_THAT(help.err, testing::HasSubstr("/nonexistent"));
 }
 
+TEST(Help, IsACommandToo) {
+  EXPECT_EQ(run_program({"help"}).out, run_program({"--help"}).out);
+  const Finished of_tune = run_program({"help", "tune"});
+  EXPECT_EQ(of_tune.exit_code, 0);
+  EXPECT_EQ(of_tune.out, run_program({"tune", "--help"}).out);
+}
+
+TEST(Help, ACommandThatThereIsNotNamesTheOneThatWasMeant) {
+  const Finished misspelt = run_program({"tun", "ur10_gaze"});
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_THAT(misspelt.err, AllOf(HasSubstr("no command 'tun'"), HasSubstr("did you mean 'tune'?")));
+  EXPECT_THAT(run_program({"help", "optimize"}).err, HasSubstr("no command 'optimize'"));
+}
+
+// A roboticist with an arm of another kind is not to get a UR10's figures unasked.
+TEST(Help, NoCommandTakesAnArmThatNobodyNamed) {
+  const Finished tune = run_program({"tune"});
+  EXPECT_EQ(tune.exit_code, 2);
+  EXPECT_EQ(tune.out, "");
+  EXPECT_THAT(tune.err, AllOf(HasSubstr("ur10_gaze"), HasSubstr("--controllers")));
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"pareto"}, {"excite", "--out", "x"}, {"identify", "/dev/null"}}) {
+    const Finished finished = run_program(arguments);
+    EXPECT_EQ(finished.exit_code, 2) << arguments[0];
+    EXPECT_THAT(finished.err, HasSubstr("required")) << arguments[0];
+  }
+}
+
 TEST(Help, IsWhatTheBareProgramShows) {
   const Finished bare = run_program({});
   EXPECT_EQ(bare.exit_code, 2);

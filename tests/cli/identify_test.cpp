@@ -27,7 +27,8 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
   }
 
   const std::string found = folder / "found";
-  const Finished identified = run_program({"identify", excite + "/log_moving_target.csv", "--out", found});
+  const Finished identified =
+      run_program({"identify", "--robot", "ur10", excite + "/log_moving_target.csv", "--out", found});
   ASSERT_EQ(identified.exit_code, 0) << identified.err;
   EXPECT_THAT(identified.out, HasSubstr("52 base parameters of 78"));
   const auto table = test::read_csv(found + "/base_parameters.csv");
@@ -43,13 +44,13 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
       "joint/elbow_joint/torque, joint/wrist_1_joint/torque, joint/wrist_2_joint/torque, "
       "joint/wrist_3_joint/torque], scale: -1}\n");
   const std::string turned = folder / "turned";
-  const Finished doubted =
-      run_program({"identify", excite + "/log_moving_target.csv", "--columns", map, "--out", turned});
+  const Finished doubted = run_program(
+      {"identify", "--robot", "ur10", excite + "/log_moving_target.csv", "--columns", map, "--out", turned});
   EXPECT_EQ(doubted.exit_code, 3);
   EXPECT_THAT(doubted.out, testing::AllOf(HasSubstr("wrong sign"), HasSubstr("--accept")));
   EXPECT_FALSE(std::filesystem::exists(turned));
-  const Finished accepted = run_program(
-      {"identify", excite + "/log_moving_target.csv", "--columns", map, "--accept", "--out", turned});
+  const Finished accepted = run_program({"identify", "--robot", "ur10", excite + "/log_moving_target.csv",
+                                         "--columns", map, "--accept", "--out", turned});
   EXPECT_EQ(accepted.exit_code, 3);
   EXPECT_TRUE(std::filesystem::exists(turned + "/theta.yaml"));
   EXPECT_THAT(test::read_text(turned + "/run.yaml"), HasSubstr("accepted_although"));
@@ -77,9 +78,10 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
 
 TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   const test::TemporaryFolder folder;
-  const Finished missing = run_program({"identify", folder / "nowhere.csv"});
+  const Finished missing = run_program({"identify", "--robot", "ur10", folder / "nowhere.csv"});
   EXPECT_EQ(missing.exit_code, 2);
-  const Finished columns = run_program({"identify", folder.write("log.csv", "t,q\n0,1\n1,2\n")});
+  const Finished columns =
+      run_program({"identify", "--robot", "ur10", folder.write("log.csv", "t,q\n0,1\n1,2\n")});
   EXPECT_EQ(columns.exit_code, 2);
   EXPECT_THAT(columns.err, HasSubstr("'time'"));
   const Finished center = run_program({"excite", "ur10", "--center", "0,0", "--out", folder / "out"});

@@ -48,7 +48,7 @@ TEST(WrongCause, AFolderThatMayNotBeReadIsCalledThat) {
         {"report", closed},
         {"compare", closed},
         {"export", closed},
-        {"identify", closed + "/log.csv"}}) {
+        {"identify", closed + "/log.csv", "--robot", "ur10"}}) {
     SCOPED_TRACE(arguments[0]);
     const Finished done = Program(arguments, "/", plain_user()).wait();
     EXPECT_EQ(done.exit_code, 2);

@@ -29,6 +29,8 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
           .add_option("--rate", inputs.rate,
                       "how often the controller runs [Hz] (default: update_rate in --controllers)")
           ->check(CLI::Range(10.0, 10000.0));
+  CLI::Option* degrees =
+      command.add_flag("--degrees", inputs.degrees, "angles in the CSV files of --trajectory are in degrees");
   if (required) {
     for (CLI::Option* option : {robot, controllers, trajectory}) option->required();
     return;
@@ -38,6 +40,7 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
   trajectory->needs(controllers);
   node->needs(controllers);
   rate->needs(controllers);
+  degrees->needs(trajectory);
 }
 
 std::string make_controller_study(const ControllerStudyInputs& inputs, const std::string& folder) {

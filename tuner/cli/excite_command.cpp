@@ -19,7 +19,7 @@ namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
-  std::string robot = "ur10";
+  std::string robot;
   std::vector<double> center_deg;
   std::vector<std::string> scenarios;
   double fade = NAN;
@@ -67,7 +67,7 @@ void add_excite_command(CLI::App& app, int& exit_code) {
       "excite", "Design a trajectory that shows an arm's parameters to identify; simulate logs of it");
   ExciteSettings& settings = args->settings;
   ExcitationOptions& d = settings.design;
-  command->add_option("ROBOT", args->robot, "bundled robot, robot YAML or URDF")->capture_default_str();
+  command->add_option("ROBOT", args->robot, "bundled robot, robot YAML or URDF")->required();
   command->add_option("--out", settings.folder, "new folder for excitation.yaml, trajectory.csv and logs")
       ->required();
   command
@@ -113,7 +113,7 @@ void add_excite_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Nothing here knows where the arm's links, its pedestal or the room are: look at trajectory.csv, and run it slowly "
       "first.\nExample:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
-      "--scenario moving_target\n  armtune identify runs/excite/log_moving_target.csv --out runs/identified\n");
+      "--scenario moving_target\n  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

@@ -14,7 +14,7 @@ namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
-  std::string robot = "ur10";
+  std::string robot;
   IdentifySettings settings = {};
 };
 
@@ -48,7 +48,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--robot", args->robot,
                    "bundled robot, robot YAML or URDF: geometry, names and prior values")
-      ->capture_default_str();
+      ->required();
   command->add_option("--out", settings.folder,
                       "new folder for theta.yaml, base_parameters.csv, robot.urdf and the rest");
   command->add_option("--columns", settings.columns_path,

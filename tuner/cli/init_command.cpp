@@ -9,6 +9,7 @@
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/controller_study_options.hpp"
 #include "tuner/cli/interrupt.hpp"
+#include "tuner/cli/resume.hpp"
 #include "tuner/cli/say.hpp"
 
 namespace armtune::internal::cli {
@@ -21,8 +22,8 @@ void add_init_command(CLI::App& app, int&) {
   add_controller_study_options(*command, *inputs, true);
   command->add_option("--out", *folder, "new folder for the study")->required();
   command->footer(
-      "Writes study.yaml (what is tuned, for what, within which limits), a scenario for each motion (noise, delay,\n"
-      "payload: what your robot has and the controller does not know), and robot.yaml where nobody gives the arm's\n"
+      "Writes study.yaml (what is tuned, for what, within which limits), a scenario for each motion (noise and\n"
+      "delay: what your robot has and the controller does not know), and robot.yaml where nobody gives the arm's\n"
       "rotor inertia. Change what is not as on your robot, then tune. 'armtune tune' with the same options does\n"
       "both at once.\n\n"
       "Example:\n"
@@ -30,7 +31,7 @@ void add_init_command(CLI::App& app, int&) {
       "  armtune tune mine/study.yaml --out runs/mine");
   command->callback([inputs, folder] {
     const std::string study = make_controller_study(*inputs, *folder);
-    say(fmt::format("next: {} tune {}\n", program_name(), study));
+    say(fmt::format("next: {} tune {}\n", program_name(), shell_word(study)));
   });
 }
 

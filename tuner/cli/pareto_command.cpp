@@ -15,7 +15,7 @@ namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
-  std::string study = "ur10_gaze";
+  std::string study;
   std::string controller;  ///< in place of the study's; empty: its own
   long seed = -1;
   FrontSettings settings = {};
@@ -44,8 +44,8 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   settings.workers = default_workers();
   CLI::App* command =
       app.add_subcommand("pareto", "Find a study's front: what each bit of accuracy costs in joint velocity");
-  command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
-      ->capture_default_str();
+  command->add_option("STUDY", args->study, "a bundled study, such as ur10_gaze, or a YAML file of your own")
+      ->required();
   add_controller_option(*command, args->controller);
   command
       ->add_option("--criteria", settings.criteria,

@@ -4,12 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 
 #include "armtune/error.hpp"
 #include "core/common/input_file.hpp"
 #include "core/common/message_text.hpp"
+#include "core/common/nearest.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/declared/short_help.hpp"
 #include "tuner/cli/interrupt.hpp"
@@ -67,17 +69,36 @@ void add_commands(CLI::App& app, int& exit_code) {
   group_options(app);
 }
 
+/// `armtune help` is `armtune --help`, and `armtune help tune` is `armtune tune --help`.
+std::vector<std::string> without_help_as_command(std::vector<std::string> words) {
+  if (words.size() < 2 || words[1] != "help") return words;
+  words.erase(words.begin() + 1);
+  words.insert(words.begin() + (words.size() > 1 ? 2 : 1), "--help");
+  return words;
+}
+
+/// Throws InputError for a command that there is not, with the one that was likely meant.
+void refuse_unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.size() < 2 || words[1].starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), words[1]) != names.end()) return;
+  throw InputError(one_line(fmt::format("there is no command '{}'{}; armtune --help lists all of them",
+                                        words[1], suggestion(words[1], names))));
+}
+
 int parse_and_run(int argc, char** argv) {
   const InputRecord inputs;  // one run: it reads each of its inputs once
   program_name() = argv[0];
-  command_words() = resumed_arguments({argv, argv + argc});
+  command_words() = resumed_arguments(without_help_as_command({argv, argv + argc}));
   command_line() = repeating_command(command_words());
 
   CLI::App app{
       "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
       "tunes the controller's gains with NLopt, so that tracking errors fall while every joint stays "
-      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\nthen:        armtune "
-      "tune"};
+      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\n"
+      "then:        armtune tune ur10_gaze --max-evaluations 100"};
   app.formatter(help_formatter());
   app.set_help_all_flag("--help-all", "Print help with every option and exit");
   app.set_version_flag("--version", version_text());
@@ -95,6 +116,7 @@ int parse_and_run(int argc, char** argv) {
     fmt::print(stderr, "{}", app.help());
     return kBadInput;
   }
+  refuse_unknown_command(app, command_words());
   // Before the command itself is called.
   app.parse_complete_callback([&app] { refuse_ranks(app.get_subcommands().front()->get_name()); });
   try {

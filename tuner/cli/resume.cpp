@@ -41,7 +41,8 @@ std::optional<std::string> cut(std::vector<std::string>& words, const std::strin
   return std::nullopt;
 }
 
-/// A word as a shell takes it for one.
+}  // namespace
+
 std::string shell_word(const std::string& word) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -49,8 +50,6 @@ std::string shell_word(const std::string& word) {
   for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
 }
-
-}  // namespace
 
 void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& place, int& workers,
                      double& deadline) {

@@ -25,6 +25,9 @@ void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& p
 /// if the folder holds no journal or one of another command, or if further words were given.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
+/// Returns a word as a shell takes it for one.
+std::string shell_word(const std::string& word);
+
 /// The words of a command line as a shell takes them, with armtune in place of the program's path.
 std::string quoted_command(const std::vector<std::string>& words);
 

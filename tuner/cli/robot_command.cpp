@@ -119,6 +119,10 @@ void show_contacts(const RobotModel& model) {
     say(fmt::format(
         "Shapes of {} are not given, or not all of them can be read: self-collision is not looked for with these links.\n",
         fmt::join(unknown, ", ")));
+  constexpr std::size_t kMostShown = 3;
+  const std::vector<std::string>& unread = contacts.arm().unread;
+  for (std::size_t i = 0; i < std::min(kMostShown, unread.size()); ++i) say(fmt::format("  {}\n", unread[i]));
+  if (unread.size() > kMostShown) say(fmt::format("  and {} meshes more\n", unread.size() - kMostShown));
   if (contacts.has(Clearance::kSelf))
     say(fmt::format(
         "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",

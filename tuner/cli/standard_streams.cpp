@@ -68,7 +68,7 @@ void open_standard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is an error of writing, which is told
   // The GNU C library's names of the streams are variables.
-  stdout = stream_into(output, stdout, ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF);
+  stdout = stream_into(output, stdout, _IOLBF);  // a log file shows at once what is done
   stderr = stream_into(errors, stderr, _IONBF);
 }
 

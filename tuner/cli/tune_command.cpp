@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "armtune/error.hpp"
+#include "core/common/file_path.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "tuner/cli/commands.hpp"
 #include "tuner/cli/controller_study_options.hpp"
@@ -23,8 +24,8 @@ namespace armtune::internal::cli {
 namespace {
 
 struct Arguments {
-  std::string study = "ur10_gaze";
-  ControllerStudyInputs own;  ///< in place of a study's file; without a robot: none
+  std::string study;          ///< empty: of files of the user's own
+  ControllerStudyInputs own;  ///< those; without a robot: none
   std::string controller;     ///< in place of the study's; empty: its own
   long max_evaluations = 0;
   long seed = -1;
@@ -47,15 +48,20 @@ Study load(const Arguments& args) {
 
 /// The study of the user's own files, which is written beside the run's folder unless that is resumed.
 void take_own_files(Arguments& args, RankGroup& team) {
-  if (args.own.robot.empty()) return;
+  if (args.own.robot.empty()) {
+    if (!args.study.empty()) return;
+    throw InputError(
+        "tune: name what is tuned: a study of your own, the bundled ur10_gaze for a first look, or your robot's own files "
+        "by --robot, --controllers and --trajectory");
+  }
+  RunPlace& place = args.settings.place;
+  if (place.folder.empty()) place.folder = default_run_folder(stem(args.own.robot));
+  const std::string beside = absolute_path(place.folder) + "_study";
+  args.study = beside + "/study.yaml";
+  if (place.resume) return;
   if (team.several())
     throw InputError(
         "tune: several ranks cannot write one study; write it by armtune init with the same options, and tune that");
-  RunPlace& place = args.settings.place;
-  if (place.folder.empty()) place.folder = default_run_folder(stem(args.own.robot));
-  const std::string beside = place.folder + "_study";
-  args.study = beside + "/study.yaml";
-  if (place.resume) return;
   refuse_used_folder(place.folder);
   make_controller_study(args.own, beside);
 }
@@ -80,11 +86,11 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   TuneSettings& settings = args->settings;
   settings.workers = default_workers();
   CLI::App* command = app.add_subcommand("tune", "Tune gains: run a study and write a run folder");
-  CLI::Option* study = command->add_option("STUDY", args->study, "a bundled study or a YAML file of your own")
-                           ->capture_default_str();
-  add_controller_study_options(*command, args->own, false);
-  command->get_option("--controllers")->excludes(study);
+  CLI::Option* study = command->add_option("STUDY", args->study,
+                                           "a bundled study, such as ur10_gaze, or a YAML file of your own");
   add_controller_option(*command, args->controller);
+  add_controller_study_options(*command, args->own, false);
+  command->get_option("--controllers")->excludes(study)->excludes(command->get_option("--controller"));
   add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
                   settings.workers, settings.deadline);
   command

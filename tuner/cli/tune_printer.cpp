@@ -5,7 +5,11 @@
 
 #include <algorithm>
 
+#include "core/common/input_file.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
+#include "sim/controller_files/ros_controllers.hpp"
 #include "sim/scenario/data_files.hpp"
+#include "sim/yaml/document.hpp"
 #include "tuner/cli/conclusion.hpp"
 #include "tuner/cli/endurance_option.hpp"
 #include "tuner/cli/interrupt.hpp"
@@ -63,6 +67,12 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
         "Recommended for a further search, with more evaluations: the start gains.\n",
         folder, result.best.objective));
   }
+}
+
+/// Whether the start gains came from the robot's own ROS parameter file.
+bool is_ros_file(const Study& study) {
+  return study.space.start.controller == kJointTrajectoryController && !study.gains.empty() &&
+         may_hold_controllers(read_input_file(study.gains, yaml::kMaxBytes, "a YAML file"));
 }
 
 }  // namespace
@@ -157,11 +167,17 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
                     seen ? fmt::format("open {}/report.html in a browser; or ", folder) : "", program_name(),
                     folder, folder));
   }
-  if (!outcome.controllers.empty())
+  if (!outcome.controllers.empty()) {
     say(fmt::format(
-        "{0}/{1} is {2} with the tuned gains and nothing else changed. Before the robot's first motion "
-        "under them: docs/ros.md\n",
+        "{0}/{1} is {2} with the tuned gains and nothing else changed. Before the robot's first motion under them: "
+        "docs/ros.md\n",
         folder, outcome.controllers, shown_path(study_.gains)));
+  } else if (outcome.ending != Ending::kInterrupted && is_ros_file(study_)) {
+    say(fmt::format(
+        "{} with the tuned gains is not written, as a check failed or was left out; 'armtune export {} "
+        "--into FILE --out NEW' writes it all the same\n",
+        shown_path(study_.gains), folder));
+  }
   if (outcome.ending == Ending::kInterrupted) {
     say(fmt::format("interrupted: {}; to go on: {} tune --resume {}\n",
                     outcome.result.interrupted ? "the search was not finished"

@@ -4,36 +4,42 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "armtune/error.hpp"
+#include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
+#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/valid_gains.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/cell/clearance_model.hpp"
+#include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/planned_motion.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/trajectory_message.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/controller_study/controller_rate.hpp"
 #include "tuner/first_task/estimated_robot.hpp"
 #include "tuner/run/run_folder.hpp"
 
 namespace armtune::internal {
 namespace {
 
-constexpr double kFastestRate = 10000.0;  // Hz
-
 constexpr const char* kScenario = R"(description: {description}
 robot: {robot}
-planned: {{file: {motion}, segments: as_ros}}
+planned: {{file: {motion}, segments: as_ros{units}}}
 duration: planned
 control_period: {period}   # s
 theta_start: {{model_scale: 1.0}}   # no matter: this controller knows no masses
@@ -49,11 +55,10 @@ constexpr const char* kStudy = R"(description: {description}
 gains: {gains}   # the start; it scores 1
 {node}scenarios: [{scenarios}]
 
-parameters:           # bounds of your own: {{name: ..., lower: ..., upper: ...}}
-  - {{name: jtc_p}}
-  - {{name: jtc_i}}
-  - {{name: jtc_d}}
-
+# Every p, i and d that is not 0, from a fifth to five times its value, or within bounds of your own:
+# {{name: ..., lower: ..., upper: ...}}
+parameters:
+{parameters}
 objective:
   - {{metric: joint_error/rms, weight: 1}}
   - {{metric: joint_error/max, weight: 1}}
@@ -62,8 +67,7 @@ objective:
 constraints:
   - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
   - {{metric: joint_effort/max_ratio, at_most: 0.9}}
-  - {{metric: joint_position/min_margin, at_least: 0}}
-{self}
+{more}
 # Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for each
 # stability margin must hold on the arm of the model.
 robust: {{samples: 6, measure: worst}}
@@ -78,10 +82,12 @@ search:
 /// The arm, and what of it has to be written: nothing where its files say all.
 struct Arm {
   std::shared_ptr<const RobotModel> model;
-  bool in_cell = false;   ///< its file has a cell of its own
-  bool touches = false;   ///< its shapes are known, so that it can be kept from itself
-  std::string yaml;       ///< of robot.yaml; empty: none is needed
-  std::string reference;  ///< how scenarios name it
+  bool has_cell = false;                         ///< its file says what stands around it
+  std::vector<std::pair<Metric, bool>> contact;  ///< each kind, and whether it can be looked for
+  std::string yaml;                              ///< of robot.yaml; empty: none is needed
+  std::string reference;                         ///< how scenarios name it
+
+  bool touches_itself() const { return contact.front().second; }
 };
 
 Arm arm_of(const std::string& robot) {
@@ -90,8 +96,13 @@ Arm arm_of(const std::string& robot) {
   arm.model = load_robot(robot);
   arm.reference = portable_reference(file.path);
   std::vector<std::string> inputs;
-  arm.in_cell = cell_of(file, inputs).has_value();
-  arm.touches = ClearanceModel(arm.model, Cell{}).has(Clearance::kSelf);
+  const std::optional<Cell> cell = cell_of(file, inputs);
+  arm.has_cell = cell.has_value();
+  const ClearanceModel clearance(arm.model, cell.value_or(Cell{}));
+  for (const auto& [metric, kind] : {std::pair{Metric::kClearanceSelf, Clearance::kSelf},
+                                     {Metric::kClearanceCell, Clearance::kCell},
+                                     {Metric::kClearanceFloor, Clearance::kFloor}})
+    arm.contact.emplace_back(metric, clearance.has(kind));
   if (!lacks_rotors(file, *arm.model)) return arm;
   RobotModel estimated = *arm.model;
   estimate_rotors(estimated);
@@ -101,27 +112,39 @@ Arm arm_of(const std::string& robot) {
   return arm;
 }
 
-/// The first `update_rate` that a file gives: the controller's own, then that of a controller manager.
-double rate_in(const RosController& controller, const ControllerStudyInputs& inputs) {
-  const yaml::PlacedValue* rate = controller.parameters->find("update_rate");
-  for (const yaml::PlacedEntry& node : controller.all->entries) {
-    const yaml::PlacedValue* parameters = node.value->find("ros__parameters");
-    if (rate == nullptr && parameters != nullptr) rate = parameters->find("update_rate");
+/// What is tuned: whole gains, or where some joints have none, one by one.
+std::string parameters_of(const Gains& gains, const std::vector<std::string>& joints) {
+  std::string text;
+  for (const GainField& field : fields_of(gains)) {
+    const auto* own_gain = std::get_if<OwnGain>(&field.member);
+    if (own_gain == nullptr || field.search == SearchRange::kNone) continue;
+    const JointVector& values = gains.own[own_gain->place];
+    if ((values.array() != 0.0).all()) {
+      text += fmt::format("  - {{name: {}}}\n", field.name);
+      continue;
+    }
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      if (values[static_cast<Eigen::Index>(k)] != 0.0)
+        text += fmt::format("  - {{name: {}}}\n", yaml::quoted(fmt::format("{}/{}", field.name, joints[k])));
+    }
   }
-  double hertz = 0.0;
-  if (rate != nullptr) {
-    const auto [end, error] =
-        std::from_chars(rate->text.data(), rate->text.data() + rate->text.size(), hertz);
-    if (error != std::errc() || end != rate->text.data() + rate->text.size()) hertz = 0.0;
+  return text;
+}
+
+/// Limits that this arm can break, as constraints of a study.
+std::string constraints_of(const Arm& arm) {
+  std::string text;
+  const auto add = [&text](Metric metric) {
+    text += fmt::format("  - {{metric: {}, at_least: 0}}\n", name(metric));
+  };
+  const auto& joints = arm.model->joints;
+  if (std::any_of(joints.begin(), joints.end(),
+                  [](const JointInfo& joint) { return joint.limits.has_position; }))
+    add(Metric::kJointPositionMinMargin);
+  for (const auto& [metric, possible] : arm.contact) {
+    if (possible) add(metric);
   }
-  if (rate == nullptr)
-    throw InputError(fmt::format(
-        "{}: it has no update_rate of the controller manager; say how often the controller runs with --rate HZ",
-        inputs.controllers));
-  if (!(hertz > 0.0 && hertz <= kFastestRate))
-    throw InputError(fmt::format("{}:{}: update_rate is '{}'; expected Hz, above 0 and at most {:g}",
-                                 inputs.controllers, rate->line, rate->text, kFastestRate));
-  return hertz;
+  return text;
 }
 
 /// A motion, and what its scenario is called.
@@ -138,26 +161,60 @@ std::vector<Move> moves_of(const std::vector<std::string>& files) {
     const std::string stem = std::filesystem::path(file).stem().string();
     std::string name = stem;
     for (int number = 2; !taken.insert(name).second; ++number) name = fmt::format("{}_{}", stem, number);
+    check_result_name(name, file);
     moves.push_back({file, name});
   }
   return moves;
 }
 
-/// What was taken for granted of a motion; empty: nothing.
-std::string note_of(const Move& move, const RobotModel& arm) {
-  const JointSpline motion = load_planned_motion({{move.file}, true}, arm);
-  // Straight lines begin with a jump of the velocity.
-  const bool straight =
-      !motion.at(motion.begin()).velocity.isZero(0.0) && motion.knots().front().velocity.isZero(0.0);
-  return straight
-             ? fmt::format(
-                   "{} has positions without velocities: as ROS does, they are joined by straight lines, and the "
-                   "desired velocity jumps at every point; a file with velocities is followed better",
-                   move.file)
-             : "";
+/// Whether a motion goes along straight lines, so that its velocity jumps at points.
+bool is_straight(const JointSpline& motion) {
+  const std::vector<double>& time = motion.time();
+  for (std::size_t k = 0; k + 1 < time.size(); ++k) {
+    const double h = time[k + 1] - time[k];
+    if (!motion.at(time[k] + 0.5 * h).velocity.isZero(1e-9) &&
+        motion.at(time[k] + 0.25 * h).acceleration.isZero(1e-9) &&
+        motion.at(time[k] + 0.75 * h).acceleration.isZero(1e-9))
+      return true;
+  }
+  return false;
 }
 
-std::string scenario_yaml(const Move& move, const Arm& arm, const std::string& controller, double period) {
+/// Adds what is taken for granted of a motion.
+void add_notes(const Move& move, const ControllerStudyInputs& inputs, const RobotModel& arm,
+               std::vector<std::string>& notes) {
+  PlannedFile file{{move.file}, true};
+  if (inputs.degrees && !is_trajectory_message(move.file)) file.table.units.angle = std::numbers::pi / 180.0;
+  const JointSpline motion = load_planned_motion(file, arm);
+  if (is_straight(motion))
+    notes.push_back(fmt::format(
+        "{} has positions without velocities: as ROS does, they are joined by straight lines, and the desired "
+        "velocity jumps at every point; a file with velocities is followed better",
+        move.file));
+  if (motion.begin() > 0.0)
+    notes.push_back(fmt::format(
+        "{} begins at {:g} s: how the robot comes to its first point is not simulated; add a point at 0 s where the "
+        "arm stands",
+        move.file, motion.begin()));
+}
+
+/// Throws InputError where the file could not hold other numbers than it has: better now than after a search.
+void refuse_what_cannot_change(const std::string& text, const RosController& controller,
+                               const std::string& file, const Gains& gains,
+                               const std::vector<std::string>& joints) {
+  Gains others = gains;
+  double factor = 1.0;
+  for (const GainField& field : fields_of(gains)) {
+    const auto* own_gain = std::get_if<OwnGain>(&field.member);
+    if (own_gain == nullptr || field.search == SearchRange::kNone) continue;
+    for (double& value : others.own[own_gain->place]) value *= factor += 0.01;
+  }
+  with_gains(text, controller, file, others, joints);
+}
+
+std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStudyInputs& inputs,
+                          const std::string& controller, double period) {
+  const bool degrees = inputs.degrees && !is_trajectory_message(move.file);
   return fmt::format(
       kScenario,
       fmt::arg("description",
@@ -165,16 +222,17 @@ std::string scenario_yaml(const Move& move, const Arm& arm, const std::string& c
                                         std::filesystem::path(move.file).filename().string(), controller))),
       fmt::arg("robot", yaml::quoted(arm.reference)),
       fmt::arg("motion", yaml::quoted(absolute_path(move.file))), fmt::arg("period", period),
+      fmt::arg("units", degrees ? ", units: {angle: deg}" : ""),
       fmt::arg(
           "cell",
-          arm.touches && !arm.in_cell
+          arm.touches_itself() && !arm.has_cell
               ? "\n# The arm is not to touch itself. What stands around it belongs here too: floor, parts.\n"
                 "cell: {}\n"
               : ""));
 }
 
 std::string study_yaml(const std::vector<Move>& moves, const Arm& arm, const ControllerStudyInputs& inputs,
-                       const std::string& controller) {
+                       const std::string& controller, const Gains& gains) {
   std::vector<std::string> scenarios;
   scenarios.reserve(moves.size());
   for (const Move& move : moves) scenarios.push_back(yaml::quoted(move.name + ".yaml"));
@@ -184,28 +242,56 @@ std::string study_yaml(const std::vector<Move>& moves, const Arm& arm, const Con
       fmt::arg("gains", yaml::quoted(absolute_path(inputs.controllers))),
       fmt::arg("node", inputs.node.empty() ? "" : fmt::format("node: {}\n", yaml::quoted(inputs.node))),
       fmt::arg("scenarios", fmt::join(scenarios, ", ")),
-      fmt::arg("self", arm.touches ? "  - {metric: clearance/self, at_least: 0}\n" : ""));
+      fmt::arg("parameters", parameters_of(gains, joint_names(*arm.model))),
+      fmt::arg("more", constraints_of(arm)));
+}
+
+/// Whether the folder has these files and nothing else, as an earlier call would have left it.
+bool is_there_already(const std::vector<std::pair<std::string, std::string>>& texts,
+                      const std::string& folder) {
+  std::error_code none;
+  std::size_t files = 0;
+  for (auto entry = std::filesystem::directory_iterator(folder, none);
+       !none && entry != std::filesystem::directory_iterator(); entry.increment(none))
+    ++files;
+  if (none || files != texts.size()) return false;
+  return std::all_of(texts.begin(), texts.end(), [&folder](const auto& text) {
+    const std::string path = fmt::format("{}/{}", folder, text.first);
+    std::error_code missing;
+    return std::filesystem::is_regular_file(path, missing) &&
+           read_file(path, yaml::kMaxBytes, "a file") == text.second;
+  });
 }
 
 }  // namespace
 
 ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder) {
-  refuse_used_folder(folder);
   const Arm arm = arm_of(inputs.robot);
+  const std::vector<std::string> joints = joint_names(*arm.model);
   const std::string text = read_input_file(inputs.controllers, yaml::kMaxBytes, "a ROS parameter file");
   const RosController controller =
       chosen_controller(ros_controllers(text, inputs.controllers), inputs.controllers, inputs.node);
-  joint_trajectory_gains(controller, inputs.controllers, joint_names(*arm.model));
-  const double rate = inputs.rate > 0.0 ? inputs.rate : rate_in(controller, inputs);
+  const Gains gains = joint_trajectory_gains(controller, inputs.controllers, joints);
+  validate(gains, joints, inputs.controllers);
+  if (parameters_of(gains, joints).empty())
+    throw InputError(fmt::format("{}: every p, i and d of {} is 0; give it gains to begin with",
+                                 inputs.controllers, controller.name));
+  refuse_what_cannot_change(text, controller, inputs.controllers, gains, joints);
+  const std::optional<double> rate =
+      inputs.rate > 0.0 ? inputs.rate : controller_rate(controller, inputs.controllers);
+  if (!rate)
+    throw InputError(fmt::format(
+        "{}: it has no update_rate of the controller manager; say how often the controller runs with --rate HZ",
+        inputs.controllers));
   const std::vector<Move> moves = moves_of(inputs.trajectories);
 
   ControllerStudyFiles files;
   files.study = folder + "/study.yaml";
   std::vector<std::pair<std::string, std::string>> texts = {
-      {"study.yaml", study_yaml(moves, arm, inputs, controller.name)}};
+      {"study.yaml", study_yaml(moves, arm, inputs, controller.name, gains)}};
   for (const Move& move : moves) {
-    if (std::string note = note_of(move, *arm.model); !note.empty()) files.notes.push_back(std::move(note));
-    texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, controller.name, 1.0 / rate));
+    add_notes(move, inputs, *arm.model, files.notes);
+    texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, inputs, controller.name, 1.0 / *rate));
   }
   if (!arm.yaml.empty()) {
     texts.emplace_back("robot.yaml", arm.yaml);
@@ -213,11 +299,10 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
         "no file gives the rotor inertia of {}: it is estimated from the limits of effort and velocity",
         arm.model->name));
   }
+  for (const auto& entry : texts) files.written.push_back(entry.first);
+  if (is_there_already(texts, folder)) return files;
   const FolderLock lock = make_run_folder(folder);
-  for (const auto& [name, content] : texts) {
-    write_text_file(fmt::format("{}/{}", folder, name), content);
-    files.written.push_back(name);
-  }
+  for (const auto& [name, content] : texts) write_text_file(fmt::format("{}/{}", folder, name), content);
   return files;
 }
 

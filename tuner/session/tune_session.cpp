@@ -179,7 +179,7 @@ bool TuneSession::analyse(CandidateRunner& workers) {
   return true;
 }
 
-/// The robot's own file with gains that passed every check.
+/// The robot's own file with gains that passed every check, none of them left out.
 void TuneSession::write_controllers_if_any() {
   try {
     outcome_.controllers = write_controllers(study_, outcome_.result.best.gains, folder());
@@ -201,7 +201,7 @@ void TuneSession::conclude(bool analysed) {
     add({"gains.yaml", "errors.csv", "rollout_<scenario>.csv", "evaluations.csv", "columns.csv", "study.yaml",
          "run.yaml"});
     if (study_.given) add({"given/"});
-    if (!interrupted && outcome_.verdict.passed()) write_controllers_if_any();
+    if (!interrupted && analysed && outcome_.verdict.passed()) write_controllers_if_any();
     if (!interrupted) add({"verdict.yaml"});
     if (analysed) add({"margins.csv", "sensitivity.csv", "reduced_study.yaml"});
     add(yardsticks_.back().written);

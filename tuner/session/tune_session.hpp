@@ -49,8 +49,8 @@ struct TuneOutcome {
   std::optional<Sensitivity> sensitivity;
   SimulationVerdict verdict;
   std::vector<std::string> files;  ///< names of those in the folder
-  /// Of them, the ROS parameter file that the start gains came from, with the result's; empty: a check
-  /// failed, or there is none.
+  /// Of them, the ROS parameter file that the start gains came from, with the result's; empty: a check failed
+  /// or was left out, or there is no such file.
   std::string controllers;
   double seconds = 0.0;  ///< that the session took
 };

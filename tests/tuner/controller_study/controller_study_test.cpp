@@ -3,11 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <limits>
+#include <numbers>
 
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
+#include "tuner/controller_study/controller_rate.hpp"
 #include "tuner/session/tune_files.hpp"
 #include "tuner/study/study.hpp"
 
@@ -96,14 +100,87 @@ TEST(ControllerStudy, TakesTheRateThatIsGivenOverTheFiles) {
   inputs.controllers = folder.write("none.yaml", changed("update_rate: 500", "use_sim_time: false"));
   EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "b"); }),
               AllOf(HasSubstr("none.yaml"), HasSubstr("--rate HZ")));
-  inputs.controllers = folder.write("fast.yaml", changed("update_rate: 500", "update_rate: 0"));
-  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "b"); }),
-              AllOf(HasSubstr("fast.yaml:3"), HasSubstr("update_rate is '0'")));
-  // A controller's own rate comes before that of its manager.
-  inputs.controllers = folder.write(
-      "own.yaml",
-      changed("command_interfaces: [effort]", "command_interfaces: [effort]\n    update_rate: 100"));
-  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "c").study).scenarios[0].control_period, 0.01);
+}
+
+/// The rate that is read of the example's parameters with one text in place of another; NaN: none.
+double rate_of(const std::string& from, const std::string& to) {
+  const std::string text = changed(from, to);
+  return controller_rate(chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml"), "f.yaml")
+      .value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+TEST(ControllerRate, IsTheControllersOwnThenThatOfItsManagerAndOfNoOtherNode) {
+  EXPECT_EQ(rate_of("update_rate: 500", "update_rate: 400"), 400.0);
+  const std::string effort = "command_interfaces: [effort]";
+  EXPECT_EQ(rate_of(effort, effort + "\n    update_rate: 100"), 100.0);
+  EXPECT_EQ(rate_of(effort, effort + "\n    update_rate: 0"), 500.0) << "0 stands for the manager's";
+  // Another node with a rate of its own, before the manager and in its place.
+  const std::string other = "state_broadcaster:\n  ros__parameters:\n    update_rate: 50\n";
+  EXPECT_EQ(rate_of("controller_manager:", other + "controller_manager:"), 500.0);
+  EXPECT_TRUE(std::isnan(rate_of("controller_manager:", "state_broadcaster:")));
+  EXPECT_EQ(rate_of("controller_manager:", "/left/controller_manager:"), 500.0);
+  EXPECT_EQ(rate_of("controller_manager:", "\"/**\":"), 500.0);
+  for (const char* wrong : {"5", "0", "-1", "fast", "1e9"})
+    EXPECT_THAT(test::refusal([&] { rate_of("update_rate: 500", std::string("update_rate: ") + wrong); }),
+                AllOf(HasSubstr("f.yaml:3"), HasSubstr(wrong), HasSubstr("from 10")));
+}
+
+// Of a PD controller, and of one whose wrists have no integral: what is 0 stays 0.
+TEST(ControllerStudy, GainsThatAreZeroAreNotTuned) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers =
+      folder.write("pd.yaml", changed("p: 300.0, d: 10.0, i: 50.0", "p: 300.0, d: 10.0, i: 0.0"));
+  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  EXPECT_EQ(study.space.free.size(), 17U);
+  EXPECT_EQ(study.space.start.own[1][3], 0.0);
+}
+
+TEST(ControllerStudy, AFileThatCannotHoldOtherGainsIsRefusedBeforeASearch) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  std::string shared = changed("shoulder_pan_joint: {p: 2000.0", "shoulder_pan_joint: {p: &stiff 2000.0");
+  const auto second = shared.find("p: 2000.0");
+  inputs.controllers = folder.write("shared.yaml", shared.replace(second, 9, "p: *stiff"));
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "new"); }),
+              AllOf(HasSubstr("shared.yaml:11"), HasSubstr("write both out")));
+}
+
+TEST(ControllerStudy, ConstrainsWhatTheArmCanTouch) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.robot = folder.write(
+      "arm.yaml", "urdf: " ARMTUNE_SOURCE_DIR
+                  "/sim/robots/ur5e.urdf\ntip_link: tool0\nrotor_inertia: estimated\n"
+                  "cell: {floor: -0.5, parts: [{name: wall, box: [0.1, 2, 2], center: [-2, 0, 0]}]}\n");
+  const Study study = load_study(write_controller_study(inputs, folder / "made").study);
+  for (const Metric metric : {Metric::kClearanceSelf, Metric::kClearanceCell, Metric::kClearanceFloor,
+                              Metric::kJointPositionMinMargin})
+    EXPECT_THAT(study.constraints, Contains(testing::Field(&Constraint::metric, metric))) << name(metric);
+}
+
+TEST(ControllerStudy, MotionsInDegreesAreReadAsTheyAreSaidToBe) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  std::string header = "time";
+  for (const std::string& joint : joint_names(*load_robot("ur5e"))) header += "," + joint;
+  inputs.trajectories = {folder.write("deg.csv", header + "\n1,0,-90,90,0,0,0\n3,90,-90,90,0,0,0\n")};
+  EXPECT_THAT(test::refusal([&] { write_controller_study(inputs, folder / "a"); }),
+              AllOf(HasSubstr("deg.csv:2"), HasSubstr("--degrees")));
+  inputs.degrees = true;
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a");
+  EXPECT_DOUBLE_EQ(load_study(files.study).scenarios[0].planned->at(3.0).position[0], std::numbers::pi / 2);
+  EXPECT_THAT(files.notes, Contains(HasSubstr("begins at 1 s")));
+}
+
+TEST(ControllerStudy, TheSameCallAgainLeavesWhatIsThereAndAChangedStudyIsNotOverwritten) {
+  const test::TemporaryFolder folder;
+  const ControllerStudyFiles first = write_controller_study(example(), folder / "made");
+  EXPECT_EQ(write_controller_study(example(), folder / "made").study, first.study);
+  const std::string own = test::read_text(first.study) + "# mine\n";
+  folder.write("made/study.yaml", own);
+  EXPECT_THAT(test::refusal([&] { write_controller_study(example(), folder / "made"); }), HasSubstr("made"));
+  EXPECT_EQ(test::read_text(first.study), own);
 }
 
 TEST(ControllerStudy, WritesNothingWhereAFileIsWrong) {
@@ -122,6 +199,11 @@ TEST(ControllerStudy, WritesNothingWhereAFileIsWrong) {
   inputs = example();
   inputs.trajectories = {folder / "none.csv"};
   EXPECT_THAT(refused(inputs), HasSubstr("none.csv"));
+  inputs = example();
+  const std::string comma = folder / "a,b.csv";
+  std::filesystem::copy_file(kExample + "moves.csv", comma);
+  inputs.trajectories = {comma};
+  EXPECT_THAT(refused(inputs), HasSubstr("a,b"));
   inputs = example();
   inputs.node = "leg_controller";
   EXPECT_THAT(refused(inputs), AllOf(HasSubstr("leg_controller"), HasSubstr("arm_controller")));

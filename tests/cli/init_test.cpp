@@ -1,0 +1,112 @@
+// From a robot's own files to tuned gains: armtune init, and armtune tune --controllers.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "tests/cli/support/program.hpp"
+#include "tests/sim/support/files.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using test::Finished;
+using test::run_program;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string kExample = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
+
+/// The words of `command` for the example, with more behind them.
+std::vector<std::string> of_example(const std::string& command, const std::vector<std::string>& more) {
+  std::vector<std::string> words = {command,
+                                    "--robot",
+                                    "ur5e",
+                                    "--controllers",
+                                    kExample + "ros2_controllers.yaml",
+                                    "--trajectory",
+                                    kExample + "moves.csv"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// Lines of two texts that differ, of the second.
+std::vector<std::string> changed_lines(const std::string& before, const std::string& after) {
+  std::istringstream a(before), b(after);
+  std::vector<std::string> changed;
+  for (std::string x, y; std::getline(a, x) && std::getline(b, y);) {
+    if (x != y) changed.push_back(y);
+  }
+  return changed;
+}
+
+TEST(OwnFiles, AreTunedIntoTheSameParameterFileWithOtherNumbers) {
+  const test::TemporaryFolder folder;
+  const std::string run = folder / "moves";
+  const Finished tuned =
+      run_program(of_example("tune", {"--max-evaluations", "60", "--workers", "2", "--out", run + "/"}));
+  ASSERT_EQ(tuned.exit_code, 0) << tuned.err << tuned.out;
+  EXPECT_THAT(tuned.out, AllOf(HasSubstr("note: "), HasSubstr("straight lines"), HasSubstr("joint_error/rms"),
+                               HasSubstr("nothing else changed"), HasSubstr("Simulation checks: passed")));
+  const std::string before = test::read_text(kExample + "ros2_controllers.yaml");
+  const std::string after = test::read_text(run + "/ros2_controllers.yaml");
+  const auto lines = changed_lines(before, after);
+  EXPECT_EQ(lines.size(), 6U);
+  for (const std::string& line : lines) EXPECT_THAT(line, HasSubstr("joint: {p: "));
+  EXPECT_TRUE(std::filesystem::exists(folder / "moves_study/study.yaml")) << "beside the run";
+  // The run is known by its folder alone, and the study can be tuned by itself.
+  EXPECT_THAT(run_program({"tune", "--resume", run}).out, HasSubstr("this run is finished"));
+  const Finished by_study = run_program(
+      {"tune", folder / "moves_study/study.yaml", "--max-evaluations", "60", "--out", folder / "again"});
+  EXPECT_EQ(by_study.exit_code, 0) << by_study.err;
+  EXPECT_EQ(test::read_text(folder / "again/ros2_controllers.yaml"), after);
+}
+
+TEST(OwnFiles, AreNotChangedWhereChecksWereLeftOut) {
+  const test::TemporaryFolder folder;
+  const std::string run = folder / "moves";
+  const Finished tuned =
+      run_program(of_example("tune", {"--max-evaluations", "8", "--no-analysis", "--out", run}));
+  EXPECT_THAT(tuned.out, AllOf(HasSubstr("ros2_controllers.yaml with the tuned gains is not written"),
+                               HasSubstr("--into FILE")));
+  EXPECT_TRUE(std::filesystem::exists(run + "/gains.yaml"));
+  EXPECT_FALSE(std::filesystem::exists(run + "/ros2_controllers.yaml"));
+  // The same again: its study is there already, and its run's folder is not to be overwritten.
+  const Finished again =
+      run_program(of_example("tune", {"--max-evaluations", "8", "--no-analysis", "--out", run}));
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("moves"));
+  std::filesystem::remove_all(run);
+  EXPECT_NE(
+      run_program(of_example("tune", {"--max-evaluations", "8", "--no-analysis", "--out", run})).exit_code,
+      2);
+}
+
+TEST(OwnFiles, BecomeAStudyThatIsNotTunedYet) {
+  const test::TemporaryFolder folder;
+  const Finished made = run_program(of_example("init", {"--out", folder / "my study"}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, AllOf(HasSubstr("study.yaml, moves.yaml"),
+                              HasSubstr("tune '" + (folder / "my study/study.yaml") + "'")));
+  EXPECT_FALSE(std::filesystem::exists(folder / "my study/gains.yaml"));
+}
+
+TEST(OwnFiles, OptionsThatMeanNothingTogetherAreRefused) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"tune", "ur10_gaze", "--robot", "ur5e", "--controllers", "a", "--trajectory",
+                                 "b"},
+        {"tune", "--robot", "ur5e"},
+        {"tune", "--robot", "ur5e", "--controllers", "a"},
+        {"tune", "--robot", "ur5e", "--controllers", "a", "--trajectory", "b", "--controller", "joint_pd"},
+        {"tune", "ur10_gaze", "--degrees"},
+        {"init", "--robot", "ur5e", "--controllers", "a", "--trajectory", "b"}}) {
+    const Finished refused = run_program(words);
+    EXPECT_EQ(refused.exit_code, 2) << words[1];
+    EXPECT_EQ(refused.out, "") << words[1];
+  }
+}
+
+}  // namespace
+}  // namespace armtune::internal

@@ -1,0 +1,57 @@
+#include "tuner/controller_study/controller_rate.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "armtune/error.hpp"
+#include "core/common/message_text.hpp"
+
+namespace armtune::internal {
+namespace {
+
+using yaml::PlacedValue;
+
+constexpr double kSlowest = 10.0;     // Hz
+constexpr double kFastest = 10000.0;  // Hz
+
+double number(const PlacedValue& value) {
+  double found = 0.0;
+  const char* end = value.text.data() + value.text.size();
+  const auto [stop, error] = std::from_chars(value.text.data(), end, found);
+  return error == std::errc() && stop == end ? found : -1.0;
+}
+
+/// `update_rate` of a node, whose parameters ROS 2 puts below a key of their own; null: it has none.
+const PlacedValue* rate_of(const PlacedValue& node) {
+  const PlacedValue* parameters = node.find("ros__parameters");
+  return (parameters == nullptr ? node : *parameters).find("update_rate");
+}
+
+/// That of a node called controller_manager, in whatever name space; then that of every node, `/**`.
+const PlacedValue* rate_of_manager(const PlacedValue& map) {
+  const PlacedValue* of_every_node = nullptr;
+  for (const yaml::PlacedEntry& entry : map.entries) {
+    const PlacedValue* rate = rate_of(*entry.value);
+    if (entry.key.ends_with("controller_manager") && rate != nullptr) return rate;
+    if (entry.key == "/**" && rate != nullptr) of_every_node = rate;
+    if (entry.key != "ros__parameters" && rate == nullptr) {
+      if (const PlacedValue* below = rate_of_manager(*entry.value)) return below;
+    }
+  }
+  return of_every_node;
+}
+
+}  // namespace
+
+std::optional<double> controller_rate(const RosController& controller, const std::string& file) {
+  const PlacedValue* rate = controller.parameters->find("update_rate");
+  if (rate == nullptr || number(*rate) == 0.0) rate = rate_of_manager(*controller.all);
+  if (rate == nullptr) return std::nullopt;
+  const double hertz = number(*rate);
+  if (hertz >= kSlowest && hertz <= kFastest) return hertz;
+  throw InputError(one_line(fmt::format("{}:{}: update_rate is {}; expected Hz, from {:g} to {:g}", file,
+                                        rate->line, shown(rate->text), kSlowest, kFastest)));
+}
+
+}  // namespace armtune::internal
