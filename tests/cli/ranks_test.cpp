@@ -373,7 +373,7 @@ TEST_F(Ranks, BadInputIsSaidOnceWhoeverSeesIt) {
   const Finished usage = run(2, {"tune", "--no-such-option"});
   EXPECT_EQ(usage.exit_code, 2);
   EXPECT_EQ(times_said(usage.err, "--no-such-option"), 1U) << usage.err;
-  const Finished threads = run(2, {"tune", "--workers", "4"});
+  const Finished threads = run(2, {"tune", "ur10_gaze", "--workers", "4"});
   EXPECT_EQ(threads.exit_code, 2);
   EXPECT_THAT(threads.err, HasSubstr("start more ranks instead"));
   const Finished version = run(2, {"--version"});
