@@ -22,6 +22,7 @@ namespace armtune::internal {
 namespace {
 
 constexpr std::size_t kMostBytes = 48U << 20;
+constexpr std::ptrdiff_t kMostCells = 10'000;  // of a line
 
 /// The text with commas between its cells, whatever stands there. Throws InputError for a number with a comma
 /// in it.
@@ -37,6 +38,9 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (++number == 1) separator = find_separator(line);
+    if (std::count(line.begin(), line.end(), separator) > kMostCells)
+      throw InputError(
+          fmt::format("{}:{}: more than {} cells in one line; is it a CSV file?", path, number, kMostCells));
     split_cells(line, separator, cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].find(',') != std::string_view::npos) {
