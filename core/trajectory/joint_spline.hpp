@@ -17,8 +17,8 @@ class JointSpline {
   /// InputError if the times do not rise or the counts differ.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
 
-  /// The motion through knots of which so much is given, along ros_segments. At its end it is as the last
-  /// knot says, at rest in what that does not give. Throws as above.
+  /// Joins the knots as ros_segments does. given: what of each knot counts; the rest is taken as zero. From
+  /// the end on the motion is that of the last knot. Throws as above.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given);
 
   double begin() const { return time_.front(); }

@@ -46,9 +46,10 @@ class ClearanceModel {
   /// Of these, the pairs that are no neighbours, such as "link_5 and link_7".
   std::vector<std::string> left_out_by_their_make() const;
 
-  /// The same with the parts that are obstacles on other paths, in their order.
+  /// Returns a copy in which the parts that are obstacles move along these paths, one for each in their
+  /// order.
   ClearanceModel with_obstacles_on(const std::vector<Path>& paths) const;
-  /// The same without the pairs of which one is an obstacle.
+  /// Returns a copy that looks at no obstacle.
   ClearanceModel without_obstacles() const;
 
   /// The distance of a pair at the poses, and the part of the cell where `at` has it.

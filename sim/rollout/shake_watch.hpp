@@ -1,6 +1,7 @@
 #pragma once
-// Watches the torques of a rollout for joints that shake: a torque that swings to and fro by half of the
-// joint's effort limit and more, at 5 Hz and more, is no motion of a task but a loop at its stability limit.
+// Watches the torques of a rollout for joints that shake. A torque that swings to and fro by half of the
+// joint's effort limit and more, at 5 Hz and more, is hardly the motion of a task: the loop is near its
+// stability limit, or it amplifies noise.
 
 #include <optional>
 #include <string>

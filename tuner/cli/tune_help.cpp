@@ -36,7 +36,7 @@ std::string tune_help() {
       "Example, and a look at the result:\n"
       "  armtune tune ur10_gaze --max-evaluations 100 --out runs/tuned\n"
       "  armtune compare published runs/tuned --scenarios moving_target\n\n"
-      "The gains of a ROS controller, of which the run's folder then has the same file with tuned gains:\n"
+      "To tune a ROS controller, and find its parameter file with tuned gains in the run's folder:\n"
       "  armtune tune --robot arm.urdf --controllers ros2_controllers.yaml --trajectory moves.csv --out runs/mine\n",
       fmt::join(bundled_names("studies"), " "));
 }

@@ -174,8 +174,8 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
         folder, outcome.controllers, shown_path(study_.gains)));
   } else if (outcome.ending != Ending::kInterrupted && is_ros_file(study_)) {
     say(fmt::format(
-        "{} with the tuned gains is not written, as a check failed or was left out; 'armtune export {} "
-        "--into FILE --out NEW' writes it all the same\n",
+        "{} with the tuned gains is not written: a check failed or was left out, or the file cannot hold the gains; 'armtune export {} "
+        "--into FILE --out NEW' writes it where it can\n",
         shown_path(study_.gains), folder));
   }
   if (outcome.ending == Ending::kInterrupted) {

@@ -26,7 +26,7 @@ struct Study {
   std::string source;  ///< file; empty: a text
   std::string description;
   std::string gains;  ///< file of the start gains; empty: of none
-  std::string node;   ///< of which controller of that, a ROS parameter file with several; else empty
+  std::string node;   ///< the controller in that file, if it is a ROS parameter file with several; else empty
   std::vector<Scenario> scenarios;
   ParameterSpace space;
   std::optional<Gains> given;  ///< the file's start gains, where others took their place
