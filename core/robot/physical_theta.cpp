@@ -1,7 +1,7 @@
 #include "core/robot/physical_theta.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace armtune::internal {
 
@@ -27,16 +27,59 @@ Eigen::Matrix<double, kLinkParameters, 1> link_parameters(const PseudoInertia& P
   return link;
 }
 
+namespace {
+
+/// Whether every eigenvalue is positive: the pivots of Gaussian elimination are.
+bool positive_definite(PseudoInertia P) {
+  for (int k = 0; k < 4; ++k) {
+    if (!(P(k, k) > 0.0)) return false;
+    const double inverse = 1.0 / P(k, k);
+    for (int i = k + 1; i < 4; ++i) {
+      const double factor = P(i, k) * inverse;
+      for (int j = k + 1; j <= i; ++j) P(i, j) -= factor * P(j, k);
+    }
+  }
+  return true;
+}
+
+/// Lifts P's negative eigenvalue to zero if it has exactly one and inverse iteration finds it; else returns
+/// false. A theta that adapts stays at the edge for long, where this takes a fifth of an eigendecomposition.
+bool lift_one(PseudoInertia& P) {
+  constexpr int kSteps = 6;          // each cubes the error
+  constexpr double kAtRest = 1e-14;  // residual of an eigenvector, of P's size: rounding
+  const double size = P.cwiseAbs().maxCoeff();
+  Eigen::Vector4d v = Eigen::Vector4d::Constant(0.5);
+  double eigenvalue = 0.0;  // so that the first step finds the one nearest to zero
+  double residual = size;
+  for (int step = 0; step < kSteps && residual > kAtRest * size; ++step) {
+    v = ((P - eigenvalue * PseudoInertia::Identity()).inverse() * v).normalized();
+    const Eigen::Vector4d image = P * v;
+    eigenvalue = v.dot(image);
+    residual = (image - eigenvalue * v).norm();
+  }
+  if (!(residual <= kAtRest * size && eigenvalue < 0.0)) return false;
+  // With this one moved far up, all are positive exactly if the other three are.
+  if (!positive_definite(P + (size - eigenvalue) * v * v.transpose())) return false;
+  P -= eigenvalue * v * v.transpose();
+  return true;
+}
+
+/// P with its negative eigenvalues at zero.
+PseudoInertia lifted(const PseudoInertia& P) {
+  const Eigen::SelfAdjointEigenSolver<PseudoInertia> eigen(P);
+  const Eigen::Vector4d kept = eigen.eigenvalues().cwiseMax(0.0);
+  return eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
 void project_to_physical(ParameterVector& theta) {
   const auto n = theta.size() / (kLinkParameters + kJointParameters);
   for (Eigen::Index i = 0; i < n; ++i) {
     auto link = theta.segment<kLinkParameters>(i * kLinkParameters);
-    const PseudoInertia P = pseudo_inertia(link);
-    // Almost every theta is valid already, which a Cholesky factorisation sees twenty times faster.
-    if (P.llt().info() == Eigen::Success) continue;
-    const Eigen::SelfAdjointEigenSolver<PseudoInertia> eigen(P);
-    const Eigen::Vector4d kept = eigen.eigenvalues().cwiseMax(0.0);
-    link = link_parameters(eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose());
+    PseudoInertia P = pseudo_inertia(link);
+    if (positive_definite(P)) continue;  // almost always
+    link = link_parameters(lift_one(P) ? P : lifted(P));
   }
   auto joints = theta.tail(n * kJointParameters);
   joints = joints.cwiseMax(0.0).eval();

@@ -23,12 +23,13 @@ const char* unit(JointLimit limit, bool turning) {
 
 }  // namespace
 
-LimitWatch::LimitWatch(const RobotModel& model)
+LimitWatch::LimitWatch(const RobotModel& model, double share)
     : joints_(joint_names(model)),
-      velocity_(model.velocity_limits()),
+      share_(share),
+      velocity_(share * model.velocity_limits()),
       lower_(model.lower_limits()),
       upper_(model.upper_limits()),
-      effort_(model.effort_limits()) {
+      effort_(share * model.effort_limits()) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     turning_.push_back(model.chain.motion[i] == JointMotion::kRevolute);
   }
@@ -61,8 +62,8 @@ std::vector<BrokenLimit> LimitWatch::broken() const {
     const Found& found = found_[static_cast<std::size_t>(limit)];
     if (found.joint < 0) continue;
     const auto joint = static_cast<std::size_t>(found.joint);
-    all.push_back(
-        {limit, joints_[joint], found.time, found.value, found.bound, unit(limit, turning_[joint])});
+    all.push_back({limit, joints_[joint], found.time, found.value, found.bound, unit(limit, turning_[joint]),
+                   limit == JointLimit::kPosition ? 1.0 : share_});
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const BrokenLimit& a, const BrokenLimit& b) { return a.time < b.time; });
@@ -73,8 +74,10 @@ std::string to_string(const BrokenLimit& broken) {
   const char* what = broken.limit == JointLimit::kVelocity   ? "moves at"
                      : broken.limit == JointLimit::kPosition ? "is at"
                                                              : "is commanded";
-  return fmt::format("{} {} {:.4g} {}, beyond its {} of {:.4g}, at {:.3f} s", broken.joint, what,
-                     broken.value, broken.unit, name(broken.limit), broken.bound, broken.time);
+  const std::string part = broken.share < 1.0 ? fmt::format("{:.2g} of ", broken.share) : std::string();
+  return fmt::format("{} {} {:.4g} {}, beyond {}its {} of {:.4g}, at {:.3f} s", broken.joint, what,
+                     broken.value, broken.unit, part, name(broken.limit), broken.bound / broken.share,
+                     broken.time);
 }
 
 }  // namespace armtune::internal

@@ -33,14 +33,16 @@ struct BrokenLimit {
   std::string joint;
   double time = 0.0;   ///< [s]
   double value = 0.0;  ///< what passed it: true velocity or position, commanded effort, in the URDF's units
-  double bound = 0.0;  ///< the limit itself, with the sign of the side that was passed
+  double bound = 0.0;  ///< the limit, or its share, with the sign of the side that was passed
   std::string unit = {};  ///< of both
+  double share = 1.0;     ///< of the limit, that was asked to be kept
 };
 
 class LimitWatch {
  public:
-  /// model: of the arm that is observed; it is not referred to afterwards.
-  explicit LimitWatch(const RobotModel& model);
+  /// model: of the arm that is observed; it is not referred to afterwards. share: of the velocity and effort
+  /// limits, beyond which they count as passed; position limits count whole.
+  explicit LimitWatch(const RobotModel& model, double share = 1.0);
 
   /// To be called once per control period. Allocates nothing.
   void look(const Observation& o);
@@ -61,6 +63,7 @@ class LimitWatch {
 
   std::vector<std::string> joints_;
   std::vector<bool> turning_;  ///< revolute joints, not prismatic ones
+  double share_;
   JointVector velocity_, lower_, upper_, effort_;
   std::array<Found, kJointLimits.size()> found_;
 };

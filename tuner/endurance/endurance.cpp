@@ -17,23 +17,24 @@ constexpr double kShortestCompared = 300.0;
 
 /// One rollout in one engine, until a limit breaks. None if `stop` cut it short.
 std::optional<EnduranceResult> endure_in(Engine engine, const Scenario& scenario, const Gains& gains,
-                                         Stepper stepper, const std::atomic<bool>& stop) {
+                                         const EnduranceOptions& options, const std::atomic<bool>& stop) {
   EnduranceResult result;
   result.scenario = scenario.name;
   result.engine = engine;
-  LimitWatch limits(*scenario.robot);
+  LimitWatch limits(*scenario.robot, options.limit_share);
   ErrorWindows errors(scenario.start_time, scenario.duration, scenario.control_period);
   LeastClearance touched;  // what the arm touches first
-  const RolloutResult rollout = Rollout(scenario, stepper, engine).run(gains, [&](const Observation& o) {
-    limits.look(o);
-    errors.look(o);
-    if (o.cell != nullptr) {
-      for (const LeastClearance& least : o.cell->least()) {
-        if (least.distance < 0.0) touched = least;
-      }
-    }
-    return !stop && !limits.any() && touched.pair == nullptr;
-  });
+  const RolloutResult rollout =
+      Rollout(scenario, options.stepper, engine).run(gains, [&](const Observation& o) {
+        limits.look(o);
+        errors.look(o);
+        if (o.cell != nullptr) {
+          for (const LeastClearance& least : o.cell->least()) {
+            if (least.distance < 0.0) touched = least;
+          }
+        }
+        return !stop && !limits.any() && touched.pair == nullptr;
+      });
   result.simulated = rollout.end_time;
   if (limits.any()) {
     result.broken = limits.broken().front();
@@ -90,11 +91,9 @@ std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
     const Scenario scenario = extended_to(scenarios[i], 60.0 * options.minutes);
     const Gains gains = gains_of(scenario);
     const bool native = options.stepper != Stepper::kReference;
-    auto result =
-        endure_in(native ? Engine::kNative : Engine::kSimbody, scenario, gains, options.stepper, stop);
-    if (native && result && !result->held()) {
-      result = endure_in(Engine::kSimbody, scenario, gains, options.stepper, stop);
-    }
+    auto result = endure_in(native ? Engine::kNative : Engine::kSimbody, scenario, gains, options, stop);
+    if (native && result && !result->held())
+      result = endure_in(Engine::kSimbody, scenario, gains, options, stop);
     const std::lock_guard lock(mutex);
     found[i] = std::move(result);
     if (options.progress) options.progress(++done, scenarios.size());

@@ -21,7 +21,8 @@ struct EnduranceOptions {
   double minutes = VerdictThresholds().minutes;  ///< of simulated time, of every scenario
   Stepper stepper = Stepper::kMidpoint;          ///< kReference simulates in Simbody from the start
   int workers = 1;                               ///< threads
-  std::function<void(std::size_t done, std::size_t all)> progress;  ///< scenarios; one call at a time
+  std::function<void(std::size_t done, std::size_t all)> progress = {};  ///< scenarios; one call at a time
+  double limit_share = 1.0;  ///< of velocity and effort limits, that has to be kept
 };
 
 struct EnduranceResult {

@@ -61,11 +61,14 @@ std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
   return std::nullopt;
 }
 
-/// As long as the verdict of a search asks for: what drifts slowly does not show in one task.
+/// As long as the verdict of a search asks for: what drifts slowly does not show in one task. The share of
+/// the limits is smaller than in the verdict, to leave room for gains that are tuned from these.
 bool FirstTrial::endures(const Gains& gains) {
   const std::atomic<bool> stop = false;
   const auto gains_of = [&gains](const Scenario&) { return gains; };
-  const EnduranceResult result = endure({scenario_}, gains_of, {}, stop).front();
+  EnduranceOptions how;
+  how.limit_share = kFirstTaskRatio;
+  const EnduranceResult result = endure({scenario_}, gains_of, how, stop).front();
   if (!result.held()) {
     failed_ = result.broken ? to_string(*result.broken) : result.ended;
     return false;

@@ -85,7 +85,7 @@ std::optional<Sensitivity> sensitivity(
   const Engine engine = engine_of_search(study);
   Merits simulated(study, objective, workers, stop, progress);
   auto found = simulated.of(points, engine);
-  if (found && engine != Engine::kSimbody) found = simulated.confirmed(points, std::move(*found), kMostShown);
+  if (found && engine != Engine::kSimbody) found = simulated.confirmed(points, std::move(*found), kConfirmed);
   if (!found) return std::nullopt;
   const auto merit = [&](std::size_t p) { return (*found)[p]; };
   const auto gain_at = [&](std::size_t p, const GainEntry& entry) {

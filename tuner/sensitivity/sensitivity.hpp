@@ -36,13 +36,16 @@ inline constexpr double kSensitivityStep = 0.02;
 /// As many gains, the most important ones, does a run's summary tell of.
 inline constexpr std::size_t kMostShown = 8;
 
+/// As many gains, the most important ones, has Simbody confirm what another engine found.
+inline constexpr std::size_t kConfirmed = 3;
+
 struct Sensitivity {
   double merit = 0.0;                            ///< of the best
   std::vector<ParameterSensitivity> parameters;  ///< the most important first
 };
 
 /// Simulates 3 points per parameter about `best`, in the engine that the study searches in. If that is not
-/// Simbody, Simbody confirms the best and the importance of the kMostShown most important gains, which are
+/// Simbody, Simbody confirms the best and the importance of the kConfirmed most important gains, which are
 /// its own figures then; where it comes to another merit, all are Simbody's. Nothing if `stop` became true
 /// before. objective: of the study. progress(done, all): evaluations; all may still grow.
 std::optional<Sensitivity> sensitivity(

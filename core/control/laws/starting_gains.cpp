@@ -45,7 +45,7 @@ Gains starting_gains(const RobotModel& robot, const JointVector& start, const Jo
   gains.adapt_while_avoiding = false;
   gains.adaptation_projection = true;
   gains.adaptation_filter = 5.0;
-  gains.adaptation_leakage = 0.001;
+  gains.adaptation_leakage = 0.01;
   gains.roll_centering_gain = 0.1;
   return gains;
 }

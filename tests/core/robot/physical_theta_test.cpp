@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
+#include <cmath>
 #include <random>
 
 #include "tests/core/support/allocation_counter.hpp"
@@ -201,6 +203,34 @@ TEST(ProjectToPhysical, IsNearerThanAnyOtherPhysicalTheta) {
         EXPECT_LE(product(theta, nearest, theta, nearest), product(theta, v, theta, v) + 1e-13);
       }
     }
+  }
+}
+
+/// P's projection by an eigendecomposition.
+PseudoInertia by_decomposition(const PseudoInertia& P) {
+  const Eigen::SelfAdjointEigenSolver<PseudoInertia> eigen(P);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+TEST(ProjectToPhysical, IsThatOfAnEigendecompositionHoweverManyAndSmallTheNegativeOnes) {
+  std::mt19937 generator(760);
+  WorstError worst("projection", 1e-13);  // of the size of P: rounding, and the gap between eigenvalues
+  for (int sample = 0; sample < 4000; ++sample) {
+    const Eigen::Matrix4d basis = Eigen::HouseholderQR<Eigen::Matrix4d>(Eigen::Matrix4d::NullaryExpr([&] {
+                                    return random_number(generator, -1.0, 1.0);
+                                  })).householderQ();
+    Eigen::Vector4d eigenvalues;
+    for (double& value : eigenvalues) value = std::pow(10.0, random_number(generator, -6.0, 1.0));
+    // One, two, three or four below zero; the smallest and the largest of them far apart or close.
+    for (int k = 0; k <= sample % 4; ++k)
+      eigenvalues[k] = -std::pow(10.0, random_number(generator, -14.0, 1.0));
+    if (sample % 5 == 0) eigenvalues[0] = -eigenvalues[3];  // nearest to zero with a positive one beside it
+    const PseudoInertia P = basis * eigenvalues.asDiagonal() * basis.transpose();
+    ParameterVector theta = ParameterVector::Zero(kLinkParameters + kJointParameters);
+    theta.head<kLinkParameters>() = link_parameters(0.5 * (P + P.transpose()));
+    const PseudoInertia expected = by_decomposition(link_of(theta, 0));
+    worst.compare(link_of(projected(theta), 0), expected, std::to_string(sample), P.norm());
   }
 }
 

@@ -1,5 +1,6 @@
 #include "sim/rollout/limit_watch.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -83,6 +84,29 @@ TEST(LimitWatch, GivesTheLimitsOfASlidingJointInMetresAndNewtons) {
   ASSERT_EQ(broken.size(), 2U);
   EXPECT_EQ(broken[0].unit, "m/s");
   EXPECT_EQ(broken[1].unit, "N");
+}
+
+TEST(LimitWatch, AShareIsOfVelocityAndEffortAlone) {
+  Seen seen;
+  LimitWatch watch(seen.arm, 0.9);
+  seen.qd[2] = 0.9 * seen.limits(2).velocity;
+  seen.control.commanded[5] = -0.9 * seen.limits(5).effort;
+  seen.q[1] = 0.95 * seen.limits(1).lower;
+  watch.look(seen.o);
+  EXPECT_FALSE(watch.any());
+  seen.qd[2] = -0.91 * seen.limits(2).velocity;
+  seen.control.commanded[5] = 0.91 * seen.limits(5).effort;
+  seen.q[1] = seen.limits(1).lower - 1.0;
+  watch.look(seen.o);
+  const std::vector<BrokenLimit> broken = watch.broken();
+  ASSERT_EQ(broken.size(), 3U);
+  EXPECT_EQ(broken[0].bound, -0.9 * seen.limits(2).velocity);
+  EXPECT_EQ(broken[1].bound, seen.limits(1).lower);
+  EXPECT_EQ(broken[2].bound, 0.9 * seen.limits(5).effort);
+  EXPECT_EQ(to_string(broken[2]),
+            fmt::format("{} is commanded {:.4g} N m, beyond 0.9 of its effort limit of {:.4g}, at 0.000 s",
+                        seen.arm.joints[5].name, 0.91 * seen.limits(5).effort, seen.limits(5).effort));
+  EXPECT_EQ(to_string(broken[1]).find("0.9 of"), std::string::npos);
 }
 
 TEST(LimitWatch, AJointWithoutPositionLimitsNeverPassesThem) {

@@ -17,7 +17,10 @@ namespace armtune::internal::test {
 /// A folder that lives as long as the object.
 class TemporaryFolder {
  public:
-  TemporaryFolder() { std::filesystem::create_directories(path_); }
+  TemporaryFolder() {
+    std::filesystem::remove_all(path_);  // of a test of the same process number that was killed
+    std::filesystem::create_directories(path_);
+  }
   ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);

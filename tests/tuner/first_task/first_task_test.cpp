@@ -85,7 +85,7 @@ TEST(FirstTask, OfAnArmWithRotorsNamesTheFileThatWasGivenAndTheDemandThatGainsBr
   hasty.velocity_barrier_gain = 0.0;
   hasty.slerpDurationErrorGain = 0.05;
   hasty.trajectoryDurationErrorGain = 0.05;
-  EXPECT_THAT(demands.broken(hasty), HasSubstr("in task: sample 1: diverged"));
+  EXPECT_THAT(demands.broken(hasty), testing::ContainsRegex("in task: sample [0-9]: diverged"));
   Gains wild = found.gains;
   wild.task_space_gains_d *= 100.0;
   EXPECT_THAT(demands.broken(wild), HasSubstr("joint_velocity/max_ratio <= 0.9 is broken"));
