@@ -13,7 +13,8 @@ namespace armtune::internal {
 namespace {
 
 double radius_of(const Shape& shape) {
-  if (shape.kind == ShapeKind::kMesh) return std::numeric_limits<double>::quiet_NaN();
+  if (shape.kind == ShapeKind::kMesh || shape.kind == ShapeKind::kNoSize)
+    return std::numeric_limits<double>::quiet_NaN();
   if (shape.kind != ShapeKind::kBox) return shape.size[0];
   const double longest = shape.size.maxCoeff();
   return 0.5 * std::sqrt(std::max(0.0, shape.size.squaredNorm() - longest * longest));

@@ -8,9 +8,11 @@
 
 namespace armtune::internal {
 
-enum class ShapeKind { kBox, kCylinder, kSphere, kCapsule, kMesh };
+/// kNoSize: a collision shape whose size the file does not give as above zero, so that it can neither be
+/// drawn nor met.
+enum class ShapeKind { kBox, kCylinder, kSphere, kCapsule, kMesh, kNoSize };
 
-/// "box", "cylinder", "sphere", "capsule", "mesh"
+/// "box", "cylinder", "sphere", "capsule", "mesh", "shape without size"
 constexpr const char* name(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::kBox:
@@ -23,6 +25,8 @@ constexpr const char* name(ShapeKind kind) {
       return "capsule";
     case ShapeKind::kMesh:
       return "mesh";
+    case ShapeKind::kNoSize:
+      return "shape without size";
   }
   return "";
 }

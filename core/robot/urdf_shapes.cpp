@@ -55,6 +55,10 @@ void append(const urdf::Geometry* geometry, const urdf::Pose& origin, bool colli
             std::vector<Shape>& shapes) {
   if (geometry == nullptr) return;
   auto shape = shape_of(*geometry);
+  if (!shape && collision) {
+    shape.emplace();
+    shape->kind = ShapeKind::kNoSize;  // the link has more to it than the other shapes tell
+  }
   if (!shape) return;
   const urdf::Rotation& q = origin.rotation;
   shape->collision = collision;

@@ -50,19 +50,26 @@ std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf, std::
       return sphere(shape.size[0]);
     case ShapeKind::kCapsule:
       return capsule(shape.size[0], shape.size[1]);
+    case ShapeKind::kNoSize:
+      why = "the size of a collision shape is not above zero";
+      return std::nullopt;
     case ShapeKind::kMesh:
       break;
   }
   return hull_of_mesh(shape, urdf, why);
 }
 
-/// The shapes of one link that count.
+/// The shapes of one link that count, those without size last.
 std::vector<const Shape*> counting(const RobotModel& robot, int link) {
-  std::vector<const Shape*> collision, seen;
+  std::vector<const Shape*> collision, seen, without_size;
   for (const Shape& shape : robot.shapes) {
-    if (shape.link == link) (shape.collision ? collision : seen).push_back(&shape);
+    if (shape.link != link) continue;
+    auto& of_its_kind = shape.kind == ShapeKind::kNoSize ? without_size : shape.collision ? collision : seen;
+    of_its_kind.push_back(&shape);
   }
-  return collision.empty() ? seen : collision;
+  std::vector<const Shape*>& counted = collision.empty() ? seen : collision;
+  counted.insert(counted.end(), without_size.begin(), without_size.end());
+  return counted;
 }
 
 /// Bodies without any shape, by their links' names.
@@ -103,14 +110,16 @@ std::optional<ArmSolid> rod_to_tool(const RobotModel& robot, const std::vector<A
 
 ArmSolids arm_solids(const RobotModel& robot) {
   ArmSolids arm;
-  const int links = robot.shapes.empty() ? 0 : robot.shapes.back().link + 1;
+  int links = 0;
+  for (const Shape& shape : robot.shapes) links = std::max(links, shape.link + 1);
   for (int link = 0; link < links; ++link) {
     const std::vector<const Shape*> shapes = counting(robot, link);
     bool whole = true;
     for (const Shape* shape : shapes) {
       std::string why;
       const auto solid = solid_of(*shape, robot.source, why);
-      if (!solid) arm.unread.push_back(fmt::format("{}: {}", shape->file, why));
+      const std::string& what = shape->file.empty() ? shape->link_name : shape->file;
+      if (!solid) arm.unread.push_back(fmt::format("{}: {}", what, why));
       whole = whole && solid;
       if (solid) arm.solids.push_back({shape->body, shape->link_name, {*solid, shape->R_BS, shape->p_BS}});
     }

@@ -18,7 +18,7 @@ struct ArmSolid {
 struct ArmSolids {
   std::vector<ArmSolid> solids;
   std::vector<std::string> unknown;  ///< links with a shape that could not be read, and bodies without any
-  std::vector<std::string> unread;   ///< of these the meshes, each with why: "NAME: no such file ..."
+  std::vector<std::string> unread;   ///< of these the shapes, each with why: "NAME: no such file ..."
 };
 
 /// Returns the solids of the arm, one for each shape: of each link its collision geometry, and where it has

@@ -22,6 +22,7 @@ constexpr double kNarrowest = 2e-3;     // m
 constexpr double kManyTurns = 25.0;     // rad
 constexpr double kFastest = 30.0;       // rad/s
 constexpr double kFingerStroke = 0.15;  // m
+constexpr double kClawTurn = 1.3;       // rad; wrists turn by more than half a turn
 constexpr unsigned kPoses = 500;
 
 using Names = std::vector<std::string>;
@@ -178,16 +179,17 @@ void doubt_efforts(const RobotModel& robot, std::vector<Doubt>& doubts) {
 void doubt_last_joint(const RobotModel& robot, std::vector<Doubt>& doubts) {
   const auto last = static_cast<std::size_t>(robot.n() - 1);
   const JointInfo& joint = robot.joints[last];
-  if (robot.chain.motion[last] != JointMotion::kPrismatic || robot.n() < 4) return;
+  if (robot.n() < 4 || !joint.limits.has_position) return;
+  const bool slides = robot.chain.motion[last] == JointMotion::kPrismatic;
   const double stroke = joint.limits.upper - joint.limits.lower;
-  if (stroke > kFingerStroke) return;
+  if (stroke > (slides ? kFingerStroke : kClawTurn)) return;
   const std::string rest =
       fmt::format("{:.3g}", std::max(joint.limits.lower, std::min(joint.limits.upper, 0.0)));
   doubts.push_back(
       {fmt::format(
-           "{}: the last joint slides by {:.3g} m only, as a gripper's finger does; if it is one, hold it by 'hold: {{{}: {}}}' in a "
+           "{}: the last joint {} by {:.3g} {} only, as a gripper's finger does; if it is one, hold it by 'hold: {{{}: {}}}' in a "
            "robot YAML",
-           joint.name, stroke, joint.name, rest),
+           joint.name, slides ? "slides" : "turns", stroke, slides ? "m" : "rad", joint.name, rest),
        {{"hold", joint.name, "", rest}}});
 }
 

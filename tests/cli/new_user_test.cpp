@@ -97,6 +97,18 @@ TEST(NewUser, IsWarnedOfFiguresThatAreNoArms) {
                                         HasSubstr("shoulder_lift_joint: it needs")));
 }
 
+// A mesh in millimetres, for example: it meets everything, so that its pairs would be left out without a
+// word.
+TEST(NewUser, IsWarnedOfAShapeThatIsLargerThanTheArm) {
+  const test::TemporaryFolder folder;
+  folder.write("arm.urdf", urdf_text(test::ur10()));
+  const std::string shapes = "{forearm_link: [{capsule: {radius: 50, from: [0, 0, 0], to: [0, 0, 600]}}]}";
+  const Finished shown =
+      run_program({"robot", folder.write("arm.yaml", "{urdf: arm.urdf, shapes: " + shapes + "}\n")});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_THAT(shown.err, HasSubstr("forearm_link: a collision shape of it goes 350 m far"));
+}
+
 TEST(NewUser, ATaskIsNotPutIntoAFolderThatHoldsSomething) {
   const test::TemporaryFolder folder;
   folder.write("task.yaml", "mine\n");

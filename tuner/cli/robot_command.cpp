@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "armtune/error.hpp"
 #include "core/common/file_path.hpp"
@@ -111,6 +113,20 @@ void show_interfaces(const RobotModel& model) {
                         : fmt::format("{}", fmt::join(without_effort, ", "))));
 }
 
+/// Warns of shapes that no arm of this reach can have: a mesh in millimetres is read as one in metres.
+void warn_of_huge_shapes(const RobotModel& model, const ArmSolids& arm) {
+  constexpr double kHuge = 10.0;  // of the reach
+  std::set<std::string> named;
+  for (const ArmSolid& solid : arm.solids) {
+    const double size = farthest(solid.placed, solid.placed.p_BS);
+    if (size <= kHuge * reach(model) || !named.insert(solid.link).second) continue;
+    print_warning(fmt::format(
+        "{}: a collision shape of it goes {:.3g} m far, the whole arm reaches {:.3g} m; a mesh in "
+        "millimetres needs scale=\"0.001 0.001 0.001\" in the URDF",
+        solid.link, size, reach(model)));
+  }
+}
+
 /// Which links self-collision is looked for between.
 void show_contacts(const RobotModel& model) {
   const ClearanceModel contacts(std::make_shared<const RobotModel>(model), Cell{});
@@ -119,10 +135,11 @@ void show_contacts(const RobotModel& model) {
     say(fmt::format(
         "Shapes of {} are not given, or not all of them can be read: self-collision is not looked for with these links.\n",
         fmt::join(unknown, ", ")));
+  warn_of_huge_shapes(model, contacts.arm());
   constexpr std::size_t kMostShown = 3;
   const std::vector<std::string>& unread = contacts.arm().unread;
   for (std::size_t i = 0; i < std::min(kMostShown, unread.size()); ++i) say(fmt::format("  {}\n", unread[i]));
-  if (unread.size() > kMostShown) say(fmt::format("  and {} meshes more\n", unread.size() - kMostShown));
+  if (unread.size() > kMostShown) say(fmt::format("  and {} shapes more\n", unread.size() - kMostShown));
   if (contacts.has(Clearance::kSelf))
     say(fmt::format(
         "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",

@@ -46,8 +46,9 @@ ArmShape limb(int joint, const Vec3& from, const Vec3& to, double radius) {
   return shape;
 }
 
-/// Nothing for a mesh that cannot be loaded, or has more triangles than are left.
+/// Nothing for a shape without size, and a mesh that cannot be loaded, or has more triangles than are left.
 std::optional<ArmShape> drawn(const Shape& shape, const std::string& urdf, std::size_t& triangles_left) {
+  if (shape.kind == ShapeKind::kNoSize) return std::nullopt;
   ArmShape result{shape.body, pose_of(shape.R_BS, shape.p_BS), shape.kind, size_of(shape), {}};
   if (shape.kind != ShapeKind::kMesh) return result;
   const auto path = mesh_path(shape.file, urdf);

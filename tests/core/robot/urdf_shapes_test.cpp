@@ -100,6 +100,18 @@ TEST_F(UrdfShapes, SayOfWhichLinkTheyAreAndWhatTheyAreFor) {
   EXPECT_THAT(shapes(""), testing::IsEmpty());
 }
 
+// A link is not clear of anything because one of its shapes has a size of zero.
+TEST_F(UrdfShapes, OfCollisionsWithoutSizeAreKeptAsSuch) {
+  for (const char* what :
+       {"<sphere radius='0'/>", "<box size='1 -1 1'/>", "<cylinder radius='0.1' length='0'/>"}) {
+    const RobotModel model =
+        read(robot(one_joint(kInertial + visual("<sphere radius='1'/>") + collision(what))));
+    ASSERT_EQ(model.shapes.size(), 2U) << what;
+    EXPECT_EQ(model.shapes[1].kind, ShapeKind::kNoSize) << what;
+    EXPECT_TRUE(model.shapes[1].collision) << what;
+  }
+}
+
 TEST_F(UrdfShapes, ThatHaveNoExtentAreLeftOutAndTheArmIsReadAllTheSame) {
   const RobotModel model =
       read(robot(one_joint(kInertial + visual("<sphere radius='0'/>") + visual("<box size='1 -1 1'/>"))));

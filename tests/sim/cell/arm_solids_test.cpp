@@ -47,6 +47,18 @@ TEST(ArmSolids, EveryLinkCountsWithItsOwnShapes) {
   EXPECT_THAT(arm_solids(arm).unknown, testing::Contains(arm.joints[3].link));
 }
 
+TEST(ArmSolids, ALinkWithACollisionShapeWithoutSizeIsUnknown) {
+  RobotModel arm = test::with_rods(test::ur10());
+  Shape nothing = arm.shapes.front();
+  nothing.kind = ShapeKind::kNoSize;
+  nothing.size = Vec3::Zero();
+  arm.shapes.push_back(nothing);
+  const ArmSolids all = arm_solids(arm);
+  EXPECT_THAT(all.unknown, ElementsAre(arm.base_link));
+  EXPECT_THAT(all.unread, ElementsAre(arm.base_link + ": the size of a collision shape is not above zero"));
+  EXPECT_EQ(all.solids.size(), arm.shapes.size() - 1) << "its other shapes count";
+}
+
 /// The least height of any solid of a body, at joint positions q [m].
 double lowest(const RobotModel& arm, int body, const JointVector& q) {
   Cell cell;

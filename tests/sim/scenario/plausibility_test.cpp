@@ -96,6 +96,21 @@ TEST(Plausibility, AFingerAsTheLastJointIsNamed) {
               ElementsAre(AllOf(HasSubstr("wrist_3_joint"), HasSubstr("hold: {wrist_3_joint: 0.01}"))));
 }
 
+TEST(Plausibility, AClawThatTurnsIsNamedAndAWristIsNot) {
+  RobotModel arm = test::ur10();
+  arm.joints[5].limits.lower = -0.2;
+  arm.joints[5].limits.upper = 0.85;
+  EXPECT_THAT(doubts(arm),
+              ElementsAre(AllOf(HasSubstr("wrist_3_joint: the last joint turns by 1.05 rad only"),
+                                HasSubstr("hold: {wrist_3_joint: 0}"))));
+  arm.joints[5].limits.lower = -1.6;
+  arm.joints[5].limits.upper = 1.6;
+  EXPECT_THAT(doubts(arm), IsEmpty());
+  arm.joints[5].limits.has_position = false;  // a continuous joint has no range
+  arm.joints[5].limits.lower = arm.joints[5].limits.upper = 0.0;
+  EXPECT_THAT(doubts(arm), IsEmpty());
+}
+
 // Without the comment marks, what is proposed is a robot YAML that settles the doubt.
 TEST(Plausibility, WhatIsProposedSettlesTheDoubt) {
   const test::TemporaryFolder folder;

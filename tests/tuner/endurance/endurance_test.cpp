@@ -91,6 +91,28 @@ TEST(Endurance, SeesParameterDriftAndTheBoundsPreventIt) {
   EXPECT_GT(drifting[0].broken->time, scenario.duration / 4) << "and not at once";
 }
 
+TEST(Endurance, AShareOfTheLimitsBreaksWhereTheMetricsReachIt) {
+  const Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
+  const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
+  const Metrics reached = Rollout(scenario, Stepper::kMidpoint, Engine::kSimbody).run(gains).metrics;
+  const double share =
+      std::max(reached[Metric::kJointVelocityMaxRatio], reached[Metric::kJointEffortMaxRatio]);
+  ASSERT_LT(share, 1.0);
+  EnduranceOptions options;
+  options.minutes = 1e-3;  // the scenario's own duration
+  const auto with = [&](double limit_share) {
+    options.limit_share = limit_share;
+    return endure(
+        {scenario}, [&gains](const Scenario&) { return gains; }, options, kNever)[0];
+  };
+  EXPECT_TRUE(with(1.001 * share).held());
+  const EnduranceResult broken = with(0.999 * share);
+  ASSERT_TRUE(broken.broken);
+  EXPECT_EQ(broken.broken->share, 0.999 * share);
+  EXPECT_EQ(broken.broken->limit,
+            reached[Metric::kJointVelocityMaxRatio] == share ? JointLimit::kVelocity : JointLimit::kEffort);
+}
+
 /// Without roll control the last joint winds up until it passes its limit; with it, it does not.
 TEST(Endurance, SeesWindingAndTheRollControlPreventsIt) {
   const Scenario scenario = test::scenario_of("identified_realistic_moving_target");
