@@ -36,6 +36,9 @@ struct RobotModel {
   JointVector link_radii;     ///< of each joint's link [m], NaN where not known; empty: none is
   std::vector<std::string>
       estimated_rotors;  ///< joints whose rotor inertia is an estimate (rotor_estimate.hpp)
+  /// Whether the robot adds the torque that holds its own weight to what a controller commands that knows no
+  /// weight (joint_trajectory_law.hpp). It bears part of the effort limits all the same.
+  bool compensates_gravity = false;
   Chain chain;
 
   int n() const { return chain.n; }

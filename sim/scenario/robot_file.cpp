@@ -18,6 +18,7 @@ namespace armtune::internal {
 namespace {
 
 /// One number per joint of the arm: read once the arm is known.
+constexpr const char* kCompensation = "compensates_gravity";
 constexpr std::array kJointKeys{"rotor_inertia", "viscous_friction", "coulomb_friction", "link_radius"};
 constexpr double kThickest = 10.0;  // m
 
@@ -60,6 +61,7 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   for (const char* key : kJointKeys) map.ignore(key);
   map.ignore("payload");
   map.ignore("cell");
+  map.ignore(kCompensation);
   map.finish();
   return file;
 }
@@ -81,6 +83,8 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
     }
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
   }
+  if (const yaml::Node* node = file.root ? file.root->find(kCompensation) : nullptr)
+    model->compensates_gravity = node->as_boolean();
   if (const yaml::Node* payload = file.root ? file.root->find("payload") : nullptr)
     *model = with_payload(*model, read_payload(*payload));
   validate(*model);

@@ -14,9 +14,10 @@ std::string robot_yaml(const RobotModel& model, const std::string& urdf, const s
   return (comment.empty() ? "" : "# " + comment + "\n") +
          fmt::format(
              "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}  # kg m^2, kg\n"
-             "viscous_friction: {}  # N m s/rad, N s/m\ncoulomb_friction: {}  # N m, N\n",
+             "viscous_friction: {}  # N m s/rad, N s/m\ncoulomb_friction: {}  # N m, N\n{}",
              yaml::quoted(urdf), yaml::quoted(model.base_link), yaml::quoted(urdf_tool_link(model)),
-             list(chain.rotor_inertia), list(chain.viscous_friction), list(chain.coulomb_friction));
+             list(chain.rotor_inertia), list(chain.viscous_friction), list(chain.coulomb_friction),
+             model.compensates_gravity ? "compensates_gravity: true\n" : "");
 }
 
 }  // namespace armtune::internal

@@ -16,12 +16,8 @@
 #include "core/common/file_name.hpp"
 #include "core/common/file_path.hpp"
 #include "core/common/input_file.hpp"
-#include "core/control/laws/controller_kind.hpp"
-#include "core/control/laws/valid_gains.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/cell/clearance_model.hpp"
-#include "sim/controller_files/changed_gains.hpp"
-#include "sim/controller_files/joint_trajectory_file.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/data_files.hpp"
@@ -30,6 +26,7 @@
 #include "sim/scenario/trajectory_message.hpp"
 #include "sim/yaml/document.hpp"
 #include "sim/yaml/quoted.hpp"
+#include "tuner/controller_study/controller_in_file.hpp"
 #include "tuner/controller_study/controller_rate.hpp"
 #include "tuner/first_task/estimated_robot.hpp"
 #include "tuner/run/run_folder.hpp"
@@ -56,7 +53,7 @@ gains: {gains}   # the start; it scores 1
 {node}scenarios: [{scenarios}]
 
 # Every p, i and d that is not 0, from a fifth to five times its value, or within bounds of your own:
-# {{name: ..., lower: ..., upper: ...}}
+# {{name: ..., lower: ..., upper: ...}}. A d of 0 begins without damping.
 parameters:
 {parameters}
 objective:
@@ -112,25 +109,6 @@ Arm arm_of(const std::string& robot) {
   return arm;
 }
 
-/// What is tuned: whole gains, or where some joints have none, one by one.
-std::string parameters_of(const Gains& gains, const std::vector<std::string>& joints) {
-  std::string text;
-  for (const GainField& field : fields_of(gains)) {
-    const auto* own_gain = std::get_if<OwnGain>(&field.member);
-    if (own_gain == nullptr || field.search == SearchRange::kNone) continue;
-    const JointVector& values = gains.own[own_gain->place];
-    if ((values.array() != 0.0).all()) {
-      text += fmt::format("  - {{name: {}}}\n", field.name);
-      continue;
-    }
-    for (std::size_t k = 0; k < joints.size(); ++k) {
-      if (values[static_cast<Eigen::Index>(k)] != 0.0)
-        text += fmt::format("  - {{name: {}}}\n", yaml::quoted(fmt::format("{}/{}", field.name, joints[k])));
-    }
-  }
-  return text;
-}
-
 /// Limits that this arm can break, as constraints of a study.
 std::string constraints_of(const Arm& arm) {
   std::string text;
@@ -180,12 +158,14 @@ bool is_straight(const JointSpline& motion) {
   return false;
 }
 
-/// Adds what is taken for granted of a motion.
-void add_notes(const Move& move, const ControllerStudyInputs& inputs, const RobotModel& arm,
-               std::vector<std::string>& notes) {
+JointSpline motion_of(const Move& move, const ControllerStudyInputs& inputs, const RobotModel& arm) {
   PlannedFile file{{move.file}, true};
   if (inputs.degrees && !is_trajectory_message(move.file)) file.table.units.angle = std::numbers::pi / 180.0;
-  const JointSpline motion = load_planned_motion(file, arm);
+  return load_planned_motion(file, arm);
+}
+
+/// Adds what is taken for granted of a motion.
+void add_notes(const Move& move, const JointSpline& motion, std::vector<std::string>& notes) {
   if (is_straight(motion))
     notes.push_back(fmt::format(
         "{} has positions without velocities: as ROS does, they are joined by straight lines, and the desired "
@@ -196,20 +176,6 @@ void add_notes(const Move& move, const ControllerStudyInputs& inputs, const Robo
         "{} begins at {:g} s: how the robot comes to its first point is not simulated; add a point at 0 s where the "
         "arm stands",
         move.file, motion.begin()));
-}
-
-/// Throws InputError where the file could not hold other numbers than it has: better now than after a search.
-void refuse_what_cannot_change(const std::string& text, const RosController& controller,
-                               const std::string& file, const Gains& gains,
-                               const std::vector<std::string>& joints) {
-  Gains others = gains;
-  double factor = 1.0;
-  for (const GainField& field : fields_of(gains)) {
-    const auto* own_gain = std::get_if<OwnGain>(&field.member);
-    if (own_gain == nullptr || field.search == SearchRange::kNone) continue;
-    for (double& value : others.own[own_gain->place]) value *= factor += 0.01;
-  }
-  with_gains(text, controller, file, others, joints);
 }
 
 std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStudyInputs& inputs,
@@ -232,7 +198,7 @@ std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStud
 }
 
 std::string study_yaml(const std::vector<Move>& moves, const Arm& arm, const ControllerStudyInputs& inputs,
-                       const std::string& controller, const Gains& gains) {
+                       const std::string& controller, const std::string& parameters) {
   std::vector<std::string> scenarios;
   scenarios.reserve(moves.size());
   for (const Move& move : moves) scenarios.push_back(yaml::quoted(move.name + ".yaml"));
@@ -241,8 +207,7 @@ std::string study_yaml(const std::vector<Move>& moves, const Arm& arm, const Con
       fmt::arg("description", yaml::quoted(fmt::format("gains of {} for {}", controller, arm.model->name))),
       fmt::arg("gains", yaml::quoted(absolute_path(inputs.controllers))),
       fmt::arg("node", inputs.node.empty() ? "" : fmt::format("node: {}\n", yaml::quoted(inputs.node))),
-      fmt::arg("scenarios", fmt::join(scenarios, ", ")),
-      fmt::arg("parameters", parameters_of(gains, joint_names(*arm.model))),
+      fmt::arg("scenarios", fmt::join(scenarios, ", ")), fmt::arg("parameters", parameters),
       fmt::arg("more", constraints_of(arm)));
 }
 
@@ -267,32 +232,35 @@ bool is_there_already(const std::vector<std::pair<std::string, std::string>>& te
 
 ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder) {
   const Arm arm = arm_of(inputs.robot);
-  const std::vector<std::string> joints = joint_names(*arm.model);
-  const std::string text = read_input_file(inputs.controllers, yaml::kMaxBytes, "a ROS parameter file");
-  const RosController controller =
-      chosen_controller(ros_controllers(text, inputs.controllers), inputs.controllers, inputs.node);
-  const Gains gains = joint_trajectory_gains(controller, inputs.controllers, joints);
-  validate(gains, joints, inputs.controllers);
-  if (parameters_of(gains, joints).empty())
-    throw InputError(fmt::format("{}: every p, i and d of {} is 0; give it gains to begin with",
-                                 inputs.controllers, controller.name));
-  refuse_what_cannot_change(text, controller, inputs.controllers, gains, joints);
+  const ControllerInFile from = read_controller(inputs.controllers, inputs.node, joint_names(*arm.model));
+  const std::string& controller = from.controller.name;
   const std::optional<double> rate =
-      inputs.rate > 0.0 ? inputs.rate : controller_rate(controller, inputs.controllers);
+      inputs.rate > 0.0 ? inputs.rate : controller_rate(from.controller, inputs.controllers);
   if (!rate)
     throw InputError(fmt::format(
         "{}: it has no update_rate of the controller manager; say how often the controller runs with --rate HZ",
         inputs.controllers));
   const std::vector<Move> moves = moves_of(inputs.trajectories);
 
+  std::vector<JointSpline> motions;
+  motions.reserve(moves.size());
+  for (const Move& move : moves) motions.push_back(motion_of(move, inputs, *arm.model));
+  const JointVector start = motions.front().at(motions.front().begin()).position;
+  std::vector<std::string> undamped;
+  const std::string parameters = tuned_parameters(from, *arm.model, start, undamped);
+
   ControllerStudyFiles files;
   files.study = folder + "/study.yaml";
   std::vector<std::pair<std::string, std::string>> texts = {
-      {"study.yaml", study_yaml(moves, arm, inputs, controller.name, gains)}};
-  for (const Move& move : moves) {
-    add_notes(move, inputs, *arm.model, files.notes);
-    texts.emplace_back(move.name + ".yaml", scenario_yaml(move, arm, inputs, controller.name, 1.0 / *rate));
+      {"study.yaml", study_yaml(moves, arm, inputs, controller, parameters)}};
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    add_notes(moves[k], motions[k], files.notes);
+    texts.emplace_back(moves[k].name + ".yaml",
+                       scenario_yaml(moves[k], arm, inputs, controller, 1.0 / *rate));
   }
+  if (!undamped.empty())
+    files.notes.push_back(fmt::format("d of {} is 0 in {}: damping is tuned as well",
+                                      fmt::join(undamped, ", "), inputs.controllers));
   if (!arm.yaml.empty()) {
     texts.emplace_back("robot.yaml", arm.yaml);
     files.notes.push_back(fmt::format(

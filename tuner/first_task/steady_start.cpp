@@ -11,10 +11,12 @@
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
 #include "core/control/laws/starting_gains.hpp"
+#include "sim/rollout/shake_watch.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "tuner/first_task/first_gain_sets.hpp"
 #include "tuner/first_task/kept_limits.hpp"
+#include "tuner/rollouts/simulate.hpp"
 #include "tuner/workers/candidate_runner.hpp"
 
 namespace armtune::internal {
@@ -41,22 +43,52 @@ std::string failure(const Study& study, const std::vector<RolloutResult>& result
   return {};
 }
 
+/// Why a study's start gains make no good reference.
+struct Unsteadiness {
+  std::string why;        ///< a scenario that is not completed, or a joint that shakes; empty: they do
+  bool completes = true;  ///< every scenario
+};
+
+Unsteadiness unsteadiness(const Study& study, int workers) {
+  SimulateOptions how;
+  how.stepper = study.stepper;
+  how.engine = Engine::kNative;
+  how.workers = workers;
+  const std::atomic<bool> stop = false;
+  const auto start = [&study](const Scenario&) { return study.space.start; };
+  Unsteadiness found;
+  for (const ScenarioResult& r : simulate(study.scenarios, start, how, stop)) {
+    if (r.result.status != RolloutStatus::kCompleted)
+      return {fmt::format("{}: {}", r.scenario, r.result.reason), false};
+    if (r.shake && found.why.empty()) found.why = fmt::format("{}: {}", r.scenario, to_string(*r.shake));
+  }
+  return found;
+}
+
 bool keep_limits(const std::vector<RolloutResult>& results) {
   return std::all_of(results.begin(), results.end(),
                      [](const RolloutResult& result) { return keeps_limits(result, 1.0); });
 }
 
-/// What a controller's own gains are that are not tuned: a file's stay.
-void keep_untuned(const Gains& given, Gains& gains) {
-  for (const GainField& field : fields_of(given)) {
-    const auto* own_gain = std::get_if<OwnGain>(&field.member);
-    if (own_gain != nullptr && field.search == SearchRange::kNone)
-      gains.own[own_gain->place] = given.own[own_gain->place];
+bool is_free(const GainEntry& entry, const ParameterSpace& space) {
+  return std::any_of(space.free.begin(), space.free.end(),
+                     [&entry](const Parameter& p) { return p.entry.name == entry.name; });
+}
+
+/// What a file says of a controller's own gains that are not tuned stays: those that never are, and zeros.
+void keep_untuned(const Gains& given, const Study& study, Gains& gains) {
+  const std::vector<std::string> joints = joint_names(*study.scenarios.front().robot);
+  for (const GainEntry& entry : gain_entries(given, joints)) {
+    if (!std::holds_alternative<OwnGain>(entry.field->member)) continue;
+    const double in_file = value(given, entry);
+    const bool off = in_file == 0.0 && !is_free(entry, study.space);
+    if (off || entry.field->search == SearchRange::kNone) value(gains, entry) = in_file;
   }
 }
 
 /// Gains for the first scenario, with the goal pose that `given` has, and of its kind.
-std::vector<Gains> first_sets(const Scenario& scenario, const Gains& given) {
+std::vector<Gains> first_sets(const Study& study, const Gains& given) {
+  const Scenario& scenario = study.scenarios.front();
   const RobotModel& robot = *scenario.robot;
   const JointVector goal = best_start_of_task(scenario);
   const PathWalk walk = walk_path(scenario, goal, kCentering);
@@ -66,7 +98,7 @@ std::vector<Gains> first_sets(const Scenario& scenario, const Gains& given) {
   for (Gains& gains : sets) {
     if (gains.controller != given.controller)
       gains = controlled_by(controller_kind(given.controller), gains, robot, goal);
-    keep_untuned(given, gains);
+    keep_untuned(given, study, gains);
   }
   return sets;
 }
@@ -90,7 +122,7 @@ std::optional<Gains> first_gains(const Study& study, int workers) {
   const Scenario& first = study.scenarios.front();
   const Gains in_file = load_gains(study.gains, joint_names(*first.robot), {}, study.node);
   try {
-    return completing(study, first_sets(first, in_file), workers);
+    return completing(study, first_sets(study, in_file), workers);
   } catch (const InputError&) {
     return std::nullopt;  // what is wrong with the task is said where the start gains are simulated
   }
@@ -100,8 +132,8 @@ std::optional<Gains> first_gains(const Study& study, int workers) {
 
 Study load_steady_study(const std::string& name_or_path, const std::string& controller, int workers) {
   Study study = load_study(name_or_path, controller);
-  const std::string failed = failure(study, simulated(study, {study.space.start}, workers).front());
-  if (failed.empty()) return study;
+  const Unsteadiness failed = unsteadiness(study, workers);
+  if (failed.why.empty()) return study;
   const std::optional<Gains> gains = first_gains(study, workers);
   if (!gains) return study;
   StudyParts parts;
@@ -110,15 +142,16 @@ Study load_steady_study(const std::string& name_or_path, const std::string& cont
   try {
     Study steady = load_study(name_or_path, controller, parts);
     // A study may give single gains' starts itself.
-    if (!failure(steady, simulated(steady, {steady.space.start}, workers).front()).empty()) return study;
+    if (!unsteadiness(steady, workers).why.empty()) return study;
     steady.given = study.space.start;
-    steady.given_failure = failed;
+    steady.given_failure = failed.why;
     return steady;
   } catch (const InputError& e) {
+    if (failed.completes) return study;  // it can be tuned as it is
     throw InputError(fmt::format(
         "{}: the start gains cannot be a reference ({}). The arm completes the study with first gains of armtune's, "
         "but these do not fit the study: {}",
-        study.source, failed, e.what()));
+        study.source, failed.why, e.what()));
   }
 }
 

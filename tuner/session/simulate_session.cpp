@@ -77,7 +77,7 @@ SimulateOutcome SimulateSession::run() {
                 outcome_.verdict);
   add_engine_assumption(settings_.engine, "the scenarios", outcome_.verdict);
   add_assumptions(scenarios, settings_.stepper, outcome_.verdict);
-  add_controller_assumption(gains_.gains_of(scenarios.front()), outcome_.verdict);
+  add_controller_assumption(scenarios, gains_.gains_of(scenarios.front()), outcome_.verdict);
   if (!folder.empty()) write_conclusion();
   if (!context_.stop) {
     outcome_.ending = outcome_.verdict.passed() ? Ending::kPassed : Ending::kChecksFailed;

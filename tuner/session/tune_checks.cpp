@@ -64,7 +64,7 @@ void TuneSession::check(bool analysed) {
   add_unchecked_contacts(study_.scenarios, verdict);
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
   add_assumptions(study_.scenarios, study_.stepper, verdict);
-  add_controller_assumption(result.best.gains, verdict);
+  add_controller_assumption(study_.scenarios, result.best.gains, verdict);
   verdict.notes = loosened(study_.thresholds);
   if (study_.given) verdict.notes.push_back(given_note(study_));
   for (const ComparedSet& set : outcome_.sets)

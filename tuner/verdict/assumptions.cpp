@@ -66,8 +66,15 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
            verdict.assumes);
 }
 
-void add_controller_assumption(const Gains& gains, SimulationVerdict& verdict) {
+void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
+                               SimulationVerdict& verdict) {
   if (gains.controller != kJointTrajectoryController) return;
+  for (const Scenario& scenario : scenarios) {
+    if (scenario.robot->compensates_gravity)
+      add_once(fmt::format("{} itself adds the torque that holds its weight, as its file says",
+                           scenario.robot->name),
+               verdict.assumes);
+  }
   add_once(
       "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: at the scenarios' control "
       "period, along the motion as the scenario joins its points, and with an empty integral where a motion begins",

@@ -20,7 +20,8 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict);
 
 /// Adds what is taken for granted of the robot's own controller, where that is whose gains these are.
-void add_controller_assumption(const Gains& gains, SimulationVerdict& verdict);
+void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
+                               SimulationVerdict& verdict);
 
 /// The random arms of a yield that the engine simulated alone: those that break a limit Simbody simulates
 /// again.

@@ -17,6 +17,7 @@ class JointTrajectoryLaw final : public TorqueLaw {
   explicit JointTrajectoryLaw(const LawSetup& setup)
       : TorqueLaw(setup),
         feeds_forward_(own(setup.gains, "jtc_ff_velocity_scale")),
+        held_by_robot_(setup.model.compensates_gravity),
         period_(setup.period),
         step_(JointVector::Zero(setup.model.n())) {
     const JointVector& clamp = own(setup.gains, "jtc_i_clamp");
@@ -47,6 +48,9 @@ class JointTrajectoryLaw final : public TorqueLaw {
       tau[i] = feeds_forward_[i] * next[i] +
                pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
     }
+    if (!held_by_robot_) return;
+    gravity_torque(in.arm, weight_);
+    tau += weight_;
   }
 
  private:
@@ -75,6 +79,8 @@ class JointTrajectoryLaw final : public TorqueLaw {
   std::array<RosPid, kMaxJoints> pids_{};
   std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
   JointVector feeds_forward_;
+  bool held_by_robot_;  ///< its weight, as its own model has it
+  JointVector weight_;
   double period_;
   JointVector reference_, step_;
   bool follows_ = false;  ///< references, in the last period

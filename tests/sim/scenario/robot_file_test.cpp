@@ -6,6 +6,8 @@
 #include "core/robot/kinematics.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_reader.hpp"
+#include "core/robot/urdf_writer.hpp"
+#include "sim/scenario/robot_writer.hpp"
 #include "sim/scenario/urdf_keys.hpp"
 #include "tests/sim/support/files.hpp"
 
@@ -52,6 +54,21 @@ TEST(RobotFile, TakesActuatorDataAsAListOrByJointName) {
   const JointVector expected = JointVector::LinSpaced(6, 1.0, 6.0);
   EXPECT_EQ(arm->chain.viscous_friction, expected);
   EXPECT_EQ(arm->chain.coulomb_friction, expected);
+}
+
+TEST(RobotFile, SaysWhetherTheRobotHoldsItsOwnWeight) {
+  const test::TemporaryFolder folder;
+  EXPECT_FALSE(load_robot(folder.write("arm.yaml", robot_text("")))->compensates_gravity);
+  const auto arm = load_robot(folder.write("arm.yaml", robot_text("compensates_gravity: true\n")));
+  EXPECT_TRUE(arm->compensates_gravity);
+  folder.write("again.urdf", urdf_text(*arm));
+  EXPECT_TRUE(
+      load_robot(folder.write("again.yaml", robot_yaml(*arm, "again.urdf", "")))->compensates_gravity);
+  for (const char* name : {"fr3", "panda", "iiwa14"})
+    EXPECT_TRUE(load_robot(name)->compensates_gravity) << name;
+  EXPECT_THAT(
+      test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text("compensates_gravity: 1.5\n"))); }),
+      HasSubstr("arm.yaml:2"));
 }
 
 TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <numbers>
 
+#include "core/control/laws/first_gains.hpp"
 #include "sim/csv/text_file.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
@@ -123,6 +125,31 @@ TEST(ControllerRate, IsTheControllersOwnThenThatOfItsManagerAndOfNoOtherNode) {
   for (const char* wrong : {"5", "0", "-1", "fast", "1e9"})
     EXPECT_THAT(test::refusal([&] { rate_of("update_rate: 500", std::string("update_rate: ") + wrong); }),
                 AllOf(HasSubstr("f.yaml:3"), HasSubstr(wrong), HasSubstr("from 10")));
+}
+
+// As in files that were made for a simulator: without any damping a stiff joint shakes.
+TEST(ControllerStudy, DampingThatIsZeroIsTunedWhereTheFileHasANumberForIt) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers =
+      folder.write("p.yaml", changed("wrist_1_joint: {p: 300.0, d: 10.0", "wrist_1_joint: {p: 300.0, d: 0"));
+  const ControllerStudyFiles files = write_controller_study(inputs, folder / "a");
+  EXPECT_THAT(files.notes, Contains(AllOf(HasSubstr("d of wrist_1_joint is 0"), HasSubstr("p.yaml"))));
+  const Study study = load_study(files.study);
+  EXPECT_EQ(study.space.free.size(), 18U);
+  const auto damping = std::find_if(study.space.free.begin(), study.space.free.end(),
+                                    [](const Parameter& p) { return p.entry.name == "jtc_d/wrist_1_joint"; });
+  ASSERT_NE(damping, study.space.free.end());
+  EXPECT_EQ(damping->start, 0.0);
+  EXPECT_EQ(damping->lower, 0.0);
+  // Five times what is critically damped at the rate of first gains.
+  const Scenario& scenario = study.scenarios.front();
+  const JointVector inertia = joint_inertia(*scenario.robot, scenario.planned->at(0.0).position);
+  EXPECT_NEAR(damping->upper, 5.0 * kFirstRate * inertia[3], 1e-3 * damping->upper);
+  // A file without the number could not be given one.
+  inputs.controllers =
+      folder.write("none.yaml", changed("wrist_1_joint: {p: 300.0, d: 10.0,", "wrist_1_joint: {p: 300.0,"));
+  EXPECT_EQ(load_study(write_controller_study(inputs, folder / "b").study).space.free.size(), 17U);
 }
 
 // Of a PD controller, and of one whose wrists have no integral: what is 0 stays 0.

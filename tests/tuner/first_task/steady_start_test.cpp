@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/control/laws/controller_kind.hpp"
 #include "sim/rollout/rollout.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "tests/sim/support/files.hpp"
 #include "tests/tuner/support/short_study.hpp"
 
 namespace armtune::internal {
@@ -75,6 +77,50 @@ TEST(SteadyStart, BoundsThatLeaveItOutAreNamed) {
   files.write("gains.yaml", gains_yaml(ringing(), {}));
   EXPECT_THAT(test::refusal([&] { load_steady_study(files.path(), "", 2); }),
               testing::AllOf(HasSubstr("cannot be a reference"), HasSubstr("lies outside its bounds")));
+}
+
+/// The study of examples/joint_trajectory with another parameter file.
+std::string study_of(const test::TemporaryFolder& folder, const std::string& from, const std::string& to,
+                     const std::string& parameters) {
+  const std::string example = ARMTUNE_SOURCE_DIR "/examples/joint_trajectory/";
+  std::string gains = test::read_text(example + "ros2_controllers.yaml");
+  const auto at = gains.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  folder.write("gains.yaml", gains.replace(at, from.size(), to));
+  return folder.write("study.yaml", "{gains: gains.yaml, scenarios: [" + example +
+                                        "moves.yaml], parameters: [" + parameters + "]}\n");
+}
+
+// Such gains complete the motion; nothing tuned from a fifth to five times their values would hold still.
+TEST(SteadyStart, TakesThePlaceOfGainsThatShake) {
+  const test::TemporaryFolder folder;
+  const std::string path = study_of(folder, "wrist_1_joint: {p: 300.0, d: 10.0",
+                                    "wrist_1_joint: {p: 3000.0, d: 1.0", "{name: jtc_p}, {name: jtc_d}");
+  const Study study = load_steady_study(path, "", 2);
+  ASSERT_TRUE(study.given);
+  EXPECT_EQ(own(*study.given, "jtc_p")[3], 3000.0);
+  EXPECT_THAT(study.given_failure, HasSubstr("wrist_1_joint shakes"));
+  EXPECT_LT(own(study.space.start, "jtc_p")[3] / own(study.space.start, "jtc_d")[3], 100.0) << "of 3000";
+}
+
+TEST(SteadyStart, LeavesAtZeroWhatTheFileHasAtZeroAndTheStudyDoesNotTune) {
+  const test::TemporaryFolder folder;
+  const std::string path = study_of(folder, "wrist_1_joint: {p: 300.0, d: 10.0, i: 50.0",
+                                    "wrist_1_joint: {p: 3000.0, d: 1.0, i: 0.0",
+                                    "{name: jtc_p}, {name: jtc_d}, {name: jtc_i/elbow_joint}");
+  const Study study = load_steady_study(path, "", 2);
+  ASSERT_TRUE(study.given);
+  EXPECT_EQ(own(study.space.start, "jtc_i")[3], 0.0);
+  EXPECT_GT(own(study.space.start, "jtc_i")[2], 0.0);
+}
+
+// The file's gains can be tuned as they are, although first gains would not fit the study.
+TEST(SteadyStart, GainsThatShakeAreLeftWhereFirstGainsDoNotFitTheBounds) {
+  const test::TemporaryFolder folder;
+  const std::string path =
+      study_of(folder, "wrist_1_joint: {p: 300.0, d: 10.0", "wrist_1_joint: {p: 3000.0, d: 1.0",
+               "{name: jtc_p/wrist_1_joint, lower: 2900, upper: 3100}");
+  EXPECT_FALSE(load_steady_study(path, "", 2).given);
 }
 
 // Then the start is simulated as the file says, and the error is that of any study.

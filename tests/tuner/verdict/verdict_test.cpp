@@ -283,12 +283,15 @@ TEST(Assumptions, SayWhatOfTheArmMeetsAnObstacle) {
 TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   SimulationVerdict verdict;
   Gains gains;
-  add_controller_assumption(gains, verdict);
+  const std::vector<Scenario> franka = {test::scenario_of("panda_realistic_moving_target")};
+  add_controller_assumption(franka, gains, verdict);
   EXPECT_TRUE(verdict.assumes.empty());
   gains.controller = "joint_trajectory_controller";
-  add_controller_assumption(gains, verdict);
-  ASSERT_EQ(verdict.assumes.size(), 1U);
-  EXPECT_THAT(verdict.assumes[0], HasSubstr("an empty integral"));
+  add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
+  EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("an empty integral")));
+  add_controller_assumption(franka, gains, verdict);
+  EXPECT_THAT(verdict.assumes,
+              ElementsAre(HasSubstr("an empty integral"), HasSubstr("the torque that holds its weight")));
 }
 
 }  // namespace

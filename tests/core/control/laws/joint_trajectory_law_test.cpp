@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/control/laws/controller.hpp"
+#include "core/robot/dynamics.hpp"
 #include "core/robot/forward_dynamics.hpp"
 #include "core/robot/theta.hpp"
 #include "tests/core/support/arms.hpp"
@@ -40,6 +41,25 @@ TEST(JointTrajectoryLaw, IsAPidOfEachJointAlongTheIntegratedReferences) {
       }
       reference += Period::period * p.control.reference.velocity;
       p.move();
+    }
+  }
+}
+
+// A robot that holds its own weight adds g(q), here by the recursion that the arm's dynamics use.
+TEST(JointTrajectoryLaw, OfARobotThatCompensatesGravityHasTheWeightOnTop) {
+  for (RobotModel model : test::all_arms()) {
+    Period alone(model, "joint_trajectory_controller", 92);
+    model.compensates_gravity = true;
+    Period held(model, "joint_trajectory_controller", 92);
+    for (int k = 0; k < 3; ++k) {
+      JointVector weight;
+      gravity_torque(model.chain, held.arm.poses, weight);
+      const JointVector with = held.torque(), without = alone.torque();
+      EXPECT_LT((with - without - weight).cwiseAbs().maxCoeff(), 1e-9 * (1.0 + with.cwiseAbs().maxCoeff()))
+          << held.where();
+      EXPECT_GT(weight.norm(), 1e-3);
+      held.move();
+      alone.move();
     }
   }
 }
