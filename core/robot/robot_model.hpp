@@ -39,6 +39,8 @@ struct RobotModel {
   /// Whether the robot adds the torque that holds its own weight to what a controller commands that knows no
   /// weight (joint_trajectory_law.hpp). It bears part of the effort limits all the same.
   bool compensates_gravity = false;
+  /// Of drives that are commanded velocities (velocity_drive.hpp), (n); empty: not known.
+  JointVector drive_velocity_gain, drive_velocity_integral;
   Chain chain;
 
   int n() const { return chain.n; }

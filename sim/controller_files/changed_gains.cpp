@@ -9,7 +9,7 @@
 
 #include "armtune/error.hpp"
 #include "core/common/message_text.hpp"
-#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/controller_files/joint_parameters.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
 #include "sim/yaml/decimal.hpp"
@@ -87,6 +87,9 @@ std::string with_gains(const std::string& text, const RosController& controller,
                        const Gains& gains, const std::vector<std::string>& joints) {
   const JointParameters parameters(controller, file);
   const Gains now = joint_trajectory_gains(controller, file, joints);
+  if (gains.controller != now.controller)
+    throw InputError(fmt::format("{}: {} is a {}, and these are gains of a {}", file, controller.name,
+                                 now.controller, gains.controller));
   std::vector<Change> changes;
   const auto add = [&changes](const PlacedValue* at, const std::string& gain, double had, double wanted) {
     if (auto change = change_of(at, gain, had, wanted)) changes.push_back(std::move(*change));
@@ -94,15 +97,15 @@ std::string with_gains(const std::string& text, const RosController& controller,
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const std::string& joint = joints[k];
     const auto place = static_cast<Eigen::Index>(k);
-    for (const GainName& name : kGainNames) {
-      add(parameters.of_joint(joint, name.in_file), fmt::format("{} of {}", name.in_file, joint),
-          own(now, name.own)[place], own(gains, name.own)[place]);
+    for (const char* name : kGainNames) {
+      add(parameters.of_joint(joint, name), fmt::format("{} of {}", name, joint), jtc_gain(now, name)[place],
+          jtc_gain(gains, name)[place]);
     }
-    const double had = own(now, "jtc_i_clamp")[place], wanted = own(gains, "jtc_i_clamp")[place];
+    const double had = jtc_gain(now, "i_clamp")[place], wanted = jtc_gain(gains, "i_clamp")[place];
     for (const auto& [key, sign] : {std::pair{"i_clamp", 1.0}, {"i_clamp_max", 1.0}, {"i_clamp_min", -1.0}})
       add(parameters.of_joint(joint, key), fmt::format("{} of {}", key, joint), sign * had, sign * wanted);
-    add(parameters.feed_forward(joint), "feed-forward of " + joint, own(now, "jtc_ff_velocity_scale")[place],
-        own(gains, "jtc_ff_velocity_scale")[place]);
+    add(parameters.feed_forward(joint), "feed-forward of " + joint, jtc_gain(now, "ff_velocity_scale")[place],
+        jtc_gain(gains, "ff_velocity_scale")[place]);
   }
   std::stable_sort(changes.begin(), changes.end(),
                    [](const Change& a, const Change& b) { return a.at->begin < b.at->begin; });

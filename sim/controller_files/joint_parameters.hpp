@@ -8,13 +8,8 @@
 
 namespace armtune::internal {
 
-/// A gain of ours and what the file calls it, within a joint's map.
-struct GainName {
-  const char* own;
-  const char* in_file;
-};
-inline constexpr std::array kGainNames = {GainName{"jtc_p", "p"}, GainName{"jtc_i", "i"},
-                                          GainName{"jtc_d", "d"}};
+/// What a file calls the gains of a joint, within its map. Ours are jtc_name of these.
+inline constexpr std::array kGainNames = {"p", "i", "d"};
 
 class JointParameters {
  public:

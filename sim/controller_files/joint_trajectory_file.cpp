@@ -81,20 +81,29 @@ class Reader : public JointParameters {
       fail(gains->line, fmt::format("no gains for {} of the arm", fmt::join(missing, ", ")));
   }
 
-  void refuse_other_commands() const {
+  /// The kind that its command interface asks for.
+  const char* kind() const {
     std::vector<std::string> commands;
     if (controller().ros2) {
       const PlacedValue* given = controller().parameters->find("command_interfaces");
       if (given == nullptr || given->kind != PlacedValue::Kind::kSequence)
-        fail(controller().parameters->line, "no list of command_interfaces; armtune simulates [effort]");
+        fail(controller().parameters->line,
+             "no list of command_interfaces; armtune simulates [effort] and [velocity]");
       for (const yaml::PlacedEntry& item : given->items) commands.push_back(item.value->text);
     } else if (controller().type.find('/') != std::string::npos) {
-      commands.push_back(controller().type.starts_with("effort_") ? "effort" : controller().type);
+      commands.push_back(controller().type.starts_with("effort_")     ? "effort"
+                         : controller().type.starts_with("velocity_") ? "velocity"
+                                                                      : controller().type);
     }
-    if (!commands.empty() && commands != std::vector<std::string>{"effort"}) {
+    if (commands.empty() || commands == std::vector<std::string>{"effort"}) return kJointTrajectoryController;
+    if (commands != std::vector<std::string>{"velocity"})
       fail(controller().parameters->line,
-           fmt::format("it commands {}; armtune simulates effort commands alone", fmt::join(commands, ", ")));
-    }
+           fmt::format("it commands {}; armtune simulates commands of effort alone, or of velocity alone",
+                       fmt::join(commands, ", ")));
+    const PlacedValue* open_loop = controller().parameters->find("open_loop_control");
+    if (open_loop != nullptr && (open_loop->text == "true" || open_loop->text == "True"))
+      fail(open_loop->line, "with open_loop_control the gains have no effect; there is nothing to tune");
+    return kJointTrajectoryVelocityController;
   }
 
   /// The largest contribution of the integral, the same in both directions.
@@ -122,7 +131,7 @@ class Reader : public JointParameters {
                        "none at all; write i_clamp, .inf for none",
                        joint));
     }
-    return 1e6;  // N m, N: beyond any joint
+    return 1e6;  // N m, N, rad/s, m/s: beyond any joint
   }
 
   void refuse_limits_of_output(const std::string& joint) const {
@@ -141,8 +150,8 @@ class Reader : public JointParameters {
       const PlacedValue* value = of_joint(joint, key);
       if (value == nullptr || !std::isfinite(number(*value, key))) continue;
       fail(value->line,
-           fmt::format("armtune does not simulate {} of {}; the joint's effort limit bounds the torque", key,
-                       joint));
+           fmt::format("armtune does not simulate {} of {}; the joint's own limit bounds what is commanded",
+                       key, joint));
     }
   }
 
@@ -169,23 +178,23 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
                              const std::vector<std::string>& joints) {
   const Reader reader(controller, file);
   reader.refuse_other_joints(joints);
-  reader.refuse_other_commands();
+  const std::string kind = reader.kind();
   const auto n = static_cast<Eigen::Index>(joints.size());
   Gains gains;
-  become(gains, kJointTrajectoryController, static_cast<int>(n));
+  become(gains, kind, static_cast<int>(n));
   gains.joint_space_gains_p = gains.joint_space_gains_d = JointVector::Zero(n);
   gains.force_control_gains = JointVector::Zero(n);
   std::optional<double> anti_windup;
   for (Eigen::Index k = 0; k < n; ++k) {
     const std::string& joint = joints[static_cast<std::size_t>(k)];
-    for (const GainName& name : kGainNames) {
-      const PlacedValue* value = reader.of_joint(joint, name.in_file);
-      own(gains, name.own)[k] =
-          value == nullptr ? 0.0 : reader.finite(*value, fmt::format("gains/{}/{}", joint, name.in_file));
+    for (const char* name : kGainNames) {
+      const PlacedValue* value = reader.of_joint(joint, name);
+      jtc_gain(gains, name)[k] =
+          value == nullptr ? 0.0 : reader.finite(*value, fmt::format("gains/{}/{}", joint, name));
     }
-    own(gains, "jtc_i_clamp")[k] = reader.clamp(joint);
+    jtc_gain(gains, "i_clamp")[k] = reader.clamp(joint);
     const PlacedValue* forward = reader.feed_forward(joint);
-    own(gains, "jtc_ff_velocity_scale")[k] =
+    jtc_gain(gains, "ff_velocity_scale")[k] =
         forward == nullptr ? 0.0 : reader.finite(*forward, "feed-forward of " + joint);
     reader.refuse_limits_of_output(joint);
     const double own_anti_windup = reader.anti_windup(joint);
@@ -195,7 +204,7 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
     }
     anti_windup = own_anti_windup;
   }
-  own(gains, "jtc_antiwindup")[0] = anti_windup.value_or(1.0);
+  jtc_gain(gains, "antiwindup")[0] = anti_windup.value_or(1.0);
   return gains;
 }
 

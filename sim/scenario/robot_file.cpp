@@ -19,7 +19,8 @@ namespace {
 
 /// One number per joint of the arm: read once the arm is known.
 constexpr const char* kCompensation = "compensates_gravity";
-constexpr std::array kJointKeys{"rotor_inertia", "viscous_friction", "coulomb_friction", "link_radius"};
+constexpr std::array kJointKeys{"rotor_inertia", "viscous_friction",    "coulomb_friction",
+                                "link_radius",   "drive_velocity_gain", "drive_velocity_integral"};
 constexpr double kThickest = 10.0;  // m
 
 /// True for a file with `rotor_inertia: estimated`.
@@ -35,6 +36,15 @@ void check_radii(const yaml::Node& node, const RobotModel& model) {
     if (radius >= 0.0 && radius <= kThickest) continue;
     node.fail(fmt::format("{}: {} m; a link's radius lies in 0 .. {}",
                           model.joints[static_cast<std::size_t>(i)].link, radius, kThickest));
+  }
+}
+
+/// Throws InputError where a number of a drive is not one that it can have.
+void check_drive(const RobotFile& file, const char* key, const JointVector& values, bool above_zero) {
+  for (const double value : values) {
+    if (std::isfinite(value) && (above_zero ? value > 0.0 : value >= 0.0)) continue;
+    file.root->find(key)->fail(
+        fmt::format("{}; a number {}", value, above_zero ? "above zero" : "from 0 on"));
   }
 }
 
@@ -74,14 +84,17 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
   if (file.root) {
     Chain& chain = model->chain;
     const auto joints = joint_names(*model);
-    const std::array<JointVector*, 4> values{&chain.rotor_inertia, &chain.viscous_friction,
-                                             &chain.coulomb_friction, &model->link_radii};
+    const std::array<JointVector*, kJointKeys.size()> values{
+        &chain.rotor_inertia, &chain.viscous_friction,     &chain.coulomb_friction,
+        &model->link_radii,   &model->drive_velocity_gain, &model->drive_velocity_integral};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const yaml::Node* node = file.root->find(kJointKeys[i]);
       const bool estimated = values[i] == &chain.rotor_inertia && asks_for_estimate(file);
       if (node != nullptr && !estimated) *values[i] = yaml::joint_values(*node, joints);
     }
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
+    check_drive(file, "drive_velocity_gain", model->drive_velocity_gain, true);
+    check_drive(file, "drive_velocity_integral", model->drive_velocity_integral, false);
   }
   if (const yaml::Node* node = file.root ? file.root->find(kCompensation) : nullptr)
     model->compensates_gravity = node->as_boolean();

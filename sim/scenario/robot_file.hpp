@@ -26,7 +26,8 @@ struct RobotFile {
 RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to = {});
 
 /// Reads it whole. Keys of the YAML: urdf, those of urdf_keys.hpp, and rotor_inertia, viscous_friction,
-/// coulomb_friction, link_radius [m] (each a list in joint order, or a map by joint name), and payload:
+/// coulomb_friction, link_radius [m], drive_velocity_gain and drive_velocity_integral (each a list in joint
+/// order, or a map by joint name), and payload:
 /// {mass, center}, a point mass in the tool frame that the controller knows of, and compensates_gravity
 /// (RobotModel). `rotor_inertia: estimated`
 /// estimates it for every joint that has none in the URDF (rotor_estimate.hpp). A link's radius is otherwise

@@ -11,13 +11,18 @@ namespace armtune::internal {
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment) {
   const Chain& chain = model.chain;
   const auto list = [](const JointVector& values) { return fmt::format("[{}]", fmt::join(values, ", ")); };
+  const auto drive = [&list](const char* key, const JointVector& values) {
+    return values.size() == 0 ? std::string() : fmt::format("{}: {}\n", key, list(values));
+  };
   return (comment.empty() ? "" : "# " + comment + "\n") +
          fmt::format(
              "urdf: {}\nbase_link: {}\ntip_link: {}\nrotor_inertia: {}  # kg m^2, kg\n"
              "viscous_friction: {}  # N m s/rad, N s/m\ncoulomb_friction: {}  # N m, N\n{}",
              yaml::quoted(urdf), yaml::quoted(model.base_link), yaml::quoted(urdf_tool_link(model)),
              list(chain.rotor_inertia), list(chain.viscous_friction), list(chain.coulomb_friction),
-             model.compensates_gravity ? "compensates_gravity: true\n" : "");
+             model.compensates_gravity ? "compensates_gravity: true\n" : "") +
+         drive("drive_velocity_gain", model.drive_velocity_gain) +
+         drive("drive_velocity_integral", model.drive_velocity_integral);
 }
 
 }  // namespace armtune::internal

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/control/laws/controller_kind.hpp"
+#include "core/control/laws/joint_trajectory_law.hpp"
 #include "sim/controller_files/changed_gains.hpp"
 #include "sim/controller_files/joint_trajectory_file.hpp"
 #include "tests/fuzz/support/input.hpp"
@@ -25,8 +25,8 @@ void check(std::string_view bytes) {
     const RosController controller = chosen_controller(ros_controllers(text, "file"), "file");
     Gains gains = joint_trajectory_gains(controller, "file", joints);
     require(with_gains(text, controller, "file", gains, joints) == text);
-    own(gains, "jtc_p") << 0.1, 1e-300;
-    own(gains, "jtc_d") << 1e22, 3.0;
+    jtc_gain(gains, "p") << 0.1, 1e-300;
+    jtc_gain(gains, "d") << 1e22, 3.0;
     const std::string changed = with_gains(text, controller, "file", gains, joints);
     require(without_numbers(changed) == without_numbers(text));
     const Gains back =

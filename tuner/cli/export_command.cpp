@@ -37,7 +37,7 @@ struct Arguments {
 std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
   const std::string text = read_input_file(args.into, yaml::kMaxBytes, "a ROS parameter file");
   const RosController controller = chosen_controller(ros_controllers(text, args.into), args.into, args.node);
-  if (gains.gains.controller != kJointTrajectoryController) {
+  if (!is_joint_trajectory_controller(gains.gains.controller)) {
     throw InputError(
         fmt::format("{}: gains of the controller '{}' do not fit {}, a joint trajectory controller",
                     args.what.set, gains.gains.controller, controller.name));

@@ -71,7 +71,7 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
 
 /// Whether the start gains came from the robot's own ROS parameter file.
 bool is_ros_file(const Study& study) {
-  return study.space.start.controller == kJointTrajectoryController && !study.gains.empty() &&
+  return is_joint_trajectory_controller(study.space.start.controller) && !study.gains.empty() &&
          may_hold_controllers(read_input_file(study.gains, yaml::kMaxBytes, "a YAML file"));
 }
 

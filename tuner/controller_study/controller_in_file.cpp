@@ -46,7 +46,7 @@ void require_room(const ControllerInFile& from) {
 /// Whether the file has a place for the d of joint k.
 bool has_room_for_damping(const ControllerInFile& from, Eigen::Index k) {
   Gains damped = from.gains;
-  own(damped, "jtc_d")[k] = 1.0;
+  jtc_gain(damped, "d")[k] = 1.0;
   try {
     with_gains(from.text, from.controller, from.file, damped, from.joints);
   } catch (const InputError&) {
@@ -82,10 +82,12 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped) {
   Gains gains = from.gains;
-  const JointVector& p = own(gains, "jtc_p");
-  const JointVector& d = own(gains, "jtc_d");
+  const JointVector& p = jtc_gain(gains, "p");
+  const JointVector& d = jtc_gain(gains, "d");
+  // Drives have damping of their own.
+  const bool needs_damping = gains.controller == kJointTrajectoryController;
   Gains first = gains;
-  controller_kind(kJointTrajectoryController).start(arm, q, first);
+  controller_kind(gains.controller).start(arm, q, first);
   std::string text;
   for (const GainField* field : searched_fields(from.gains)) {
     const JointVector& values = values_of(gains, *field);
@@ -97,11 +99,11 @@ std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm
       const auto i = static_cast<Eigen::Index>(k);
       if (values[i] != 0.0) {
         text += entry(field->name, from.joints[k]);
-      } else if (&values == &d && p[i] != 0.0 && has_room_for_damping(from, i)) {
+      } else if (needs_damping && &values == &d && p[i] != 0.0 && has_room_for_damping(from, i)) {
         undamped.push_back(from.joints[k]);
         text += entry(
             field->name, from.joints[k],
-            fmt::format(", lower: 0, upper: {:.4g}, scale: linear", kMostDamping * own(first, "jtc_d")[i]));
+            fmt::format(", lower: 0, upper: {:.4g}, scale: linear", kMostDamping * jtc_gain(first, "d")[i]));
       }
     }
   }

@@ -24,9 +24,9 @@ struct ControllerInFile {
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints);
 
-/// Which gains a study tunes, as lines of its `parameters`: every p, i and d that is not 0, and every d of 0
-/// that the file has a number for and whose p is not 0, from none to five times what the arm's inertia asks
-/// for at q (n). undamped: gets the joints of the latter.
+/// Which gains a study tunes, as lines of its `parameters`: every p, i and d that is not 0, and of effort
+/// commands every d of 0 that the file has a number for and whose p is not 0, from none to five times what
+/// the arm's inertia asks for at q (n). undamped: gets the joints of the latter.
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped);
 

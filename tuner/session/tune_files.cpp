@@ -122,7 +122,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
 }
 
 std::string write_controllers(const Study& study, const Gains& gains, const std::string& folder) {
-  if (study.gains.empty() || gains.controller != kJointTrajectoryController) return {};
+  if (study.gains.empty() || !is_joint_trajectory_controller(gains.controller)) return {};
   const std::string text = read_input_file(study.gains, yaml::kMaxBytes, "a YAML file");
   if (!may_hold_controllers(text)) return {};
   const auto controllers = ros_controllers(text, study.gains);

@@ -7,6 +7,7 @@
 
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/joint_trajectory_law.hpp"
+#include "core/control/laws/velocity_drive.hpp"
 #include "core/robot/friction.hpp"
 #include "sim/scenario/plausibility.hpp"
 
@@ -68,11 +69,18 @@ void add_engine_assumption(Engine engine, const std::string& which, SimulationVe
 
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict) {
-  if (gains.controller != kJointTrajectoryController) return;
+  if (!is_joint_trajectory_controller(gains.controller)) return;
   for (const Scenario& scenario : scenarios) {
-    if (scenario.robot->compensates_gravity)
-      add_once(fmt::format("{} itself adds the torque that holds its weight, as its file says",
-                           scenario.robot->name),
+    const RobotModel& robot = *scenario.robot;
+    if (gains.controller == kJointTrajectoryVelocityController)
+      add_once(
+          robot.drive_velocity_gain.size() > 0
+              ? fmt::format("the drives of {} are as its file says", robot.name)
+              : fmt::format("the drives of {} have velocity loops of {:.0f} /s, as no file says otherwise",
+                            robot.name, kDriveRate),
+          verdict.assumes);
+    if (robot.compensates_gravity)
+      add_once(fmt::format("{} itself adds the torque that holds its weight, as its file says", robot.name),
                verdict.assumes);
   }
   add_once(

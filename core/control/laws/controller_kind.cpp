@@ -104,6 +104,7 @@ Registry& registry() {
     add(computed_torque_controller(), built_in);
     add(impedance_controller(), built_in);
     add(joint_trajectory_controller(), built_in);
+    add(joint_trajectory_velocity_controller(), built_in);
     return built_in;
   }();
   return kinds;

@@ -2,31 +2,45 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "core/control/laws/first_gains.hpp"
 #include "core/control/laws/ros_pid.hpp"
+#include "core/control/laws/velocity_drive.hpp"
 
 namespace armtune::internal {
 namespace {
 
 constexpr double kIntegralRate = 1.0;  // 1/s, of P: an arm's weight is borne after some seconds
 constexpr double kNoClamp = 1e6;       // N m, N: beyond any joint
+constexpr double kOuterRate = 0.15;    // of a drive's, for the positions around it
+
+constexpr std::array kEffortGains = {
+    "jtc_p", "jtc_i", "jtc_d", "jtc_i_clamp", "jtc_ff_velocity_scale", "jtc_antiwindup"};
+constexpr std::array kVelocityGains = {"jtc_velocity_p",
+                                       "jtc_velocity_i",
+                                       "jtc_velocity_d",
+                                       "jtc_velocity_i_clamp",
+                                       "jtc_velocity_ff_velocity_scale",
+                                       "jtc_velocity_antiwindup"};
 
 class JointTrajectoryLaw final : public TorqueLaw {
  public:
   explicit JointTrajectoryLaw(const LawSetup& setup)
       : TorqueLaw(setup),
-        feeds_forward_(own(setup.gains, "jtc_ff_velocity_scale")),
+        feeds_forward_(jtc_gain(setup.gains, "ff_velocity_scale")),
         held_by_robot_(setup.model.compensates_gravity),
         period_(setup.period),
         step_(JointVector::Zero(setup.model.n())) {
-    const JointVector& clamp = own(setup.gains, "jtc_i_clamp");
-    const bool winds_up = own(setup.gains, "jtc_antiwindup")[0] == 0.0;
+    if (setup.gains.controller == kJointTrajectoryVelocityController) drives_.emplace(setup.model);
+    const JointVector& clamp = jtc_gain(setup.gains, "i_clamp");
+    const bool winds_up = jtc_gain(setup.gains, "antiwindup")[0] == 0.0;
     for (int i = 0; i < setup.model.n(); ++i) {
       RosPidGains& gains = gains_[static_cast<std::size_t>(i)];
-      gains.p = own(setup.gains, "jtc_p")[i];
-      gains.i = own(setup.gains, "jtc_i")[i];
-      gains.d = own(setup.gains, "jtc_d")[i];
+      gains.p = jtc_gain(setup.gains, "p")[i];
+      gains.i = jtc_gain(setup.gains, "i")[i];
+      gains.d = jtc_gain(setup.gains, "d")[i];
       gains.i_max = clamp[i];
       gains.i_min = -clamp[i];
       gains.anti_windup = winds_up ? AntiWindup::kOfContribution : AntiWindup::kOfIntegral;
@@ -39,21 +53,32 @@ class JointTrajectoryLaw final : public TorqueLaw {
     const MotionPoint<JointVector> desired = desired_motion(in);
     const bool ahead = in.control.state == ControlState::kFollowPlan && !feeds_forward_.isZero(0.0);
     const JointVector next = ahead ? in.scene.plan->at(in.time + period_).velocity : desired.velocity;
-    tau.resize(feeds_forward_.size());
-    for (Eigen::Index i = 0; i < tau.size(); ++i) {
+    command_.resize(feeds_forward_.size());
+    for (Eigen::Index i = 0; i < command_.size(); ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double away = desired.position[i] - in.measured.q[i];
       // A joint without limits takes the short way.
       const double error = turns_[k] ? std::remainder(away, 2.0 * M_PI) : away;
-      tau[i] = feeds_forward_[i] * next[i] +
-               pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
+      command_[i] = feeds_forward_[i] * next[i] +
+                    pids_[k].output(gains_[k], error, desired.velocity[i] - in.measured.qd[i], period_);
     }
-    if (!held_by_robot_) return;
-    gravity_torque(in.arm, weight_);
-    tau += weight_;
+    drive(in, tau);
   }
 
  private:
+  /// Torques of what is commanded: efforts, or velocities to drives.
+  void drive(const LawInput& in, JointVector& tau) {
+    if (held_by_robot_ || (drives_ && !begun_)) gravity_torque(in.arm, weight_);
+    if (!drives_) {
+      tau = command_;
+    } else {
+      if (!begun_ && !held_by_robot_) drives_->hold(weight_);
+      drives_->torque(command_, in.measured.qd, period_, tau);
+    }
+    begun_ = true;
+    if (held_by_robot_) tau += weight_;
+  }
+
   /// What a trajectory has in this period. In states that follow none: the references, integrated from where
   /// the arm was.
   MotionPoint<JointVector> desired_motion(const LawInput& in) {
@@ -79,6 +104,9 @@ class JointTrajectoryLaw final : public TorqueLaw {
   std::array<RosPid, kMaxJoints> pids_{};
   std::array<bool, kMaxJoints> turns_{};  ///< joint without position limits
   JointVector feeds_forward_;
+  JointVector command_;  ///< efforts or velocities
+  std::optional<VelocityDrives> drives_;
+  bool begun_ = false;  ///< there was a period before
   bool held_by_robot_;  ///< its weight, as its own model has it
   JointVector weight_;
   double period_;
@@ -86,37 +114,82 @@ class JointTrajectoryLaw final : public TorqueLaw {
   bool follows_ = false;  ///< references, in the last period
 };
 
+/// Its own gains: units of an effort, or of a velocity that is commanded.
+std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*, 5>& units, double p,
+                                  double d) {
+  constexpr auto kJoints = GainShape::kJoints;
+  const bool effort = std::string_view(kind) == kJointTrajectoryController;
+  const char* const* names = effort ? kEffortGains.data() : kVelocityGains.data();
+  return {
+      own_gain(kJoints, names[0], units[0], "p of each joint on its position error", p),
+      own_gain(kJoints, names[1], units[1], "i of each joint on its position error", 0.0),
+      own_gain(kJoints, names[2], units[2], "d of each joint on its velocity error", d),
+      not_tuned(own_gain(kJoints, names[3], units[3],
+                         "i_clamp: what the integral contributes at most; the default binds no joint",
+                         kNoClamp)),
+      not_tuned(own_gain(kJoints, names[4], units[4],
+                         effort ? "ff_velocity_scale: torque per desired velocity"
+                                : "ff_velocity_scale: the share of the desired velocity that is commanded",
+                         effort ? 0.0 : 1.0)),
+      not_tuned(own_gain(GainShape::kScalar, names[5], "",
+                         "1: the integral itself stays within i_clamp; 0: it grows on, and only what it "
+                         "contributes is clamped",
+                         1.0))};
+}
+
+std::unique_ptr<TorqueLaw> make_law(const LawSetup& setup) {
+  return std::make_unique<JointTrajectoryLaw>(setup);
+}
+
+/// It has neither.
+void leave_out_velocity_limits(Gains& gains) {
+  gains.velocity_margin = 0.0;
+  gains.velocity_barrier_gain = 0.0;
+}
+
 }  // namespace
 
+bool is_joint_trajectory_controller(const std::string& kind) {
+  return kind == kJointTrajectoryController || kind == kJointTrajectoryVelocityController;
+}
+
+std::string jtc_name(const std::string& kind, const std::string& what) {
+  return (kind == kJointTrajectoryVelocityController ? "jtc_velocity_" : "jtc_") + what;
+}
+
+const JointVector& jtc_gain(const Gains& gains, const std::string& what) {
+  return own(gains, jtc_name(gains.controller, what));
+}
+JointVector& jtc_gain(Gains& gains, const std::string& what) {
+  return own(gains, jtc_name(gains.controller, what));
+}
+
 ControllerKind joint_trajectory_controller() {
-  constexpr auto kJoints = GainShape::kJoints;
   return {
       kJointTrajectoryController,
       "ROS's joint_trajectory_controller with effort commands: a PID for each joint along a joint trajectory",
       {},
-      {own_gain(kJoints, "jtc_p", "N m/rad", "p of each joint on its position error", 100.0),
-       own_gain(kJoints, "jtc_i", "N m/(rad s)", "i of each joint on its position error", 0.0),
-       own_gain(kJoints, "jtc_d", "N m s/rad", "d of each joint on its velocity error", 10.0),
-       not_tuned(own_gain(kJoints, "jtc_i_clamp", "N m",
-                          "i_clamp: what the integral contributes at most; the default binds no joint",
-                          kNoClamp)),
-       not_tuned(own_gain(kJoints, "jtc_ff_velocity_scale", "N m s/rad",
-                          "ff_velocity_scale: torque per desired velocity", 0.0)),
-       not_tuned(own_gain(GainShape::kScalar, "jtc_antiwindup", "",
-                          "1: the integral itself stays within i_clamp; 0: it grows on, and only what it "
-                          "contributes is clamped",
-                          1.0))},
-      [](const LawSetup& setup) { return std::make_unique<JointTrajectoryLaw>(setup); },
+      jtc_fields(kJointTrajectoryController, {"N m/rad", "N m/(rad s)", "N m s/rad", "N m", "N m s/rad"},
+                 100.0, 10.0),
+      make_law,
       [](const RobotModel& robot, const JointVector& q, Gains& gains) {
         // Critically damped, poles at half the rate, for each joint with the others free.
         const JointVector d = kFirstRate * joint_inertia(robot, q);
         own(gains, "jtc_d") = d;
         own(gains, "jtc_p") = 0.25 * kFirstRate * d;
         own(gains, "jtc_i") = kIntegralRate * own(gains, "jtc_p");
-        // It has neither.
-        gains.velocity_margin = 0.0;
-        gains.velocity_barrier_gain = 0.0;
+        leave_out_velocity_limits(gains);
       }};
+}
+
+ControllerKind joint_trajectory_velocity_controller() {
+  return {kJointTrajectoryVelocityController,
+          "ROS's joint_trajectory_controller with velocity commands: the same PID, and the drives under it",
+          {},
+          jtc_fields(kJointTrajectoryVelocityController, {"1/s", "1/s^2", "1", "rad/s", "1"},
+                     kOuterRate * kDriveRate, 0.0),
+          make_law,
+          [](const RobotModel&, const JointVector&, Gains& gains) { leave_out_velocity_limits(gains); }};
 }
 
 }  // namespace armtune::internal

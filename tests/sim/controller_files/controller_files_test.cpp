@@ -226,8 +226,18 @@ std::string with_j1(const std::string& gains, const std::string& commands = "eff
 
 TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   const std::vector<std::string> j1 = {"j1"};
-  EXPECT_THAT(refused(with_j1("p: 1.0", "velocity"), j1),
-              AllOf(HasSubstr("f.yaml:3: c: it commands velocity"), HasSubstr("effort commands alone")));
+  EXPECT_THAT(refused(with_j1("p: 1.0", "position"), j1),
+              AllOf(HasSubstr("f.yaml:3: c: it commands position"), HasSubstr("velocity alone")));
+  EXPECT_THAT(refused(with_j1("p: 1.0", "position, velocity"), j1),
+              HasSubstr("it commands position, velocity"));
+  EXPECT_THAT(
+      refused("c:\n  type: position_controllers/JointTrajectoryController\n  gains: {j1: {p: 1.0}}\n", j1),
+      HasSubstr("it commands position_controllers/"));
+  EXPECT_THAT(
+      refused("c:\n  ros__parameters:\n    open_loop_control: true\n    command_interfaces: [velocity]\n"
+              "    gains: {j1: {p: 1.0}}\n",
+              j1),
+      AllOf(HasSubstr("f.yaml:3:"), HasSubstr("open_loop_control")));
   EXPECT_THAT(refused(with_j1("p: 1.0, i: 2.0"), j1), AllOf(HasSubstr("f.yaml:6:"), HasSubstr("no i_clamp")));
   EXPECT_THAT(refused(with_j1("p: 1.0, i_clamp_max: 2.0, i_clamp_min: -1.0"), j1), HasSubstr("[-1, 2]"));
   EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: 2.0"), j1), HasSubstr("u_clamp_max of j1"));
@@ -279,6 +289,31 @@ TEST(ControllerFile, IsReadAsRosReadsIt) {
   EXPECT_THAT(refused(with_j1("p: 1.0, angle_wraparound: true"), j1), HasSubstr("angle_wraparound of j1"));
   EXPECT_THAT(refused("c:\n  ros__parameters:\n    joints: [j1]\n    gains: {j1: {p: 2.0}}\n", j1),
               HasSubstr("no list of command_interfaces"));
+}
+
+TEST(ControllerFile, WithVelocityCommandsIsAKindOfItsOwn) {
+  const std::vector<std::string> j1 = {"j1"};
+  const std::string ros1 =
+      "c:\n  type: velocity_controllers/JointTrajectoryController\n  velocity_ff: {j1: 1.0}\n"
+      "  gains: {j1: {p: 5.0, i: 0.5, d: 0.1, i_clamp: 1.0}}\n";
+  for (const std::string& text :
+       {with_j1("p: 5.0, i: 0.5, d: 0.1, i_clamp: 1.0, ff_velocity_scale: 1.0", "velocity"), ros1}) {
+    const RosController controller = chosen_controller(ros_controllers(text, "f.yaml"), "f.yaml");
+    Gains gains = joint_trajectory_gains(controller, "f.yaml", j1);
+    EXPECT_EQ(gains.controller, "joint_trajectory_controller_velocity");
+    EXPECT_EQ(own(gains, "jtc_velocity_p")[0], 5.0);
+    EXPECT_EQ(own(gains, "jtc_velocity_i")[0], 0.5);
+    EXPECT_EQ(own(gains, "jtc_velocity_d")[0], 0.1);
+    EXPECT_EQ(own(gains, "jtc_velocity_i_clamp")[0], 1.0);
+    EXPECT_EQ(own(gains, "jtc_velocity_ff_velocity_scale")[0], 1.0);
+    own(gains, "jtc_velocity_p")[0] = 7.25;
+    const std::string changed = with_gains(text, controller, "f.yaml", gains, j1);
+    EXPECT_THAT(changed, HasSubstr("{p: 7.25, i: 0.5,"));
+    EXPECT_EQ(without_numbers(changed), without_numbers(text));
+    become(gains, "joint_trajectory_controller", 1);
+    EXPECT_THAT(test::refusal([&] { with_gains(text, controller, "f.yaml", gains, j1); }),
+                HasSubstr("c is a joint_trajectory_controller_velocity"));
+  }
 }
 
 // What a file cannot hold is refused, not lost.

@@ -71,6 +71,26 @@ TEST(RobotFile, SaysWhetherTheRobotHoldsItsOwnWeight) {
       HasSubstr("arm.yaml:2"));
 }
 
+TEST(RobotFile, HasGainsOfDrives) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(load_robot(folder.write("arm.yaml", robot_text("")))->drive_velocity_gain.size(), 0);
+  const auto arm = load_robot(folder.write(
+      "arm.yaml",
+      robot_text("drive_velocity_gain: [1, 2, 3, 4, 5, 6]\ndrive_velocity_integral: [0, 2, 3, 4, 5, 6]\n")));
+  EXPECT_EQ(arm->drive_velocity_gain, JointVector::LinSpaced(6, 1.0, 6.0));
+  EXPECT_EQ(arm->drive_velocity_integral[0], 0.0);
+  folder.write("again.urdf", urdf_text(*arm));
+  const auto again = load_robot(folder.write("again.yaml", robot_yaml(*arm, "again.urdf", "")));
+  EXPECT_EQ(again->drive_velocity_gain, arm->drive_velocity_gain);
+  EXPECT_EQ(again->drive_velocity_integral, arm->drive_velocity_integral);
+  for (const char* wrong :
+       {"drive_velocity_gain: [1, 2, 3, 4, 5, 0]\n", "drive_velocity_gain: [1, 2, .nan, 4, 5, 1]\n",
+        "drive_velocity_integral: [1, 2, 3, 4, 5, -1]\n"})
+    EXPECT_THAT(test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text(wrong))); }),
+                HasSubstr("arm.yaml:2"))
+        << wrong;
+}
+
 TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {
   const test::TemporaryFolder folder;
   const auto arm = load_robot(folder.write("arm.yaml", robot_text("rotor_inertia: estimated\n")));

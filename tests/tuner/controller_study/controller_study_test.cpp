@@ -11,6 +11,7 @@
 
 #include "core/control/laws/first_gains.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/rollout/rollout.hpp"
 #include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tuner/controller_study/controller_rate.hpp"
@@ -38,6 +39,14 @@ std::string changed(const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
+}
+
+/// A p of 5 and the whole desired velocity for each joint of the UR5e.
+std::string velocity_gains() {
+  std::string text;
+  for (const std::string& joint : joint_names(*load_robot("ur5e")))
+    text += "      " + joint + ": {p: 5.0, i: 0.0, d: 0.0, ff_velocity_scale: 1.0}\n";
+  return text;
 }
 
 TEST(ControllerStudy, LoadsWithTheFilesGainsItsRateAndEveryMotion) {
@@ -125,6 +134,29 @@ TEST(ControllerRate, IsTheControllersOwnThenThatOfItsManagerAndOfNoOtherNode) {
   for (const char* wrong : {"5", "0", "-1", "fast", "1e9"})
     EXPECT_THAT(test::refusal([&] { rate_of("update_rate: 500", std::string("update_rate: ") + wrong); }),
                 AllOf(HasSubstr("f.yaml:3"), HasSubstr(wrong), HasSubstr("from 10")));
+}
+
+// Industrial arms: the drives have the damping.
+TEST(ControllerStudy, OfVelocityCommandsIsOfThatKind) {
+  const test::TemporaryFolder folder;
+  ControllerStudyInputs inputs = example();
+  inputs.controllers = folder.write("v.yaml",
+                                    "controller_manager: {ros__parameters: {update_rate: 500}}\n"
+                                    "arm_controller:\n  ros__parameters:\n"
+                                    "    type: joint_trajectory_controller/JointTrajectoryController\n"
+                                    "    command_interfaces: [velocity]\n    gains:\n" +
+                                        velocity_gains());
+  const Study study = load_study(write_controller_study(inputs, folder / "a").study);
+  EXPECT_EQ(study.space.start.controller, "joint_trajectory_controller_velocity");
+  EXPECT_EQ(study.space.free.size(), 6U) << "p alone";
+  const RolloutResult result =
+      Rollout(study.scenarios.front(), Stepper::kMidpoint, Engine::kNative).run(study.space.start);
+  EXPECT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
+  EXPECT_LT(result.metrics[Metric::kJointErrorMax], 0.05);
+  const RolloutResult judged =
+      Rollout(study.scenarios.front(), Stepper::kMidpoint, Engine::kSimbody).run(study.space.start);
+  for (const Metric metric : {Metric::kJointErrorMax, Metric::kJointErrorRms, Metric::kJointEffortMaxRatio})
+    EXPECT_NEAR(result.metrics[metric], judged.metrics[metric], 1e-9) << name(metric);
 }
 
 // As in files that were made for a simulator: without any damping a stiff joint shakes.

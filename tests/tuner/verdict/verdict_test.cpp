@@ -292,6 +292,11 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   add_controller_assumption(franka, gains, verdict);
   EXPECT_THAT(verdict.assumes,
               ElementsAre(HasSubstr("an empty integral"), HasSubstr("the torque that holds its weight")));
+  verdict.assumes.clear();
+  gains.controller = "joint_trajectory_controller_velocity";
+  add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
+  EXPECT_THAT(verdict.assumes,
+              ElementsAre(HasSubstr("velocity loops of 60 /s"), HasSubstr("an empty integral")));
 }
 
 }  // namespace

@@ -42,13 +42,14 @@ ControllerKind named(const char* name) {
   return kind;
 }
 
-TEST(ControllerKind, OfArmtuneAreFive) {
+TEST(ControllerKind, OfArmtuneAreSix) {
   std::vector<std::string> names;
   for (const ControllerKind* kind : controller_kinds()) names.push_back(kind->name);
-  ASSERT_GE(names.size(), 5U);
-  names.resize(5);
-  EXPECT_THAT(names, testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance",
-                                          "joint_trajectory_controller"));
+  ASSERT_GE(names.size(), 6U);
+  names.resize(6);
+  EXPECT_THAT(names,
+              testing::ElementsAre("adaptive", "joint_pd", "computed_torque", "impedance",
+                                   "joint_trajectory_controller", "joint_trajectory_controller_velocity"));
 }
 
 TEST(ControllerKind, AdaptiveHasEveryMemberOfGainsInTheirOrder) {

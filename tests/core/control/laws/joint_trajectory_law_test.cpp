@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -155,6 +156,64 @@ TEST(JointTrajectoryLaw, TheClosedLoopOfOneJointIsThatOfAnIndependentIntegration
     ASSERT_NEAR(state.qd[0], qd, 1e-8) << time;
   }
   EXPECT_TRUE(clamped);
+}
+
+// With velocity commands, on the same arm: the PID's velocity within the joint's limit, and the drive's PI
+// under it, which begins with the torque that holds the arm.
+TEST(JointTrajectoryLaw, WithVelocityCommandsTheDriveFollowsThePid) {
+  RobotModel model = pendulum();
+  model.joints[0].limits.velocity = 1.2;  // which the command passes at first
+  model.drive_velocity_gain = JointVector::Constant(1, 40.0);
+  model.drive_velocity_integral = JointVector::Constant(1, 300.0);
+  const auto arm = std::make_shared<const RobotModel>(model);
+  Gains gains;
+  become(gains, "joint_trajectory_controller_velocity", 1);
+  gains.joint_space_gains_p = gains.joint_space_gains_d = gains.joint_space_goal = JointVector::Zero(1);
+  gains.joint_trajectory_duration = 1.0;
+  gains.force_control_gains = JointVector::Zero(1);
+  own(gains, "jtc_velocity_p")[0] = 9.0;
+  own(gains, "jtc_velocity_i")[0] = 3.0;
+  own(gains, "jtc_velocity_d")[0] = 0.1;
+  own(gains, "jtc_velocity_i_clamp")[0] = 0.5;
+  own(gains, "jtc_velocity_ff_velocity_scale")[0] = 0.9;
+  constexpr double kPeriod = 0.002;
+  const auto at = [](double q, double v) {
+    return MotionPoint<JointVector>{JointVector::Constant(1, q), JointVector::Constant(1, v),
+                                    JointVector::Zero(1)};
+  };
+  const JointSpline plan({0.0, 2.0}, {at(0.5, 0.4), at(1.3, 0.4)});
+  Controller controller(arm, gains, theta_of(arm->chain), kPeriod, TaskMask::kPosition);
+  Path path;
+  Scene scene;
+  scene.path = &path;
+  scene.plan = &plan;
+
+  double q = 0.2, qd = 0.0, of_pid = 0.0, of_drive = 3.0 * 9.81 * 0.4 * std::cos(0.2);
+  bool cut = false;
+  for (int k = 0; k < 900; ++k) {
+    const double time = k * kPeriod;
+    const JointState state{JointVector::Constant(1, q), JointVector::Constant(1, qd)};
+    const double tau = controller.update(state, scene, time).torque[0];
+
+    const double error = plan.at(time).position[0] - q;
+    of_pid = std::clamp(of_pid + 3.0 * kPeriod * error, -0.5, 0.5);
+    const double wanted = 0.9 * plan.at(time + kPeriod).velocity[0] + 9.0 * error + of_pid +
+                          0.1 * (plan.at(time).velocity[0] - qd);
+    cut = cut || std::abs(wanted) > 1.2;
+    const double slip = std::clamp(wanted, -1.2, 1.2) - qd;
+    of_drive += 300.0 * kPeriod * slip;
+    ASSERT_NEAR(tau, 40.0 * slip + of_drive, 1e-9 * (1.0 + std::abs(tau))) << time;
+
+    // Half steps of leapfrog, which is enough to lead the arm on.
+    for (int part = 0; part < 4; ++part) {
+      const double h = kPeriod / 4.0;
+      q += 0.5 * h * qd;
+      qd += h * (tau - 3.0 * 9.81 * 0.4 * std::cos(q) - 1.5 * qd) / (0.6 + 0.2);
+      q += 0.5 * h * qd;
+    }
+  }
+  EXPECT_TRUE(cut);
+  EXPECT_NEAR(q, plan.at(1.8).position[0], 5e-3) << "and the arm follows";
 }
 
 }  // namespace
