@@ -45,12 +45,12 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
 void print_spreads(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples) {
   const auto& headline = headline_metrics();
   for (std::size_t s = 0; s < scenarios.size(); ++s) {
-    say(fmt::format("\n{:<36}{:>12}{:>12}{:>12}{:>12}{:>10}\n", scenarios[s].name, "median", "95 %", "99 %",
+    say(fmt::format("\n{:<36}{:>9}{:>9}{:>9}{:>9}{:>8}\n", scenarios[s].name, "median", "95 %", "99 %",
                     "worst", "sample"));
     for (const MetricSpread& spread : spreads(samples, s)) {
       if (std::find(headline.begin(), headline.end(), spread.metric) == headline.end()) continue;
       const MetricField& f = field(spread.metric);
-      say(fmt::format("{:<36}{:>12.4g}{:>12.4g}{:>12.4g}{:>12.4g}{:>10}\n",
+      say(fmt::format("{:<36}{:>9.3g}{:>9.3g}{:>9.3g}{:>9.3g}{:>8}\n",
                       fmt::format("  {} [{}]", f.name, f.unit), spread.median, spread.p95, spread.p99,
                       spread.worst, spread.worst_sample));
     }

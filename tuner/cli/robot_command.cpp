@@ -31,26 +31,31 @@
 namespace armtune::internal::cli {
 namespace {
 
+/// Two tables, each within 80 columns: what the joints may do, and what they move.
 void show_joints(const RobotModel& model) {
   std::size_t width = 5;
   for (const JointInfo& joint : model.joints) width = std::max(width, joint.name.size());
-  say(fmt::format("{:<{}}  {:<10}{:>10}{:>10}{:>11}{:>9}{:>10}{:>9}{:>9}  {}\n", "joint", width, "type",
-                  "lower", "upper", "velocity", "effort", "rotor", "viscous", "coulomb", "link, mass [kg]"));
+  say(fmt::format("{:<{}}  {:<11}{:>10}{:>10}{:>10}{:>9}\n", "joint", width, "type", "lower", "upper",
+                  "velocity", "effort"));
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const JointLimits& limits = model.joints[k].limits;
+    const auto bound = [&limits](double v) { return limits.has_position ? fmt::format("{:.4g}", v) : "-"; };
+    const char* type = model.chain.motion[k] == JointMotion::kPrismatic ? "prismatic"
+                       : limits.has_position                            ? "revolute"
+                                                                        : "continuous";
+    say(fmt::format("{:<{}}  {:<11}{:>10}{:>10}{:>10.4g}{:>9.4g}\n", model.joints[k].name, width, type,
+                    bound(limits.lower), bound(limits.upper), limits.velocity, limits.effort));
+  }
+  say(fmt::format("\n{:<{}}  {:>8} {:>9}{:>9}  {}\n", "joint", width, "rotor", "viscous", "coulomb",
+                  "link, mass [kg]"));
   for (int i = 0; i < model.n(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const JointInfo& joint = model.joints[k];
-    const auto bound = [&](double v) { return joint.limits.has_position ? fmt::format("{:.4g}", v) : "-"; };
     const bool estimated =
         std::count(model.estimated_rotors.begin(), model.estimated_rotors.end(), joint.name) > 0;
-    say(fmt::format("{:<{}}  {:<10}{:>10}{:>10}{:>11.4g}{:>9.4g}{:>9.3g}{}{:>9.3g}{:>9.3g}  {}, {:.4g}\n",
-                    joint.name, width,
-                    model.chain.motion[k] == JointMotion::kPrismatic
-                        ? "prismatic"
-                        : (joint.limits.has_position ? "revolute" : "continuous"),
-                    bound(joint.limits.lower), bound(joint.limits.upper), joint.limits.velocity,
-                    joint.limits.effort, model.chain.rotor_inertia[i], estimated ? "*" : " ",
-                    model.chain.viscous_friction[i], model.chain.coulomb_friction[i], joint.link,
-                    model.chain.link[k].mass));
+    say(fmt::format("{:<{}}  {:>8.3g}{}{:>9.3g}{:>9.3g}  {}, {:.4g}\n", joint.name, width,
+                    model.chain.rotor_inertia[i], estimated ? "*" : " ", model.chain.viscous_friction[i],
+                    model.chain.coulomb_friction[i], joint.link, model.chain.link[k].mass));
   }
 }
 

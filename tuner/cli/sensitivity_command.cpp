@@ -108,8 +108,9 @@ void add_sensitivity_command(CLI::App& app, int& exit_code) {
   command->footer(
       "importance  what the merit loses when this gain alone goes back to its start\n"
       "local       largest relative change of the merit for a step of 2 % of the gain's range\n"
-      "elasticity  relative change of the merit per relative change of the gain (central differences)\n"
-      "global      rank correlation of gain and merit over the run's evaluations\n"
+      "In sensitivity.csv also:\n"
+      "elasticity        relative change of the merit per relative change of the gain (central differences)\n"
+      "rank_correlation  of gain and merit over the run's evaluations\n\n"
       "merit       objective + penalty * relative violations, with the study's search/penalty\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });

@@ -10,23 +10,22 @@
 namespace armtune::internal::cli {
 
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most) {
-  const auto number = [](double v) { return std::isnan(v) ? std::string("-") : fmt::format("{:.3f}", v); };
-  say(fmt::format("{:<40}{:>11}{:>11}{:>12}{:>10}{:>12}{:>10}\n", "gain, most important first", "start",
-                  "best", "importance", "local", "elasticity", "global"));
+  say(fmt::format("{:<38}{:>10}{:>10}{:>12}{:>10}\n", "gain, most important first", "start", "best",
+                  "importance", "local"));
   const std::size_t shown = std::min(most, sensitivity.parameters.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const ParameterSensitivity& s = sensitivity.parameters[i];
     const Parameter& p = study.space.free[s.parameter];
-    say(fmt::format("{:<40}{:>11.4g}{:>11.4g}{:>12.4f}{:>10}{:>12}{:>10}\n", p.entry.name, p.start, s.best,
-                    s.importance, fmt::format("{:.2f} %", 100.0 * s.local), number(s.elasticity),
-                    number(s.rank_correlation)));
+    say(fmt::format("{:<38}{:>10.4g}{:>10.4g}{:>12.4f}{:>10}\n", p.entry.name, p.start, s.best, s.importance,
+                    fmt::format("{:.2f} %", 100.0 * s.local)));
   }
   if (shown < sensitivity.parameters.size()) {
     say(fmt::format("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - shown));
   }
-  say(fmt::format(
-      "importance: what the merit (objective and violations) loses when this gain alone goes back to its "
-      "start\n\n"));
+  say(
+      fmt::format("importance: what the merit (objective and violations) loses when this gain\n"
+                  "alone goes back to its start; local: for a step of {:.0f} % of its range\n\n",
+                  100.0 * kSensitivityStep));
 }
 
 void print_advice(const Study& study, const Sensitivity& sensitivity) {

@@ -27,12 +27,12 @@ namespace {
 void print_gains(const Study& study, const TuneResult& result) {
   const Gains& gains = result.best.gains;
   const std::string found = name(outcome_of(result));
-  say(fmt::format("{:<44}{:>12}{:>17}{:>11}\n", "gain", "start", found, "ratio"));
+  say(fmt::format("{:<38}{:>10}{:>16}{:>8}\n", "gain", "start", found, "ratio"));
   for (const Parameter& p : study.space.free) {
     const double tuned = value(gains, p.entry);
-    say(fmt::format("{:<44}{:>12.5g}{:>17.5g}{:>11}{}\n", p.entry.name, p.start, tuned,
+    say(fmt::format("{:<38}{:>10.5g}{:>16.5g}{:>8}{}\n", p.entry.name, p.start, tuned,
                     p.start > 0.0 ? fmt::format("{:.3f}", tuned / p.start) : "-",
-                    on_bound(p, tuned) ? "  at its bound" : ""));
+                    on_bound(p, tuned) ? "  bound" : ""));
   }
   say(fmt::format("\n"));
 }

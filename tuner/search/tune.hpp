@@ -2,6 +2,7 @@
 // The tuning loop: start gains, coarse sweep, search: global if the study says so, then local from one or
 // more points. Where the study searches in the native engine, Simbody has the first and the last word.
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <optional>
@@ -28,17 +29,25 @@ struct TuneCallbacks {
   /// of the two forms derivatives with), or verify (Simbody after another engine).
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< as `evaluated`
+  /// Whether gains hold for much longer than the scenarios last: nothing to complain of, or why they do not.
+  /// Empty: nobody asks. See TuneResult::best.
+  std::function<std::string(const Gains&)> breaks_later;
 };
+
+/// Where the best does not hold for long, how far from the start towards it gains are tried that may.
+inline constexpr std::array kSharesOfTheWay = {0.5, 0.25, 0.1};
 
 struct TuneResult {
   Evaluation start;
   std::optional<Evaluation> best_of_sweep;  ///< as Simbody sees it
   /// Feasible if any feasible point was seen. Simbody's, but for an interrupted run that searched in another
-  /// engine: see its `engine`.
+  /// engine: see its `engine`. Where it breaks later, the first of up to three points on the way back to the
+  /// start that does not, is feasible and better than the start; if there is none, still the best.
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;
-  std::string reason;  ///< why the search ended
+  std::string reason;       ///< why the search ended
+  std::string passed_over;  ///< of a result on the way back: what it takes the place of, and why
 };
 
 /// Runs the study. `stop`: set from outside to end after the rollouts under way are dropped. Deterministic:

@@ -93,6 +93,8 @@ TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
     file.emplace(folder() + "/evaluations.csv", study_, std::vector<ExtraColumn>(),
                  AppendFile::Open::kReplace);
   };
+  if (settings_.analysis && study_.thresholds.minutes > 0.0)
+    callbacks.breaks_later = [this](const Gains& gains) { return breaks_later(gains); };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
     if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;
     evaluations_.push_back({study_.space.point_of(e.gains), e.objective, e.violation});

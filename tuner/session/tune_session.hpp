@@ -87,12 +87,16 @@ class TuneSession {
   bool writes() const { return !settings_.place.folder.empty(); }
   const std::string& folder() const { return settings_.place.folder; }
   void begin();
+  /// Extends the study's scenarios under these gains; kept for the checks. Returns what broke; empty:
+  /// nothing.
+  std::string breaks_later(const Gains& gains);
   void search(CandidateRunner& workers);
   TuneResult search_with_files(CandidateRunner& workers);
   void verify(RankGroup& ranks);
   void write_reports();
   bool analyse(CandidateRunner& workers);
   void check(bool analysed);
+  void check_endurance();
   void write_controllers_if_any();
   void conclude(bool analysed);
 
@@ -105,6 +109,8 @@ class TuneSession {
   int count_ = 1;  ///< of the search's workers
   std::vector<EvaluationRow> evaluations_;
   std::vector<YardstickFiles> yardsticks_ = std::vector<YardstickFiles>(2);
+  std::vector<EnduranceResult> endured_;  ///< the study's scenarios, extended under the gains of this file
+  std::string endured_with_;
   TuneOutcome outcome_;
 };
 
