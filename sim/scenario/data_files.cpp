@@ -21,7 +21,8 @@ constexpr std::size_t kLongestName = 200;  // file systems have 255 bytes with t
 
 bool looks_like_path(const std::string& text) {
   return text.find('/') != std::string::npos || text.ends_with(kExtension) || text.ends_with(".yml") ||
-         text.ends_with(".urdf") || text.ends_with(".xml") || text.ends_with(".xacro");
+         text.ends_with(".urdf") || text.ends_with(".xml") || text.ends_with(".xacro") ||
+         text.ends_with(".sdf") || text.ends_with(".mjcf");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ namespace {
 constexpr double kStep = 0.02;         // s
 constexpr double kLongestStep = 0.05;  // s: TaskGoal's errors die at 3 /s
 constexpr long kMostSteps = 20000;     // thirty walks of them take seconds
+constexpr double kMillimetres = 20.0;  // times the reach: no path in metres lies there
 constexpr double kOffPath = 1e-3;      // m: the inverse kinematics itself is a hundred times closer
 constexpr double kSingular = 0.02;     // of the largest manipulability of the walk
 constexpr double kAway = 20.0 * M_PI / 180.0;
@@ -278,11 +279,14 @@ JointVector best_start_of_task(const Scenario& scenario) {
   throw InputError(
       fmt::format("{}: {} cannot have its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
                   "within its joint limits; move "
-                  "the path, or give start_position_deg",
+                  "the path, or give start_position_deg{}",
                   shown_path(scenario.source), scenario.robot->name, tool.x(), tool.y(), tool.z(),
                   scenario.orientation ? ", turned as it is to be"
                   : goal.target        ? ", with its z axis on the target"
-                                       : ""));
+                                       : "",
+                  tool.norm() > kMillimetres * reach(*scenario.robot)
+                      ? "; if these are millimetres, say so: units: {length: mm}"
+                      : ""));
 }
 
 TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {

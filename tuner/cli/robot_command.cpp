@@ -112,10 +112,11 @@ void show_interfaces(const RobotModel& model) {
                   command.empty() ? "nothing" : fmt::format("{}", fmt::join(command, ", ")),
                   state.empty() ? "nothing" : fmt::format("{}", fmt::join(state, ", "))));
   if (!without_effort.empty())
-    say(fmt::format("The controllers that armtune simulates command effort, which {} cannot be given.\n",
-                    without_effort.size() == model.joints.size()
-                        ? "these joints"
-                        : fmt::format("{}", fmt::join(without_effort, ", "))));
+    say(fmt::format(
+        "armtune's controllers command effort, which {} cannot be given. Of ROS's joint_trajectory_controller there is one\n"
+        "that commands velocity.\n",
+        without_effort.size() == model.joints.size() ? "these joints"
+                                                     : fmt::format("{}", fmt::join(without_effort, ", "))));
 }
 
 /// Warns of shapes that no arm of this reach can have: a mesh in millimetres is read as one in metres.
@@ -181,6 +182,11 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
     print_warning(
         "no first task was found above the height of the arm's base, so that this one has no floor; if the arm "
         "stands on one, say at which height with --floor");
+  if (!found.task.scenario.clearance)
+    print_warning(
+        "no shapes of the arm's links are known, so that nothing looks for contact: neither with a floor nor of the arm "
+        "with itself; only the place of the circle was chosen above the floor. Give meshes (ARMTUNE_MESHES) or 'shapes' in "
+        "a robot YAML");
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"

@@ -64,8 +64,8 @@ in armtune's own dynamics, several times faster than Simbody's and equal to it b
 verify_share of the evaluations and of max_minutes to Simbody, whose figures are reported; margins are
 looked for in the same engine then, and confirmed by Simbody on either side of the edge; of the sensitivities
 Simbody confirms the importance of the three gains that matter most.
-Where the best found breaks a limit within the verdict's minutes (30 unless the study says otherwise), up to three
-points on the way back to the start are simulated as well, and the first that holds is the result.
+Where the best found fails the verdict's endurance or yield, up to three points on the way back to the start are
+simulated as well, and the first that passes is the result.
 controller: NAME tunes another controller's gains than the file's, from a start that the arm's inertia gives.
 max_minutes is wall time from start to last evaluation, of all sessions of a resumed run together: evaluations
 under way when it is over are finished; Simbody's last steps are within it (time for the best few is kept from

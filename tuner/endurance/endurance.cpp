@@ -92,7 +92,7 @@ std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
     const Gains gains = gains_of(scenario);
     const bool native = options.stepper != Stepper::kReference;
     auto result = endure_in(native ? Engine::kNative : Engine::kSimbody, scenario, gains, options, stop);
-    if (native && result && !result->held())
+    if (native && options.confirmed && result && !result->held())
       result = endure_in(Engine::kSimbody, scenario, gains, options, stop);
     const std::lock_guard lock(mutex);
     found[i] = std::move(result);

@@ -23,6 +23,7 @@ struct EnduranceOptions {
   int workers = 1;                               ///< threads
   std::function<void(std::size_t done, std::size_t all)> progress = {};  ///< scenarios; one call at a time
   double limit_share = 1.0;  ///< of velocity and effort limits, that has to be kept
+  bool confirmed = true;     ///< Simbody simulates what fails in the native engine, and has the last word
 };
 
 struct EnduranceResult {
@@ -47,8 +48,8 @@ Scenario extended_to(const Scenario& scenario, double seconds);
 std::vector<std::string> how_extended(const Scenario& scenario);
 
 /// Simulates every scenario for the asked time in the native engine, until a limit breaks. What fails there
-/// is simulated again in Simbody, whose result counts. gains_of: valid for the scenario's robot. Scenarios
-/// that were not done when `stop` became true are missing.
+/// is simulated again in Simbody, whose result counts, if that is asked for. gains_of: valid for the
+/// scenario's robot. Scenarios that were not done when `stop` became true are missing.
 std::vector<EnduranceResult> endure(const std::vector<Scenario>& scenarios,
                                     const std::function<Gains(const Scenario&)>& gains_of,
                                     const EnduranceOptions& options, const std::atomic<bool>& stop);

@@ -44,7 +44,7 @@ class Run {
   void search();
   /// The last steps of a search in the native engine: what it found, judged and refined by Simbody.
   void verify();
-  /// Where what was found breaks after the scenarios' end, takes what holds on the way back to the start.
+  /// Where what was found has a fault, takes what has none on the way back to the start.
   void turn_back();
   void interrupt();
   TuneResult result() &&;
@@ -78,10 +78,10 @@ class Run {
   Engine engine_ = Engine::kSimbody;  ///< that simulates now
   std::map<Engine, Seen> seen_;
   std::optional<Evaluation> best_of_sweep_;
-  std::optional<Evaluation> last_;     ///< evaluation that was taken in
-  std::optional<Evaluation> holding_;  ///< for long, on the way back from a best that does not
-  double kept_ = 0.0;                  ///< of the minutes for Simbody's last steps [s]
-  double seconds_ = 0.0;               ///< wall time at the last evaluation, as the journal has it [s]
+  std::optional<Evaluation> last_;       ///< evaluation that was taken in
+  std::optional<Evaluation> faultless_;  ///< on the way back from a best that has a fault
+  double kept_ = 0.0;                    ///< of the minutes for Simbody's last steps [s]
+  double seconds_ = 0.0;                 ///< wall time at the last evaluation, as the journal has it [s]
   TuneResult out_;
 };
 
@@ -245,24 +245,23 @@ void Run::verify() {
 
 void Run::turn_back() {
   const Seen& judged = seen_[Engine::kSimbody];
-  if (!callbacks_.breaks_later || out_.interrupted || judged.best().empty()) return;
+  if (!callbacks_.fault || out_.interrupted || judged.best().empty()) return;
   const Evaluation start = *judged.start;
   const Evaluation best = judged.best().front();
   if (!best.feasible || best.x == start.x) return;
-  const std::string broken = callbacks_.breaks_later(best.gains);
-  if (broken.empty()) return;
+  const std::string fault = callbacks_.fault(best.gains);
+  if (fault.empty()) return;
   for (const double share : kSharesOfTheWay) {
     if (!evaluator_.time_left()) return;
     std::vector<double> x = start.x;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * (best.x[i] - start.x[i]);
     if (!evaluate({{"verify", x}})) return interrupt();
-    if (!last_->feasible || !better(*last_, start) || !callbacks_.breaks_later(last_->gains).empty())
-      continue;
-    holding_ = last_;
+    if (!last_->feasible || !better(*last_, start) || !callbacks_.fault(last_->gains).empty()) continue;
+    faultless_ = last_;
     out_.passed_over = fmt::format(
-        "what the search found best (objective {:.4f}) breaks later ({}); the result holds, at {:.0f} % of the way there "
-        "from the start",
-        best.objective, broken, 100.0 * share);
+        "what the search found best (objective {:.4f}) fails a check ({}); the result passes it, {:.0f} % of the way "
+        "there from the start",
+        best.objective, fault, 100.0 * share);
     return;
   }
 }
@@ -283,7 +282,7 @@ TuneResult Run::result() && {
       out_.best = seen.best().front();
     }
   }
-  if (holding_ && !out_.interrupted) out_.best = *holding_;
+  if (faultless_ && !out_.interrupted) out_.best = *faultless_;
   if (best_of_sweep_ && best_of_sweep_->engine != Engine::kSimbody) {
     // The start is seen already and not simulated again.
     best_of_sweep_ = best_of_sweep_->x == out_.start.x ? std::optional(out_.start) : std::nullopt;

@@ -29,20 +29,21 @@ struct TuneCallbacks {
   /// of the two forms derivatives with), or verify (Simbody after another engine).
   std::function<void(const char* phase, const Evaluation&)> evaluated;
   std::function<void(const TuneProgress&)> progress;  ///< as `evaluated`
-  /// Whether gains hold for much longer than the scenarios last: nothing to complain of, or why they do not.
-  /// Empty: nobody asks. See TuneResult::best.
-  std::function<std::string(const Gains&)> breaks_later;
+  /// What checks that are too long for every evaluation find wrong with gains; empty text: nothing. No
+  /// function: there are none. See TuneResult::best.
+  std::function<std::string(const Gains&)> fault;
 };
 
-/// Where the best does not hold for long, how far from the start towards it gains are tried that may.
+/// Where the best has a fault, how far from the start towards it gains are tried that may have none.
 inline constexpr std::array kSharesOfTheWay = {0.5, 0.25, 0.1};
 
 struct TuneResult {
   Evaluation start;
   std::optional<Evaluation> best_of_sweep;  ///< as Simbody sees it
   /// Feasible if any feasible point was seen. Simbody's, but for an interrupted run that searched in another
-  /// engine: see its `engine`. Where it breaks later, the first of up to three points on the way back to the
-  /// start that does not, is feasible and better than the start; if there is none, still the best.
+  /// engine: see its `engine`. Where it has a fault (TuneCallbacks), the first of up to three points on the
+  /// way back to the start that has none, is feasible and better than the start; without such a point still
+  /// the best.
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;

@@ -61,7 +61,10 @@ SimulateSession::SimulateSession(RolloutSettings settings, GainsToSimulate gains
 SimulateOutcome SimulateSession::run() {
   const auto& scenarios = settings_.scenarios;
   warn_of_doubts(scenarios, observer_);
-  for (const Scenario& scenario : scenarios) warn_of_task(scenario, gains_.gains_of(scenario), observer_);
+  for (const Scenario& scenario : scenarios) {
+    for (const std::string& warning : warn_of_task(scenario, gains_.gains_of(scenario), observer_))
+      outcome_.verdict.notes.push_back(warning);
+  }
   const std::string& folder = settings_.folder;
   if (!folder.empty()) require_recording_memory(scenarios, settings_.record_every, settings_.workers);
   const FolderLock lock = make_run_folder(folder);

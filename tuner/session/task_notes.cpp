@@ -12,23 +12,27 @@
 
 namespace armtune::internal {
 
-void warn_of_task(const Scenario& scenario, const Gains& gains, SessionObserver& observer) {
+std::vector<std::string> warn_of_task(const Scenario& scenario, const Gains& gains,
+                                      SessionObserver& observer) {
+  std::vector<std::string> warnings;
   const auto [trouble, winds] = find_task_trouble(scenario, gains);
   if (winds) throw InputError(fmt::format("{}: {}", scenario.name, trouble));
-  if (!trouble.empty()) observer.warned(fmt::format("{}: {}", scenario.name, trouble));
+  if (!trouble.empty()) warnings.push_back(fmt::format("{}: {}", scenario.name, trouble));
   const double end = scenario.start_time + scenario.duration;
   if (scenario.path.spline && scenario.path.spline->begin() >= end) {
-    observer.warned(fmt::format(
+    warnings.push_back(fmt::format(
         "{}: the path's waypoints begin at {:.4g} s, and the scenario ends at {:.4g} s; if their times are not in "
         "seconds, say so: units: {{time: ms}}",
         scenario.name, scenario.path.spline->begin(), end));
   }
   if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
-    observer.warned(fmt::format(
+    warnings.push_back(fmt::format(
         "{}: the controller {} learns nothing, and the scenario tells it nothing of the arm, not even its "
         "weight; give it 'theta_start: {{model_scale: 1}}', or a theta from armtune identify",
         scenario.name, gains.controller));
   }
+  for (const std::string& warning : warnings) observer.warned(warning);
+  return warnings;
 }
 
 void warn_of_doubts(const std::vector<Scenario>& scenarios, SessionObserver& observer) {

@@ -13,42 +13,66 @@
 namespace armtune::internal {
 namespace {
 
-/// Adds margins, estimates and random arms; names those that an interruption left out.
-void add_deep_checks(const Study& study, const Gains& gains, int workers, const std::atomic<bool>& stop,
-                     TuneObserver& observer, SimulationVerdict& verdict) {
-  DeepCheckOptions how;
-  how.workers = workers;
-  how.progress = [&observer](const std::string& what, std::size_t done, std::size_t all) {
-    progress_of(observer, "checks: " + what)(done, all);
-  };
-  if (!add_margin_checks(study, gains, how, stop, verdict))
-    verdict.not_checked.emplace_back("stability margins (interrupted)");
-  if (!add_rotor_check(study, gains, how, stop, verdict))
-    verdict.not_checked.emplace_back("other rotor inertia than the estimated one (interrupted)");
-  if (!add_yield_check(study, gains, how, stop, verdict))
-    verdict.not_checked.emplace_back("arms that differ from the model (interrupted)");
-  observer.part_is_over();
+/// The first check that failed, in words; empty: none did.
+std::string failed(const SimulationVerdict& verdict) {
+  const auto found = std::find_if(verdict.checks.begin(), verdict.checks.end(),
+                                  [](const Check& check) { return !check.passed; });
+  return found == verdict.checks.end() ? std::string() : to_text(*found);
+}
+
+void append(const SimulationVerdict& more, SimulationVerdict& verdict) {
+  verdict.checks.insert(verdict.checks.end(), more.checks.begin(), more.checks.end());
+  for (const std::string& assumed : more.assumes) add_once(assumed, verdict.assumes);
 }
 
 }  // namespace
 
-std::string TuneSession::breaks_later(const Gains& gains) {
-  endured_with_ = gains_yaml(gains, {});
-  endured_ = endure(
+DeepCheckOptions TuneSession::deep_checks() const {
+  DeepCheckOptions how;
+  how.workers = settings_.workers;
+  how.progress = [&observer = observer_](const std::string& what, std::size_t done, std::size_t all) {
+    progress_of(observer, "checks: " + what)(done, all);
+  };
+  return how;
+}
+
+void TuneSession::extend_scenarios(const Gains& gains) {
+  made_.endured = endure(
       study_.scenarios, [&gains](const Scenario&) { return gains; },
       {study_.thresholds.minutes, study_.stepper, settings_.workers,
        progress_of(observer_, "checks: scenarios extended")},
       context_.stop);
   observer_.part_is_over();
-  if (endured_.size() < study_.scenarios.size()) return {};  // interrupted
-  SimulationVerdict verdict;
-  add_endurance_checks(endured_, study_.thresholds, "", verdict);
-  const auto failed = std::find_if(verdict.checks.begin(), verdict.checks.end(),
-                                   [](const Check& check) { return !check.passed; });
-  return failed == verdict.checks.end() ? std::string() : to_text(*failed);
 }
 
-/// What the search has looked at already is not simulated again.
+std::string TuneSession::fault_of(const Gains& gains) {
+  made_ = {gains_yaml(gains, {}), {}, {}};
+  if (study_.thresholds.minutes > 0.0) {
+    extend_scenarios(gains);
+    if (made_.endured.size() < study_.scenarios.size()) return {};  // interrupted
+    SimulationVerdict endurance;
+    add_endurance_checks(made_.endured, study_.thresholds, "", endurance);
+    if (std::string fault = failed(endurance); !fault.empty()) return fault;
+  }
+  SimulationVerdict yield;
+  const bool whole = add_yield_check(study_, gains, deep_checks(), context_.stop, yield);
+  observer_.part_is_over();
+  if (!whole) return {};
+  made_.yield = std::move(yield);
+  return failed(*made_.yield);
+}
+
+/// What the search has asked for already is not simulated again.
+void TuneSession::check_yield() {
+  const Gains& gains = outcome_.result.best.gains;
+  if (made_.yield && made_.gains == gains_yaml(gains, {})) {
+    append(*made_.yield, outcome_.verdict);
+  } else if (!add_yield_check(study_, gains, deep_checks(), context_.stop, outcome_.verdict)) {
+    outcome_.verdict.not_checked.emplace_back("arms that differ from the model (interrupted)");
+  }
+  observer_.part_is_over();
+}
+
 void TuneSession::check_endurance() {
   SimulationVerdict& verdict = outcome_.verdict;
   if (study_.thresholds.minutes <= 0.0) {
@@ -56,13 +80,14 @@ void TuneSession::check_endurance() {
     return;
   }
   const Gains& gains = outcome_.result.best.gains;
-  if (endured_with_ != gains_yaml(gains, {})) breaks_later(gains);
-  observer_.extended(endured_);
-  if (endured_.size() < study_.scenarios.size()) {
+  if (made_.endured.size() < study_.scenarios.size() || made_.gains != gains_yaml(gains, {}))
+    extend_scenarios(gains);
+  observer_.extended(made_.endured);
+  if (made_.endured.size() < study_.scenarios.size()) {
     verdict.not_checked.emplace_back("endurance (interrupted)");
     return;
   }
-  add_endurance_checks(endured_, study_.thresholds, "", verdict);
+  add_endurance_checks(made_.endured, study_.thresholds, "", verdict);
 }
 
 /// Makes every check of the search's result: constraints, the start, the arm's own limits in the study's
@@ -75,7 +100,12 @@ void TuneSession::check(bool analysed) {
   add_rollout_checks(outcome_.sets[1].results, "", verdict);
   add_contact_checks(study_.scenarios, outcome_.sets[1].results, "", verdict);
   if (analysed) {
-    add_deep_checks(study_, result.best.gains, settings_.workers, context_.stop, observer_, verdict);
+    const Gains& gains = result.best.gains;
+    if (!add_margin_checks(study_, gains, deep_checks(), context_.stop, verdict))
+      verdict.not_checked.emplace_back("stability margins (interrupted)");
+    if (!add_rotor_check(study_, gains, deep_checks(), context_.stop, verdict))
+      verdict.not_checked.emplace_back("other rotor inertia than the estimated one (interrupted)");
+    check_yield();
     check_endurance();
   } else {
     for (const char* what :
@@ -88,6 +118,7 @@ void TuneSession::check(bool analysed) {
   add_assumptions(study_.scenarios, study_.stepper, verdict);
   add_controller_assumption(study_.scenarios, result.best.gains, verdict);
   verdict.notes = loosened(study_.thresholds);
+  verdict.notes.insert(verdict.notes.end(), task_warnings_.begin(), task_warnings_.end());
   if (!result.passed_over.empty()) verdict.notes.push_back(result.passed_over);
   if (study_.given) verdict.notes.push_back(given_note(study_));
   for (const ComparedSet& set : outcome_.sets)

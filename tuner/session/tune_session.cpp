@@ -37,7 +37,10 @@ std::optional<TuneOutcome> TuneSession::run(RankGroup& ranks) {
   warn_of_clamped(study_, observer_);
   warn_of_doubts(study_.scenarios, observer_);
   // Before the start gains are simulated: a task that none can do may be why they do not complete it.
-  for (const Scenario& scenario : study_.scenarios) warn_of_task(scenario, study_.space.start, observer_);
+  for (const Scenario& scenario : study_.scenarios) {
+    for (const std::string& warning : warn_of_task(scenario, study_.space.start, observer_))
+      task_warnings_.push_back(warning);
+  }
   CandidateRunner workers(ranks.pool(), study_.robust);
   count_ = workers.count();
   search(workers);
@@ -93,8 +96,7 @@ TuneResult TuneSession::search_with_files(CandidateRunner& workers) {
     file.emplace(folder() + "/evaluations.csv", study_, std::vector<ExtraColumn>(),
                  AppendFile::Open::kReplace);
   };
-  if (settings_.analysis && study_.thresholds.minutes > 0.0)
-    callbacks.breaks_later = [this](const Gains& gains) { return breaks_later(gains); };
+  if (settings_.analysis) callbacks.fault = [this](const Gains& gains) { return fault_of(gains); };
   callbacks.evaluated = [&](const char* phase, const Evaluation& e) {
     if (so_far.evaluations++ == 0 || better(e, so_far.best)) so_far.best = e;
     evaluations_.push_back({study_.space.point_of(e.gains), e.objective, e.violation});

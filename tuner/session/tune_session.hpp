@@ -21,6 +21,7 @@
 #include "tuner/sensitivity/sensitivity.hpp"
 #include "tuner/session/journalled_run.hpp"
 #include "tuner/session/yardstick_files.hpp"
+#include "tuner/verdict/search_checks.hpp"
 #include "tuner/verdict/verdict.hpp"
 #include "tuner/workers/rank_group.hpp"
 
@@ -87,16 +88,19 @@ class TuneSession {
   bool writes() const { return !settings_.place.folder.empty(); }
   const std::string& folder() const { return settings_.place.folder; }
   void begin();
-  /// Extends the study's scenarios under these gains; kept for the checks. Returns what broke; empty:
-  /// nothing.
-  std::string breaks_later(const Gains& gains);
+  /// Extends the study's scenarios under these gains, then simulates random arms; keeps both for the checks.
+  /// Returns what failed; empty: nothing.
+  std::string fault_of(const Gains& gains);
   void search(CandidateRunner& workers);
   TuneResult search_with_files(CandidateRunner& workers);
   void verify(RankGroup& ranks);
   void write_reports();
   bool analyse(CandidateRunner& workers);
   void check(bool analysed);
+  void extend_scenarios(const Gains& gains);
+  void check_yield();
   void check_endurance();
+  DeepCheckOptions deep_checks() const;
   void write_controllers_if_any();
   void conclude(bool analysed);
 
@@ -109,8 +113,13 @@ class TuneSession {
   int count_ = 1;  ///< of the search's workers
   std::vector<EvaluationRow> evaluations_;
   std::vector<YardstickFiles> yardsticks_ = std::vector<YardstickFiles>(2);
-  std::vector<EnduranceResult> endured_;  ///< the study's scenarios, extended under the gains of this file
-  std::string endured_with_;
+  /// Checks that the search asked for already, of the gains of this file.
+  struct {
+    std::string gains;
+    std::vector<EnduranceResult> endured;
+    std::optional<SimulationVerdict> yield;
+  } made_;
+  std::vector<std::string> task_warnings_;  ///< notes of the verdict
   TuneOutcome outcome_;
 };
 

@@ -76,30 +76,28 @@ TEST(Tune, TheBestIsFeasibleIfAnyPointWas) {
   EXPECT_EQ(tuned.result.best.feasible, any);
 }
 
-/// A tuning of which `breaks` says, of one gain set after the other, whether it holds for long.
-struct LongRun {
+/// A tuning in which `breaks` says, of one gain set after the other, whether it has a fault.
+struct CheckedRun {
   TuneResult result;
   std::vector<Evaluation> evaluations;
   int asked = 0;
 };
 
-LongRun tuned_for_long(const Study& study, const std::function<bool(int asked)>& breaks) {
-  LongRun run;
+CheckedRun tuned_with_checks(const Study& study, const std::function<bool(int asked)>& breaks) {
+  CheckedRun run;
   const std::atomic<bool> never{false};
   CandidateRunner workers(study.scenarios, study.stepper, 2);
   TuneCallbacks callbacks;
   callbacks.evaluated = [&run](const char*, const Evaluation& e) { run.evaluations.push_back(e); };
-  callbacks.breaks_later = [&](const Gains&) {
-    return std::string(breaks(run.asked++) ? "after a minute" : "");
-  };
+  callbacks.fault = [&](const Gains&) { return std::string(breaks(run.asked++) ? "after a minute" : ""); };
   run.result = tune(study, workers, never, callbacks);
   return run;
 }
 
-TEST(Tune, WhereTheBestBreaksLaterItTurnsBackTowardsTheStart) {
+TEST(Tune, WhereTheBestHasAFaultItTurnsBackTowardsTheStart) {
   const ShortStudy files;
   const Study study = load_study(files.path());
-  const LongRun holds = tuned_for_long(study, [](int) { return false; });
+  const CheckedRun holds = tuned_with_checks(study, [](int) { return false; });
   const Evaluation& best = holds.result.best;
   const Evaluation& start = holds.result.start;
   EXPECT_EQ(holds.asked, 1) << "of the best alone";
@@ -107,7 +105,7 @@ TEST(Tune, WhereTheBestBreaksLaterItTurnsBackTowardsTheStart) {
   ASSERT_TRUE(better(best, start));
 
   // The first on the way back breaks as well, the second holds.
-  const LongRun back = tuned_for_long(study, [](int asked) { return asked < 2; });
+  const CheckedRun back = tuned_with_checks(study, [](int asked) { return asked < 2; });
   EXPECT_EQ(back.asked, 3);
   ASSERT_EQ(back.evaluations.size(), holds.evaluations.size() + 2);
   for (std::size_t i = 0; i < best.x.size(); ++i) {
@@ -121,7 +119,7 @@ TEST(Tune, WhereTheBestBreaksLaterItTurnsBackTowardsTheStart) {
               testing::AllOf(testing::HasSubstr("after a minute"), testing::HasSubstr("25 %")));
 
   // Nothing holds: the best stays.
-  const LongRun never = tuned_for_long(study, [](int) { return true; });
+  const CheckedRun never = tuned_with_checks(study, [](int) { return true; });
   EXPECT_EQ(never.result.best.x, best.x);
   EXPECT_EQ(never.result.passed_over, "");
   EXPECT_EQ(never.evaluations.size(), holds.evaluations.size() + kSharesOfTheWay.size());
