@@ -43,7 +43,6 @@ TEST(Tables, FitEightyColumns) {
   ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
   expect_narrow(tuned.out, 12);
   expect_narrow(run_program({"compare", run + "/start", run, "--out", study / "compared"}).out, 5);
-  expect_narrow(run_program({"margins", run, "--scenarios", study / "short.yaml"}).out, 4);
   expect_narrow(run_program({"robustness", run, "--scenarios", study / "short.yaml", "--samples", "2",
                              "--out", study / "arms"})
                     .out,

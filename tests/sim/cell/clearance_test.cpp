@@ -223,8 +223,11 @@ TEST(ClearanceWatch, MissesNoContactOfTheArmWithItselfThatLastsAMoment) {
   std::mt19937 generator(17);
   const auto arm = load_robot("ur5e");
   int planted = 0;
-  for (int sample = 0; sample < 60; ++sample) {
+  const ClearanceModel bare(arm, Cell{});
+  for (int sample = 0; sample < 400 && planted < 30; ++sample) {
     const Swing swing(generator, *arm);
+    // Swings in which the arm meets itself anyway say nothing of a pin.
+    if (least_of(Clearance::kSelf, by_force(bare, swing, 500)).distance < 0.0) continue;
     const int when = static_cast<int>(random_number(generator, 50.0, 450.0));
     const Poses poses = test::poses_at(arm->chain, swing.at(0.002 * when));
     const Vec3 before = test::poses_at(arm->chain, swing.at(0.002 * (when - 1))).p_0T;
@@ -248,10 +251,9 @@ TEST(ClearanceWatch, MissesNoContactOfTheArmWithItselfThatLastsAMoment) {
     const LeastClearance& found = least_of(Clearance::kSelf, watch.least());
     EXPECT_EQ(found.distance, expected.distance) << sample;
     EXPECT_EQ(found.time, expected.time) << sample;
-    // In some swings the arm meets itself elsewhere, and deeper.
-    planted += found.distance < 0.0 && std::abs(found.time - 0.002 * when) < 0.02 ? 1 : 0;
+    planted += found.distance < 0.0 ? 1 : 0;
   }
-  EXPECT_GT(planted, 20);
+  EXPECT_EQ(planted, 30);
 }
 
 TEST(ClearanceNow, FindsTheSmallestDistancesOfEveryMoment) {

@@ -92,7 +92,7 @@ TEST(Endurance, SeesParameterDriftAndTheBoundsPreventIt) {
 }
 
 TEST(Endurance, AShareOfTheLimitsBreaksWhereTheMetricsReachIt) {
-  const Scenario scenario = test::scenario_of("realistic_fixed_target", 5.0);
+  const Scenario scenario = test::scenario_of("realistic_fixed_target", 20.0);
   const Gains gains = load_gains("extended_tuned", joint_names(*scenario.robot));
   const Metrics reached = Rollout(scenario, Stepper::kMidpoint, Engine::kSimbody).run(gains).metrics;
   const double share =
@@ -105,7 +105,8 @@ TEST(Endurance, AShareOfTheLimitsBreaksWhereTheMetricsReachIt) {
     return endure(
         {scenario}, [&gains](const Scenario&) { return gains; }, options, kNever)[0];
   };
-  EXPECT_TRUE(with(1.001 * share).held());
+  const EnduranceResult kept = with(1.001 * share);
+  EXPECT_TRUE(kept.held()) << (kept.broken ? to_string(*kept.broken) : kept.ended);
   const EnduranceResult broken = with(0.999 * share);
   ASSERT_TRUE(broken.broken);
   EXPECT_EQ(broken.broken->share, 0.999 * share);

@@ -87,8 +87,10 @@ std::string study_of(const test::TemporaryFolder& folder, const std::string& fro
   const auto at = gains.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   folder.write("gains.yaml", gains.replace(at, from.size(), to));
-  return folder.write("study.yaml", "{gains: gains.yaml, scenarios: [" + example +
-                                        "moves.yaml], parameters: [" + parameters + "]}\n");
+  return folder.write("study.yaml",
+                      "{gains: gains.yaml, scenarios: [" + example +
+                          "moves.yaml], objective: [{metric: joint_error/rms, weight: 1}], parameters: [" +
+                          parameters + "]}\n");
 }
 
 // Such gains complete the motion; nothing tuned from a fifth to five times their values would hold still.

@@ -8,6 +8,7 @@
 #include "core/robot/kinematics.hpp"
 #include "core/trajectory/polyline.hpp"
 #include "sim/cell/stl_file.hpp"
+#include "tests/sim/cell/rods.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/tuner/report/support/decode.hpp"
 #include "tests/tuner/report/support/recorded.hpp"
@@ -80,6 +81,36 @@ TEST(Scene, ObstaclesHaveTheirBodiesAndOlderFilesPoints) {
   EXPECT_EQ(older.scenarios[0].obstacles[0].radius, 0.0);
   EXPECT_EQ(older.scenarios[0].obstacles[0].path.at(3.0).position,
             scene.scenarios[0].obstacles[0].path.at(3.0).position);
+}
+
+TEST(Scene, TheCellReadsBackWithItsShapesAndPlaces) {
+  const TemporaryFolder folder;
+  Scenario scenario = test::scenario_of("moving_target");
+  Cell cell;
+  cell.floor = -0.25;
+  cell.parts.push_back(test::part("table", box({0.6, 0.8, 0.05}), {0.7, 0.0, -0.1}));
+  cell.parts.push_back(test::part("post", capsule(0.05, 1.0), {-0.5, 0.4, 0.3}));
+  const Path round{Vec3(0.0, 0.0, 0.8), 1.3, 0.0, {{1, Vec3(0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0)}}};
+  cell.parts.push_back({"ball", sphere(0.1), Mat3::Identity(), round});
+  scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, cell);
+  const Scene read = read_scene(folder.write("scene.json", scene_json(scene_of({scenario}, {}, 0.0))));
+  const SceneScenario& shown = read.scenarios[0];
+  ASSERT_TRUE(shown.floor);
+  EXPECT_EQ(*shown.floor, -0.25);
+  ASSERT_EQ(shown.cell.size(), 3U);
+  const auto expect = [&shown](std::size_t i, const char* name, ShapeKind kind,
+                               const std::vector<double>& size) {
+    EXPECT_EQ(shown.cell[i].name, name);
+    EXPECT_EQ(shown.cell[i].shape.kind, kind) << name;
+    EXPECT_EQ(shown.cell[i].shape.size, size) << name;
+  };
+  expect(0, "table", ShapeKind::kBox, {0.6, 0.8, 0.05});
+  expect(1, "post", ShapeKind::kCapsule, {0.05, 1.0});
+  expect(2, "ball", ShapeKind::kSphere, {0.1});
+  for (const double t : {0.0, 2.9}) {
+    EXPECT_EQ(shown.cell[0].path.at(t).position, Vec3(0.7, 0.0, -0.1));
+    EXPECT_EQ(shown.cell[2].path.at(t).position, round.at(t).position);
+  }
 }
 
 TEST(Scene, PathsThroughKnotsReadBackAndAreDrawnWhole) {
