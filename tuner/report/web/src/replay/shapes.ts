@@ -26,6 +26,8 @@ export function geometryOf(shape: Shape): BufferGeometry {
       return alongZ(new CylinderGeometry(a, a, b, 40));
     case "capsule":
       return alongZ(new CapsuleGeometry(a, b, 10, 28));
+    case "shape without size":
+      return new BufferGeometry();
     case "mesh": {
       const [sx = 1, sy = 1, sz = 1] = shape.size;
       const geometry = new BufferGeometry();
