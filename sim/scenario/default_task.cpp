@@ -82,17 +82,20 @@ class Placing {
     const double lowest = floor_ + kAboveFloor + kRadius * size_;
     const std::vector<TaskPlace> places = task_places(arm_, task_.scenario.mask, lowest, thorough_);
     // Better a smaller circle than one that leads to a joint's limit.
-    std::set<std::pair<int, std::size_t>> taken;  // halvings of a place
-    for (const double margin : {0.5 * kEnoughMargin, 0.2 * kEnoughMargin}) {
-      least_margin_ = margin;
-      for (int halving = 0; halving <= kHalvings; ++halving) {
-        for (std::size_t k = 0; k < places.size(); ++k) {
-          if (taken.contains({halving, k}) || !place_at(places[k], 1.0 / (1 << halving))) continue;
-          taken.insert({halving, k});
-          found.push_back(task_);
-          if (found.size() == count) return found;
-        }
+    std::set<std::pair<int, std::size_t>> close;  // halvings of places that only their margin is against
+    for (int halving = 0; halving <= kHalvings; ++halving) {
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        const Fit fit = place_at(places[k], 1.0 / (1 << halving), 0.5 * kEnoughMargin);
+        if (fit == Fit::kCloseToALimit) close.emplace(halving, k);
+        if (fit != Fit::kGood) continue;
+        found.push_back(task_);
+        if (found.size() == count) return found;
       }
+    }
+    for (const auto& [halving, k] : close) {
+      if (place_at(places[k], 1.0 / (1 << halving), 0.2 * kEnoughMargin) != Fit::kGood) continue;
+      found.push_back(task_);
+      if (found.size() == count) return found;
     }
     return found;
   }
@@ -119,30 +122,34 @@ class Placing {
   }
 
  private:
-  bool place_at(const TaskPlace& place, double shrunk) {
-    if (!(place.manipulability > kSingular * std::pow(size_, 3))) return false;
+  enum class Fit { kNone, kCloseToALimit, kGood };
+
+  /// least_margin: share of a joint's range that the whole task has to keep from its limits.
+  Fit place_at(const TaskPlace& place, double shrunk, double least_margin) {
+    if (!(place.manipulability > kSingular * std::pow(size_, 3))) return Fit::kNone;
     Scenario& scenario = task_.scenario;
     Poses poses;
     forward_kinematics(arm_.chain, place.q, poses);
     const double ahead = distance_ahead(poses, arm_, floor_, size_);
     if (ahead < kNearest * size_) {
       ++lows_;
-      return false;
+      return Fit::kNone;
     }
     put_task(poses, ahead, size_, shrunk, scenario);
     // From the circle's centre to where it begins.
     task_.goal = place.q;
     ToolGoal begin{scenario.path.at(0.0).position, {}};
     if (tracks_orientation(scenario.mask)) begin.target = scenario.targets[0].path.center;
-    if (!reach_goal(arm_, begin, task_.goal)) return false;
-    const PathWalk walk = walk_path(scenario, task_.goal, kCentering);
-    if (touches(walk)) return false;
-    if (!is_clear(walk) || walk.margin.value < least_margin_ || !is_free(walk)) return false;
+    if (!reach_goal(arm_, begin, task_.goal)) return Fit::kNone;
+    const PathWalk walk = walk_path(scenario, task_.goal, kCentering, 0.0, WalkUntil::kLost);
+    if (touches(walk) || !is_clear(walk)) return Fit::kNone;
+    if (walk.margin.value < least_margin) return Fit::kCloseToALimit;
+    if (!is_free(walk)) return Fit::kNone;
     task_.manipulability = walk.manipulability.value;
     task_.load = walk.load.value;
     task_.loaded = walk.loaded;
     scenario.start_position = start_off(task_.goal);
-    return true;
+    return Fit::kGood;
   }
 
   /// Joint positions (n) off the goal, from which the way to it burdens no joint much more than the task
@@ -219,7 +226,6 @@ class Placing {
   double floor_;
   bool thorough_;
   double size_;
-  double least_margin_ = 0.0;  ///< share of a joint's range that the whole task keeps from its limits
   WalkPlace lightest_{0.0, Vec3::Zero(),
                       PathWalk::kUnseen};  ///< of the walks that only their load was against
   int loaded_ = 0;                         ///< joint whose load it is

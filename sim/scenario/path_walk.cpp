@@ -142,7 +142,7 @@ ToolAim aim_at(const Scenario& scenario, double time, OrientationPoint& wanted) 
 
 /// Over `walked` seconds; the joints that it ends with are left in q.
 PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, double centering_gain,
-                  double roll_gain) {
+                  double roll_gain, WalkUntil until) {
   const RobotModel& robot = *scenario.robot;
   const double scale = std::min(1.0, std::pow(reach(robot), 3));
   const InverseDamping damping{1e-3 * scale, 1e-3 * scale, 1.0};
@@ -170,22 +170,25 @@ PathWalk walk_for(const Scenario& scenario, double walked, JointVector& q, doubl
     walk.ended = time;
     q = joints.position;
     if (!std::isfinite(walk.error.value)) break;
+    if (until == WalkUntil::kLost && (is_off_path(walk) || walk.margin.value < 0.0)) break;
   }
   return walk;
 }
 
 }  // namespace
 
-PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain, double roll_gain) {
+PathWalk walk_path(const Scenario& scenario, const JointVector& q, double centering_gain, double roll_gain,
+                   WalkUntil until) {
   const double walked = walked_time(scenario);
   JointVector end = q;
-  PathWalk walk = walk_for(scenario, walked, end, centering_gain, roll_gain);
+  PathWalk walk = walk_for(scenario, walked, end, centering_gain, roll_gain, until);
+  if (until == WalkUntil::kLost && !can_follow(walk)) return walk;
   // A lap about the base winds a joint up: the next one does not begin where this one did. Where as many as
   // there are may lead to a limit, all of them are gone.
   const JointVector wound = q + scenario.duration / walked * (end - q);
   if (walked >= scenario.duration || tightest_joint(*scenario.robot, wound).margin >= 0.0) return walk;
   end = q;
-  return walk_for(scenario, scenario.duration, end, centering_gain, roll_gain);
+  return walk_for(scenario, scenario.duration, end, centering_gain, roll_gain, until);
 }
 
 namespace {

@@ -43,6 +43,29 @@ TEST(PathWalk, FollowsThePathAndMeasuresTheArmOnIt) {
   EXPECT_EQ(walk.manipulability.tool, scenario.path.at(walk.manipulability.time).position);
 }
 
+TEST(PathWalk, EndsEarlyWhereItIsLostAndIsTheSameWhereItIsNot) {
+  const Scenario scenario = load_scenario("moving_target");
+  int followed = 0, shorter = 0;
+  for (unsigned sample = 0; sample < 60; ++sample) {
+    JointVector q = sample_position(*scenario.robot, sample);
+    reach_goal(*scenario.robot, {scenario.path.at(0.0).position, {}}, q);
+    const PathWalk whole = walk_path(scenario, q, 0.2);
+    const PathWalk early = walk_path(scenario, q, 0.2, 0.0, WalkUntil::kLost);
+    ASSERT_EQ(can_follow(early), can_follow(whole)) << sample;
+    if (!can_follow(whole)) {
+      shorter += early.steps < whole.steps ? 1 : 0;
+      continue;
+    }
+    ++followed;
+    EXPECT_EQ(early.steps, whole.steps);
+    EXPECT_EQ(early.margin.value, whole.margin.value);
+    EXPECT_EQ(early.load.value, whole.load.value);
+    EXPECT_EQ(early.manipulability.value, whole.manipulability.value);
+  }
+  EXPECT_GE(followed, 3);
+  EXPECT_GE(shorter, 3);
+}
+
 TEST(PathWalk, SaysWhereThePathLeavesTheWorkspace) {
   Scenario scenario = load_scenario("moving_target");
   scenario.path.terms = {{1, Vec3(0.0, 0.0, 0.0), Vec3(-0.9, 0.0, 0.0)}};  // out to 1.55 m
