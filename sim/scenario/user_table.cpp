@@ -38,6 +38,10 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (++number == 1) separator = find_separator(line);
+    if (line.find_first_not_of(" \t") == std::string_view::npos) {
+      if (number == 1) throw InputError(fmt::format("{}:1: the first line is empty; take it out", path));
+      if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) break;  // empty lines at the end
+    }
     if (std::count(line.begin(), line.end(), separator) > kMostCells)
       throw InputError(
           fmt::format("{}:{}: more than {} cells in one line; is it a CSV file?", path, number, kMostCells));
@@ -67,6 +71,35 @@ bool is_number(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
+/// The name of a column without the unit behind it, "x [m]" or "time (s)", which has to be what the file's
+/// numbers are said to be.
+std::string without_unit(std::string_view name, const UserTable& file) {
+  const std::size_t open = name.find_last_of("[(");
+  if (open == std::string_view::npos || open == 0 || !(name.ends_with(']') || name.ends_with(')')))
+    return std::string(name);
+  const std::string unit(name.substr(open + 1, name.size() - open - 2));
+  const std::string where = fmt::format("{}:1: column {}", file.path, shown(std::string(name)));
+  if (!yaml::check_unit(unit, file.units, where)) return std::string(name);
+  const std::size_t last = name.find_last_not_of(' ', open - 1);
+  return std::string(name.substr(0, last == std::string_view::npos ? 0 : last + 1));
+}
+
+/// The first line of a table with commas as armtune calls its columns.
+std::string plain_names(const std::string& line, const UserTable& file) {
+  std::vector<std::string_view> cells;
+  split_cells(line, ',', cells);
+  std::vector<std::string> plain;
+  for (const std::string_view cell : cells) plain.push_back(without_unit(cell, file));
+  const auto is_time = [](const std::string& name) { return name == "time" || name == "Time"; };
+  if (std::none_of(plain.begin(), plain.end(), is_time)) {
+    const auto t = std::find_if(plain.begin(), plain.end(), [](const std::string& name) {
+      return name == "t" || name == "T" || name == "time_from_start";
+    });
+    if (t != plain.end()) *t = "time";
+  }
+  return fmt::format("{}", fmt::join(plain, ","));
+}
+
 /// Whether the first line of a table with commas holds numbers and no names.
 bool has_no_names(const std::string& text) {
   std::vector<std::string_view> cells;
@@ -93,6 +126,7 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
   const std::string& path = file.path;
   std::string text = with_commas(read_input_file(path, kMostBytes, "a CSV file"), path, names);
   std::string name = path;
+  const std::size_t end = std::min(text.find('\n'), text.size());  // of the line of names
   if (has_no_names(text)) {
     if (file.columns.empty()) {
       throw InputError(fmt::format(
@@ -103,7 +137,9 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
     text = fmt::format("{}\n{}", fmt::join(file.columns, ","), text);
     name += " (below a line of names)";
   } else if (!file.columns.empty()) {
-    text = fmt::format("{}{}", fmt::join(file.columns, ","), text.substr(text.find('\n')));
+    text = fmt::format("{}{}", fmt::join(file.columns, ","), text.substr(end));
+  } else {
+    text = plain_names(text.substr(0, end), file) + text.substr(end);
   }
   return {CsvTable::parse(text, name, CsvOrigin::kUser), name};
 }

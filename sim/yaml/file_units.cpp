@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
 #include <string_view>
 
+#include "armtune/error.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal::yaml {
@@ -50,6 +52,20 @@ FileUnits read_file_units(const Node& node, const char* allowed) {
   }
   map.finish();
   return units;
+}
+
+bool check_unit(const std::string& unit, const FileUnits& units, const std::string& where) {
+  const auto found =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return unit == u.name; });
+  if (found == kUnits.end()) return false;
+  const std::string_view key = found->key;
+  const double said = key == "time"     ? units.time
+                      : key == "length" ? units.length
+                      : key == "angle"  ? units.angle
+                                        : units.torque;
+  if (said == found->factor) return true;
+  throw InputError(fmt::format("{} is in {}; say so where the file is named: units: {{{}: {}}}", where, unit,
+                               found->key, unit));
 }
 
 }  // namespace armtune::internal::yaml

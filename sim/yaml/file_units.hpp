@@ -18,4 +18,8 @@ struct FileUnits {
 /// `allowed` does not name: a list of keys with blanks between them.
 FileUnits read_file_units(const Node& node, const char* allowed);
 
+/// Throws InputError that begins with `where` for a unit of a column that the file's `units` contradict.
+/// False: `unit` is none of those that read_file_units knows.
+bool check_unit(const std::string& unit, const FileUnits& units, const std::string& where);
+
 }  // namespace armtune::internal::yaml

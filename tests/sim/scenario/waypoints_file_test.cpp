@@ -36,6 +36,42 @@ TEST(WaypointsFile, AnySeparatorAndCapitalsGiveTheSamePath) {
             expected);
 }
 
+TEST(WaypointsFile, UnitsBehindNamesHaveToBeTheFiles) {
+  const test::TemporaryFolder folder;
+  const Vec3 expected = halfway(folder.write("commas.csv", kCommas));
+  const std::string rows = kCommas.substr(kCommas.find('\n') + 1);
+  for (const char* names :
+       {"t,x,y,z", "T;X;Y;Z", "Time [s],x [m],y [m],z [m]", "time_from_start,x(m),y (m),z"}) {
+    std::string text = std::string(names) + "\n" + rows;
+    if (text.find(';') != std::string::npos) std::replace(text.begin(), text.end(), ',', ';');
+    EXPECT_EQ(halfway(folder.write("named.csv", text)), expected) << names;
+  }
+  const std::string path = folder.write("units.csv", "time [ms],x [mm],y [mm],z [mm]\n" + rows);
+  const auto read = [&](const yaml::FileUnits& units) { return load_waypoints({path, units, {}}, false); };
+  EXPECT_THAT(test::refusal([&] { read({}); }),
+              AllOf(HasSubstr("units.csv:1: column 'time [ms]' is in ms"), HasSubstr("units: {time: ms}")));
+  yaml::FileUnits units;
+  units.time = 1e-3;
+  EXPECT_THAT(test::refusal([&] { read(units); }),
+              AllOf(HasSubstr("column 'x [mm]' is in mm"), HasSubstr("units: {length: mm}")));
+  units.length = 1e-3;
+  EXPECT_LT((read(units).at(2.5e-3).position - 1e-3 * expected).norm(), 1e-15);
+  // What is no unit is part of the name.
+  EXPECT_THAT(test::refusal([&] { halfway(folder.write("other.csv", "time,x,y,z [up]\n" + rows)); }),
+              HasSubstr("z [up]"));
+}
+
+TEST(WaypointsFile, EmptyLinesMayStandAtTheEndAlone) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(halfway(folder.write("more.csv", kCommas + "\r\n  \n\n")),
+            halfway(folder.write("commas.csv", kCommas)));
+  EXPECT_THAT(test::refusal([&] { halfway(folder.write("first.csv", "\n" + kCommas)); }),
+              HasSubstr("first.csv:1: the first line is empty"));
+  EXPECT_THAT(test::refusal([&] { halfway(folder.write("amid.csv", kCommas + "\n10,-0.7,0.2,0.4\n")); }),
+              HasSubstr("amid.csv:5"));
+  EXPECT_THAT(test::refusal([&] { halfway(folder.write("none.csv", "")); }), HasSubstr("none.csv"));
+}
+
 TEST(WaypointsFile, NumbersWithCommasAreNamed) {
   const test::TemporaryFolder folder;
   const std::string path = folder.write("comma.csv", "time;x;y;z\n0;0,65;0;0\n1;0,7;0;0\n");
