@@ -1,5 +1,7 @@
 #include "core/robot/rotor_estimate.hpp"
 
+#include <algorithm>
+
 namespace armtune::internal {
 
 void estimate_rotors(RobotModel& model) {
@@ -10,6 +12,11 @@ void estimate_rotors(RobotModel& model) {
     inertia = kRotorTime * joint.limits.effort / joint.limits.velocity;
     model.estimated_rotors.push_back(joint.name);
   }
+}
+
+bool has_estimated_rotor(const RobotModel& model, int i) {
+  const std::string& name = model.joints[static_cast<std::size_t>(i)].name;
+  return std::count(model.estimated_rotors.begin(), model.estimated_rotors.end(), name) > 0;
 }
 
 }  // namespace armtune::internal

@@ -23,4 +23,7 @@ inline constexpr double kRotorFactor = 3.0;
 /// [kg m^2, kg], and adds its name to `estimated_rotors`.
 void estimate_rotors(RobotModel& model);
 
+/// Returns whether the rotor inertia of joint i (0 ..) is an estimate.
+bool has_estimated_rotor(const RobotModel& model, int i);
+
 }  // namespace armtune::internal

@@ -45,11 +45,6 @@ void multiply(JointVector& factors, const JointVector& by) {
   factors = factors.size() > 0 ? JointVector(factors.cwiseProduct(by)) : by;
 }
 
-bool has_estimated_rotor(const RobotModel& robot, int i) {
-  const std::string& name = robot.joints[static_cast<std::size_t>(i)].name;
-  return std::count(robot.estimated_rotors.begin(), robot.estimated_rotors.end(), name) > 0;
-}
-
 /// From factors (n) of 1 +- width: of an estimated rotor inertia, the logarithm is uniform.
 JointVector rotor_factors(const RobotModel& robot, JointVector drawn, double width) {
   if (width == 0.0) return drawn;

@@ -10,6 +10,7 @@
 
 #include "core/control/pose_search.hpp"
 #include "core/robot/dynamics.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
@@ -23,6 +24,7 @@ constexpr double kManyTurns = 25.0;     // rad
 constexpr double kFastest = 30.0;       // rad/s
 constexpr double kFingerStroke = 0.15;  // m
 constexpr double kClawTurn = 1.3;       // rad; wrists turn by more than half a turn
+constexpr double kOtherRotor = 100.0;   // times what the rule of rotor_estimate.hpp gives, or its inverse
 constexpr unsigned kPoses = 500;
 
 using Names = std::vector<std::string>;
@@ -83,6 +85,27 @@ void doubt_links(const RobotModel& robot, std::vector<Doubt>& doubts) {
       of_wide, doubts);
   add(narrow, "the radius of gyration of these links is less than 2 mm; give inertia in kg m^2", of_narrow,
       doubts);
+}
+
+/// Rotors that do not go with their joints' limits: often the gear ratio is left out. Of those that are
+/// marked as an estimate the verdict says so.
+void doubt_rotors(const RobotModel& robot, std::vector<Doubt>& doubts) {
+  RobotModel ruled = robot;
+  ruled.chain.rotor_inertia.setZero();
+  estimate_rotors(ruled);
+  Names names;
+  for (int i = 0; i < robot.n(); ++i) {
+    const double rotor = robot.chain.rotor_inertia[i];
+    const bool marked = has_estimated_rotor(robot, i);
+    const double rule = ruled.chain.rotor_inertia[i];
+    if (marked || rotor == 0.0 || (rotor >= rule / kOtherRotor && rotor <= rule * kOtherRotor)) continue;
+    names.push_back(
+        fmt::format("{} ({:.2g}, not {:.2g})", robot.joints[static_cast<std::size_t>(i)].name, rotor, rule));
+  }
+  constexpr const char* kSays =
+      "the rotor inertia is less than a hundredth, or more than a hundred times, of what drives with these limits of effort "
+      "and velocity have; it is that of the motor times the square of the gear ratio";
+  add(names, kSays, {}, doubts);
 }
 
 void doubt_limits(const RobotModel& robot, std::vector<Doubt>& doubts) {
@@ -232,6 +255,7 @@ std::string proposed_lines(const std::vector<Doubt>& found) {
 std::vector<Doubt> doubts_with_proposals(const RobotModel& robot) {
   std::vector<Doubt> found;
   doubt_links(robot, found);
+  doubt_rotors(robot, found);
   doubt_limits(robot, found);
   doubt_efforts(robot, found);
   doubt_last_joint(robot, found);

@@ -23,8 +23,9 @@ struct Doubt {
 };
 
 /// Returns what is doubtful; empty if nothing is. It doubts links too light for their joint's effort, inertia
-/// that no body of the mass can have, position limits and velocities that look like degrees, efforts that
-/// cannot hold the arm, and a last joint that moves like a gripper's finger.
+/// that no body of the mass can have, rotor inertia far from what the limits suggest, position limits and
+/// velocities that look like degrees, efforts that cannot hold the arm, and a last joint that moves like a
+/// gripper's finger.
 std::vector<Doubt> doubts_with_proposals(const RobotModel& robot);
 
 /// The sentences alone.

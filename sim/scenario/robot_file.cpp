@@ -19,14 +19,29 @@ namespace {
 
 /// One number per joint of the arm: read once the arm is known.
 constexpr const char* kCompensation = "compensates_gravity";
-constexpr std::array kJointKeys{"rotor_inertia", "viscous_friction",    "coulomb_friction",
-                                "link_radius",   "drive_velocity_gain", "drive_velocity_integral"};
+constexpr const char* kRotors = "rotor_inertia";
+constexpr std::array kJointKeys{"viscous_friction", "coulomb_friction", "link_radius", "drive_velocity_gain",
+                                "drive_velocity_integral"};
 constexpr double kThickest = 10.0;  // m
 
 /// True for a file with `rotor_inertia: estimated`.
 bool asks_for_estimate(const RobotFile& file) {
-  const yaml::Node* node = file.root ? file.root->find("rotor_inertia") : nullptr;
+  const yaml::Node* node = file.root ? file.root->find(kRotors) : nullptr;
   return node != nullptr && node->is_word("estimated");
+}
+
+/// The numbers of `rotor_inertia: {estimated: ...}`; null where the file does not mark them so.
+const yaml::Node* own_estimate(const yaml::Node& rotors) {
+  const yaml::Node* values = rotors.kind() == yaml::Node::Kind::kMap ? rotors.find("estimated") : nullptr;
+  return values != nullptr && rotors.entries().size() == 1 ? values : nullptr;
+}
+
+/// Reads `rotor_inertia` of the joints.
+void read_rotors(const yaml::Node& node, const std::vector<std::string>& joints, RobotModel& model) {
+  if (node.is_word("estimated")) return;  // by estimate_rotors, once the limits are known to be valid
+  const yaml::Node* estimate = own_estimate(node);
+  model.chain.rotor_inertia = yaml::joint_values(estimate != nullptr ? *estimate : node, joints);
+  if (estimate != nullptr) model.estimated_rotors = joints;
 }
 
 /// Throws InputError where one is no radius.
@@ -69,6 +84,7 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   const std::string urdf = map.required("urdf").as_string();
   file.urdf = urdf.starts_with('/') ? urdf : folder_of(file.path) + "/" + urdf;
   for (const char* key : kJointKeys) map.ignore(key);
+  map.ignore(kRotors);
   map.ignore("payload");
   map.ignore("cell");
   map.ignore(kCompensation);
@@ -84,14 +100,14 @@ std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
   if (file.root) {
     Chain& chain = model->chain;
     const auto joints = joint_names(*model);
-    const std::array<JointVector*, kJointKeys.size()> values{
-        &chain.rotor_inertia, &chain.viscous_friction,     &chain.coulomb_friction,
-        &model->link_radii,   &model->drive_velocity_gain, &model->drive_velocity_integral};
+    const std::array<JointVector*, kJointKeys.size()> values{&chain.viscous_friction, &chain.coulomb_friction,
+                                                             &model->link_radii, &model->drive_velocity_gain,
+                                                             &model->drive_velocity_integral};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const yaml::Node* node = file.root->find(kJointKeys[i]);
-      const bool estimated = values[i] == &chain.rotor_inertia && asks_for_estimate(file);
-      if (node != nullptr && !estimated) *values[i] = yaml::joint_values(*node, joints);
+      if (node != nullptr) *values[i] = yaml::joint_values(*node, joints);
     }
+    if (const yaml::Node* node = file.root->find(kRotors)) read_rotors(*node, joints, *model);
     if (const yaml::Node* node = file.root->find("link_radius")) check_radii(*node, *model);
     check_drive(file, "drive_velocity_gain", model->drive_velocity_gain, true);
     check_drive(file, "drive_velocity_integral", model->drive_velocity_integral, false);

@@ -30,7 +30,8 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 /// order, or a map by joint name), and payload:
 /// {mass, center}, a point mass in the tool frame that the controller knows of, and compensates_gravity
 /// (RobotModel). `rotor_inertia: estimated`
-/// estimates it for every joint that has none in the URDF (rotor_estimate.hpp). A link's radius is otherwise
+/// estimates it for every joint that has none in the URDF (rotor_estimate.hpp); `{estimated: ...}` marks
+/// numbers as the file's own estimate. A link's radius is otherwise
 /// that of its shapes (link_radius.hpp). The model is validated. Throws InputError.
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});

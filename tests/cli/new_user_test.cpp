@@ -83,7 +83,7 @@ TEST(NewUser, AnArmWithoutRotorsGetsATaskThatItCompletesAndTheVerdictSaysWhatWas
               testing::AllOf(HasSubstr("No rotor inertia is given"), HasSubstr("completes the task")));
   const Finished simulated = run_program({"simulate", task + "/task.yaml", "--gains", task + "/gains.yaml"});
   EXPECT_EQ(simulated.exit_code, 0) << simulated.out << simulated.err;
-  EXPECT_THAT(simulated.out, HasSubstr("is estimated"));
+  EXPECT_THAT(simulated.out, HasSubstr("is an estimate"));
 }
 
 TEST(NewUser, IsWarnedOfFiguresThatAreNoArms) {

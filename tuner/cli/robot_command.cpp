@@ -51,17 +51,17 @@ void show_joints(const RobotModel& model) {
   for (int i = 0; i < model.n(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const JointInfo& joint = model.joints[k];
-    const bool estimated =
-        std::count(model.estimated_rotors.begin(), model.estimated_rotors.end(), joint.name) > 0;
     say(fmt::format("{:<{}}  {:>8.3g}{}{:>9.3g}{:>9.3g}  {}, {:.4g}\n", joint.name, width,
-                    model.chain.rotor_inertia[i], estimated ? "*" : " ", model.chain.viscous_friction[i],
-                    model.chain.coulomb_friction[i], joint.link, model.chain.link[k].mass));
+                    model.chain.rotor_inertia[i], has_estimated_rotor(model, i) ? "*" : " ",
+                    model.chain.viscous_friction[i], model.chain.coulomb_friction[i], joint.link,
+                    model.chain.link[k].mass));
   }
 }
 
 /// What is known of the rotors of an arm whose file does not give them.
 void show_rotors(const RobotModel& model) {
-  if (!model.estimated_rotors.empty()) say("* estimated from the limits of effort and velocity\n");
+  if (!model.estimated_rotors.empty())
+    say("* an estimate: from the limits of effort and velocity, unless the robot file gives one\n");
   std::vector<std::string> lacking;
   for (int i = 0; i < model.n(); ++i) {
     if (model.chain.rotor_inertia[i] == 0.0)
@@ -183,10 +183,10 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
         "no first task was found above the height of the arm's base, so that this one has no floor; if the arm "
         "stands on one, say at which height with --floor");
   if (!found.task.scenario.clearance)
-    print_warning(
-        "no shapes of the arm's links are known, so that nothing looks for contact: neither with a floor nor of the arm "
-        "with itself; only the place of the circle was chosen above the floor. Give meshes (ARMTUNE_MESHES) or 'shapes' in "
-        "a robot YAML");
+    print_warning(fmt::format(
+        "no shapes of the arm's links are known, so that nothing looks for contact of the arm, with itself or with what "
+        "stands around it{}. Give meshes (ARMTUNE_MESHES) or 'shapes' in a robot YAML",
+        found.task.without_floor ? "" : "; only the place of the circle was chosen above the floor"));
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"

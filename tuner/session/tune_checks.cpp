@@ -112,6 +112,7 @@ void TuneSession::check(bool analysed) {
          {"stability margins", "arms that differ from the model", "what happens after the scenarios end"}) {
       verdict.not_checked.emplace_back(what);
     }
+    add_unchecked_rotors(study_.scenarios, verdict);
   }
   add_unchecked_contacts(study_.scenarios, verdict);
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());

@@ -18,7 +18,7 @@ namespace {
 std::string rotors_text(const RobotModel& robot) {
   if (!robot.estimated_rotors.empty()) {
     const bool all = robot.estimated_rotors.size() == static_cast<std::size_t>(robot.n());
-    return fmt::format("the rotor inertia of {} is estimated from limits of effort and velocity",
+    return fmt::format("the rotor inertia of {} is an estimate",
                        all ? "all joints of " + robot.name
                            : fmt::format("{} of {}", fmt::join(robot.estimated_rotors, ", "), robot.name));
   }

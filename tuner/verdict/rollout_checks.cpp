@@ -174,10 +174,18 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   }
 }
 
+void add_unchecked_rotors(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict) {
+  const bool any = std::any_of(scenarios.begin(), scenarios.end(), [](const Scenario& scenario) {
+    return !scenario.robot->estimated_rotors.empty();
+  });
+  if (any) verdict.not_checked.emplace_back("other rotor inertia than the estimated one");
+}
+
 void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict) {
   if (!extended) verdict.not_checked.emplace_back("what happens after the scenarios end (--endurance)");
   verdict.not_checked.emplace_back("stability margins (armtune margins)");
   verdict.not_checked.emplace_back("arms that differ from the model (armtune robustness)");
+  add_unchecked_rotors(scenarios, verdict);
   add_unchecked_contacts(scenarios, verdict);
   verdict.not_checked.insert(verdict.not_checked.end(), never_checked().begin(), never_checked().end());
 }

@@ -31,6 +31,9 @@ void add_shake_notes(const std::vector<ScenarioResult>& results, const std::stri
 /// them is looked for.
 void add_unchecked_contacts(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
 
+/// Lists as not checked that the rotor inertia may be another one, where a scenario's is an estimate.
+void add_unchecked_rotors(const std::vector<Scenario>& scenarios, SimulationVerdict& verdict);
+
 /// Adds a check for limits in the extended scenarios, and one for the growth of errors. Where no scenario ran
 /// to its end with errors to compare, the growth is listed as not checked instead.
 void add_endurance_checks(const std::vector<EnduranceResult>& results, const VerdictThresholds& thresholds,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/dynamics.hpp"
+#include "core/robot/rotor_estimate.hpp"
 #include "core/robot/urdf_writer.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/robot_file.hpp"
@@ -43,6 +44,29 @@ TEST(Plausibility, InertiaThatNoBodyOfTheMassHasIsNamed) {
   arm.chain.link[3] = body(2.0, 1e-3);
   EXPECT_THAT(doubts(arm), ElementsAre(AllOf(HasSubstr("forearm_link (1.2 m)"), HasSubstr("half")),
                                        AllOf(HasSubstr("wrist_1_link (0.001 m)"), HasSubstr("2 mm"))));
+}
+
+/// A motor's own inertia where the gear ratio was left out, and one whose ratio was taken twice.
+TEST(Plausibility, RotorsThatDoNotGoWithTheirLimitsAreNamed) {
+  RobotModel arm = test::ur10();
+  arm.estimated_rotors.clear();
+  for (Eigen::Index i = 0; i < arm.n(); ++i) {
+    const JointLimits& limits = arm.joints[static_cast<std::size_t>(i)].limits;
+    arm.chain.rotor_inertia[i] = kRotorTime * limits.effort / limits.velocity;
+  }
+  EXPECT_THAT(doubts(arm), IsEmpty());
+  const double right = arm.chain.rotor_inertia[2];
+  for (const double factor : {1.0 / 90.0, 90.0}) {
+    arm.chain.rotor_inertia[2] = factor * right;
+    EXPECT_THAT(doubts(arm), IsEmpty()) << factor;
+  }
+  for (const double factor : {1e-4, 1.0 / 110.0, 110.0}) {
+    arm.chain.rotor_inertia[2] = factor * right;
+    EXPECT_THAT(doubts(arm), ElementsAre(AllOf(HasSubstr("elbow_joint ("), HasSubstr("gear ratio"))))
+        << factor;
+  }
+  arm.estimated_rotors = {"elbow_joint"};
+  EXPECT_THAT(doubts(arm), IsEmpty()) << "the verdict says that it is an estimate";
 }
 
 TEST(Plausibility, LimitsThatLookLikeDegreesAreNamed) {

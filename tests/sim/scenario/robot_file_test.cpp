@@ -99,6 +99,18 @@ TEST(RobotFile, EstimatesTheRotorsThatNoFileGives) {
     const JointLimits& limits = arm->joints[static_cast<std::size_t>(i)].limits;
     EXPECT_EQ(arm->chain.rotor_inertia[i], kRotorTime * limits.effort / limits.velocity);
   }
+  const auto own = load_robot(
+      folder.write("own.yaml", robot_text("rotor_inertia: {estimated: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]}\n")));
+  EXPECT_EQ(own->estimated_rotors, joint_names(*own));
+  EXPECT_EQ(own->chain.rotor_inertia[4], 0.5);
+  EXPECT_THAT(load_robot(folder.write("given.yaml", robot_text("rotor_inertia: [1, 2, 3, 4, 5, 6]\n")))
+                  ->estimated_rotors,
+              testing::IsEmpty());
+  EXPECT_THAT(
+      test::refusal([&] {
+        load_robot(folder.write("short.yaml", robot_text("rotor_inertia: {estimated: [0.1, 0.2]}\n")));
+      }),
+      HasSubstr("short.yaml:2"));
   EXPECT_THAT(
       test::refusal([&] { load_robot(folder.write("arm.yaml", robot_text("rotor_inertia: guessed\n"))); }),
       HasSubstr("rotor_inertia"));

@@ -7,6 +7,7 @@
 #include "core/robot/link_radius.hpp"
 #include "core/robot/rotor_estimate.hpp"
 #include "sim/csv/text_file.hpp"
+#include "sim/scenario/robot_file.hpp"
 #include "tests/sim/support/files.hpp"
 #include "tests/sim/support/rollouts.hpp"
 #include "tuner/study/thresholds.hpp"
@@ -138,7 +139,7 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   EXPECT_THAT(assumed(), HasSubstr("ur10 has no rotor inertia"));
   estimate_rotors(robot);
   scenario.robot = std::make_shared<const RobotModel>(robot);
-  EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of all joints of ur10 is estimated"));
+  EXPECT_THAT(assumed(), HasSubstr("the rotor inertia of all joints of ur10 is an estimate"));
   EXPECT_THAT(assumed(), Not(HasSubstr("as it stands")));
   robot.joints[1].limits.effort = 10.0;
   scenario.robot = std::make_shared<const RobotModel>(robot);
@@ -154,6 +155,18 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   scenario.plant.coulomb_friction[4] = 1.01 * bound;
   EXPECT_THAT(assumed(), HasSubstr("friction stops wrist_2_joint within a control period"));
   EXPECT_THAT(assumed(Stepper::kReference), Not(HasSubstr("friction stops")));
+}
+
+TEST(RolloutChecks, AnEstimateOfTheRotorsIsNotCheckedByASimulation) {
+  Scenario scenario = load_scenario("moving_target");
+  const auto not_checked = [&] {
+    SimulationVerdict verdict;
+    add_unchecked({scenario}, true, verdict);
+    return verdict.not_checked;
+  };
+  EXPECT_THAT(not_checked(), Not(Contains(HasSubstr("rotor"))));
+  scenario.robot = load_robot("panda");
+  EXPECT_THAT(not_checked(), Contains("other rotor inertia than the estimated one"));
 }
 
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
