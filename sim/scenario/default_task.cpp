@@ -259,7 +259,8 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
   task.without_floor = options.without_floor;
   // Of an arm whose shapes are not known there is nothing to say.
   if (scenario.clearance->pairs().empty()) scenario.clearance.reset();
-  scenario.duration = kDuration * options.slowness;
+  // A slow task is not longer than it needs to be: twice round, and a look at either target and back.
+  scenario.duration = std::max({kDuration, 2.0 * kTurn * options.slowness, 3.0 * kSwitch * options.slowness});
   scenario.control_period = 0.002;
   scenario.switch_every = kSwitch * options.slowness;
   scenario.path.frequency = 2.0 * M_PI / (kTurn * options.slowness);

@@ -21,7 +21,8 @@ struct TaskOptions {
   bool without_floor = false;    ///< there is none, also below an arm that is upright
   std::optional<TaskMask> mask;  ///< none: position and gaze, or position alone where that does not fit
   bool thorough = false;  ///< looks at ten times as many positions: for an arm that can hardly hold itself
-  double slowness = 1.0;  ///< factor on all times, for an arm that is too slow for the task [1]
+  /// Factor on the times of a turn and of a look, for an arm that is too slow for the task [1].
+  double slowness = 1.0;
 };
 
 /// Whether the task stays above a floor that nobody gave: the base's height, under an arm that is upright.

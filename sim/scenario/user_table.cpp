@@ -71,12 +71,16 @@ bool is_number(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// The name of a column without the unit behind it, "x [m]" or "time (s)", which has to be what the file's
-/// numbers are said to be.
-std::string without_unit(std::string_view name, const UserTable& file) {
+/// Whether a column has brackets behind its name: "x [m]", "time (s)".
+bool has_brackets(std::string_view name) {
   const std::size_t open = name.find_last_of("[(");
-  if (open == std::string_view::npos || open == 0 || !(name.ends_with(']') || name.ends_with(')')))
-    return std::string(name);
+  return open != std::string_view::npos && open > 0 && (name.ends_with(']') || name.ends_with(')'));
+}
+
+/// The name of a column without the unit behind it, which has to be what the file's numbers are said to be.
+std::string without_unit(std::string_view name, const UserTable& file) {
+  if (!has_brackets(name)) return std::string(name);
+  const std::size_t open = name.find_last_of("[(");
   const std::string unit(name.substr(open + 1, name.size() - open - 2));
   const std::string where = fmt::format("{}:1: column {}", file.path, shown(std::string(name)));
   if (!yaml::check_unit(unit, file.units, where)) return std::string(name);
@@ -90,6 +94,14 @@ std::string plain_names(const std::string& line, const UserTable& file) {
   split_cells(line, ',', cells);
   std::vector<std::string> plain;
   for (const std::string_view cell : cells) plain.push_back(without_unit(cell, file));
+  // A column whose unit is not known would be left out, beside others that are read.
+  bool any_unit = false;
+  for (std::size_t i = 0; i < cells.size(); ++i) any_unit = any_unit || plain[i] != cells[i];
+  for (const std::string& name : plain) {
+    if (any_unit && has_brackets(name))
+      throw InputError(fmt::format("{}:1: column {}: this unit is not known; take the units out of the names",
+                                   file.path, shown(name)));
+  }
   const auto is_time = [](const std::string& name) { return name == "time" || name == "Time"; };
   if (std::none_of(plain.begin(), plain.end(), is_time)) {
     const auto t = std::find_if(plain.begin(), plain.end(), [](const std::string& name) {

@@ -64,8 +64,9 @@ bool check_unit(const std::string& unit, const FileUnits& units, const std::stri
                       : key == "angle"  ? units.angle
                                         : units.torque;
   if (said == found->factor) return true;
-  throw InputError(fmt::format("{} is in {}; say so where the file is named: units: {{{}: {}}}", where, unit,
-                               found->key, unit));
+  throw InputError(
+      fmt::format("{} is in {}; say so where the file is named: {{file: ..., units: {{{}: {}}}}}", where,
+                  unit, found->key, unit));
 }
 
 }  // namespace armtune::internal::yaml

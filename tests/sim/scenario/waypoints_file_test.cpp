@@ -56,6 +56,9 @@ TEST(WaypointsFile, UnitsBehindNamesHaveToBeTheFiles) {
               AllOf(HasSubstr("column 'x [mm]' is in mm"), HasSubstr("units: {length: mm}")));
   units.length = 1e-3;
   EXPECT_LT((read(units).at(2.5e-3).position - 1e-3 * expected).norm(), 1e-15);
+  EXPECT_THAT(
+      test::refusal([&] { halfway(folder.write("speed.csv", "time [s],x,y,z,speed [m/s]\n" + rows)); }),
+      AllOf(HasSubstr("'speed [m/s]'"), HasSubstr("take the units out")));
   // What is no unit is part of the name.
   EXPECT_THAT(test::refusal([&] { halfway(folder.write("other.csv", "time,x,y,z [up]\n" + rows)); }),
               HasSubstr("z [up]"));
