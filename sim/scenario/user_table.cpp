@@ -93,6 +93,7 @@ std::string plain_names(const std::string& line, const UserTable& file) {
   std::vector<std::string_view> cells;
   split_cells(line, ',', cells);
   std::vector<std::string> plain;
+  plain.reserve(cells.size());
   for (const std::string_view cell : cells) plain.push_back(without_unit(cell, file));
   // A column whose unit is not known would be left out, beside others that are read.
   bool any_unit = false;
