@@ -183,10 +183,10 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
         "no first task was found above the height of the arm's base, so that this one has no floor; if the arm "
         "stands on one, say at which height with --floor");
   if (!found.task.scenario.clearance)
-    print_warning(fmt::format(
+    print_warning(
         "no shapes of the arm's links are known, so that nothing looks for contact of the arm, with itself or with what "
-        "stands around it{}. Give meshes (ARMTUNE_MESHES) or 'shapes' in a robot YAML",
-        found.task.without_floor ? "" : "; only the place of the circle was chosen above the floor"));
+        "stands around it. A floor, where there is one, was regarded only in where the circle lies. Give meshes "
+        "(ARMTUNE_MESHES) or 'shapes' in a robot YAML");
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
