@@ -178,7 +178,8 @@ void add_unchecked_rotors(const std::vector<Scenario>& scenarios, SimulationVerd
   const bool any = std::any_of(scenarios.begin(), scenarios.end(), [](const Scenario& scenario) {
     return !scenario.robot->estimated_rotors.empty();
   });
-  if (any) verdict.not_checked.emplace_back("other rotor inertia than the estimated one");
+  if (any)
+    verdict.not_checked.emplace_back("other rotor inertia than the estimated one (armtune robustness)");
 }
 
 void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict) {

@@ -166,7 +166,7 @@ TEST(RolloutChecks, AnEstimateOfTheRotorsIsNotCheckedByASimulation) {
   };
   EXPECT_THAT(not_checked(), Not(Contains(HasSubstr("rotor"))));
   scenario.robot = load_robot("panda");
-  EXPECT_THAT(not_checked(), Contains("other rotor inertia than the estimated one"));
+  EXPECT_THAT(not_checked(), Contains("other rotor inertia than the estimated one (armtune robustness)"));
 }
 
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
