@@ -77,7 +77,7 @@ Solid read_solid(yaml::MapReader& map) {
   take(map.optional("cylinder"), [](const yaml::Node& n) { return read_round(n, SolidKind::kCylinder); });
   take(map.optional("capsule"), [](const yaml::Node& n) { return read_round(n, SolidKind::kCapsule); });
   take(map.optional("sphere"), [](const yaml::Node& n) { return read_round(n, SolidKind::kSphere); });
-  if (!solid) map.required("box");
+  if (!solid) map.none_of({"box", "cylinder", "capsule", "sphere"});
   return *solid;
 }
 

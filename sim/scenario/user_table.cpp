@@ -16,6 +16,7 @@
 #include "sim/csv/line_cells.hpp"
 #include "sim/scenario/data_files.hpp"
 #include "sim/scenario/motion_rows.hpp"
+#include "sim/scenario/unit_names.hpp"
 #include "sim/yaml/quoted.hpp"
 
 namespace armtune::internal {
@@ -71,48 +72,6 @@ bool is_number(std::string_view text) {
   return error == std::errc{} && end == text.data() + text.size();
 }
 
-/// Whether a column has brackets behind its name: "x [m]", "time (s)".
-bool has_brackets(std::string_view name) {
-  const std::size_t open = name.find_last_of("[(");
-  return open != std::string_view::npos && open > 0 && (name.ends_with(']') || name.ends_with(')'));
-}
-
-/// The name of a column without the unit behind it, which has to be what the file's numbers are said to be.
-std::string without_unit(std::string_view name, const UserTable& file) {
-  if (!has_brackets(name)) return std::string(name);
-  const std::size_t open = name.find_last_of("[(");
-  const std::string unit(name.substr(open + 1, name.size() - open - 2));
-  const std::string where = fmt::format("{}:1: column {}", file.path, shown(std::string(name)));
-  if (!yaml::check_unit(unit, file.units, where)) return std::string(name);
-  const std::size_t last = name.find_last_not_of(' ', open - 1);
-  return std::string(name.substr(0, last == std::string_view::npos ? 0 : last + 1));
-}
-
-/// The first line of a table with commas as armtune calls its columns.
-std::string plain_names(const std::string& line, const UserTable& file) {
-  std::vector<std::string_view> cells;
-  split_cells(line, ',', cells);
-  std::vector<std::string> plain;
-  plain.reserve(cells.size());
-  for (const std::string_view cell : cells) plain.push_back(without_unit(cell, file));
-  // A column whose unit is not known would be left out, beside others that are read.
-  bool any_unit = false;
-  for (std::size_t i = 0; i < cells.size(); ++i) any_unit = any_unit || plain[i] != cells[i];
-  for (const std::string& name : plain) {
-    if (any_unit && has_brackets(name))
-      throw InputError(fmt::format("{}:1: column {}: this unit is not known; take the units out of the names",
-                                   file.path, shown(name)));
-  }
-  const auto is_time = [](const std::string& name) { return name == "time" || name == "Time"; };
-  if (std::none_of(plain.begin(), plain.end(), is_time)) {
-    const auto t = std::find_if(plain.begin(), plain.end(), [](const std::string& name) {
-      return name == "t" || name == "T" || name == "time_from_start";
-    });
-    if (t != plain.end()) *t = "time";
-  }
-  return fmt::format("{}", fmt::join(plain, ","));
-}
-
 /// Whether the first line of a table with commas holds numbers and no names.
 bool has_no_names(const std::string& text) {
   std::vector<std::string_view> cells;
@@ -152,7 +111,7 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
   } else if (!file.columns.empty()) {
     text = fmt::format("{}{}", fmt::join(file.columns, ","), text.substr(end));
   } else {
-    text = plain_names(text.substr(0, end), file) + text.substr(end);
+    text = plain_names(text.substr(0, end), path, file.units) + text.substr(end);
   }
   return {CsvTable::parse(text, name, CsvOrigin::kUser), name};
 }

@@ -38,15 +38,30 @@ const Node* MapReader::optional(std::string_view key) {
 
 const Node& MapReader::required(std::string_view key) {
   if (const Node* value = optional(key)) return *value;
-  // The misspelt key itself would only be reported by finish(), which this error keeps from being reached.
-  std::vector<std::string> unread;
-  for (const auto& [name, value] : map_.entries()) {
-    if (!is_known(name)) unread.push_back(name);
-  }
-  const std::string misspelt = nearest(key, unread);
+  const std::string misspelt = nearest(key, unread());
   const std::string& path = map_.key_path();
   map_.fail(fmt::format("missing key '{}' in {}{}", key, path.empty() ? "the document" : "'" + path + "'",
                         misspelt.empty() ? "" : "; is '" + misspelt + "' a misspelling of it?"));
+}
+
+void MapReader::none_of(std::initializer_list<std::string_view> keys) const {
+  std::string hint;
+  for (const std::string_view key : keys) {
+    const std::string misspelt = nearest(key, unread());
+    if (hint.empty() && !misspelt.empty())
+      hint = fmt::format("; is '{}' a misspelling of '{}'?", misspelt, key);
+  }
+  map_.fail(fmt::format("one of these keys must be given: {}{}", fmt::join(keys, ", "), hint));
+}
+
+// A misspelt key itself would only be reported by finish(), which an error of a missing one keeps from being
+// reached.
+std::vector<std::string> MapReader::unread() const {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map_.entries()) {
+    if (!is_known(name)) names.push_back(name);
+  }
+  return names;
 }
 
 bool MapReader::has(std::string_view key) {

@@ -1,6 +1,7 @@
 #pragma once
 // Reads a YAML map key by key and remembers what was asked for, so that a key nobody asked for is an error.
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,8 @@ class MapReader {
   const Node* optional(std::string_view key);
   /// The value; InputError naming key and map when it is absent.
   const Node& required(std::string_view key);
+  /// Throws the InputError of a map that has none of `keys`, one of which must be there.
+  [[noreturn]] void none_of(std::initializer_list<std::string_view> keys) const;
   bool has(std::string_view key);
   /// Accepts the key, absent or with whatever value: someone else reads it.
   void ignore(std::string_view key);
@@ -42,6 +45,7 @@ class MapReader {
 
  private:
   bool is_known(std::string_view key) const;
+  std::vector<std::string> unread() const;
 
   const Node& map_;
   std::vector<std::string> known_;  // in the order asked for

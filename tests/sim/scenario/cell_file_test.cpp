@@ -53,7 +53,11 @@ TEST(CellFile, WhatIsNoCellIsNamed) {
   const auto refused = [](const std::string& part) {
     return test::refusal([&] { cell("parts:\n  - {name: a, " + part + "}\n"); });
   };
-  EXPECT_THAT(refused("center: [0, 0, 0]"), AllOf(HasSubstr("cell.yaml:2"), HasSubstr("'box'")));
+  EXPECT_THAT(refused("center: [0, 0, 0]"),
+              AllOf(HasSubstr("cell.yaml:2"),
+                    HasSubstr("'parts/0': one of these keys must be given: box, cylinder, capsule, sphere")));
+  EXPECT_THAT(refused("capsul: {radius: 1, length: 1}, center: [0, 0, 0]"),
+              HasSubstr("is 'capsul' a misspelling of 'capsule'?"));
   EXPECT_THAT(refused("box: [1, 1, 1], sphere: {radius: 1}, center: [0, 0, 0]"), HasSubstr("second shape"));
   EXPECT_THAT(refused("box: [1, 0, 1], center: [0, 0, 0]"), HasSubstr("an edge is 0 m"));
   EXPECT_THAT(refused("capsule: {radius: -1, length: 1}, center: [0, 0, 0]"), HasSubstr("a radius is -1 m"));
