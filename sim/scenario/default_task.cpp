@@ -13,6 +13,7 @@
 #include "core/control/pose_search.hpp"
 #include "core/robot/holding_load.hpp"
 #include "sim/scenario/path_walk.hpp"
+#include "sim/scenario/start_of_task.hpp"
 #include "sim/scenario/task_places.hpp"
 
 namespace armtune::internal {

@@ -14,6 +14,7 @@
 #include "sim/rollout/shake_watch.hpp"
 #include "sim/scenario/gains_file.hpp"
 #include "sim/scenario/path_walk.hpp"
+#include "sim/scenario/start_of_task.hpp"
 #include "tuner/first_task/first_gain_sets.hpp"
 #include "tuner/first_task/kept_limits.hpp"
 #include "tuner/rollouts/simulate.hpp"

@@ -7,8 +7,8 @@
 
 #include "armtune/error.hpp"
 #include "core/control/laws/controller_kind.hpp"
-#include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/plausibility.hpp"
+#include "sim/scenario/task_trouble.hpp"
 
 namespace armtune::internal {
 

@@ -12,6 +12,7 @@
 #include "sim/scenario/default_task_file.hpp"
 #include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/robot_file.hpp"
+#include "sim/scenario/start_of_task.hpp"
 #include "tests/core/support/arms.hpp"
 #include "tests/sim/support/files.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "core/control/pose_search.hpp"
 #include "core/robot/kinematics.hpp"
-#include "sim/scenario/path_walk.hpp"
 #include "sim/scenario/scenario.hpp"
+#include "sim/scenario/task_trouble.hpp"
 #include "tests/sim/support/files.hpp"
 
 namespace armtune::internal {

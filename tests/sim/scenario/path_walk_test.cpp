@@ -1,36 +1,12 @@
 #include "sim/scenario/path_walk.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <regex>
-
 #include "core/control/pose_search.hpp"
-#include "sim/rollout/rollout.hpp"
-#include "sim/scenario/gains_file.hpp"
-#include "tests/core/support/states.hpp"
-#include "tests/sim/support/files.hpp"
+#include "sim/scenario/start_of_task.hpp"
 
 namespace armtune::internal {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
-
-/// Of the UR10 [deg]: its fifth joint at zero, where the fourth and the sixth turn about one axis.
-const JointVector kWristInLine = (JointVector(6) << 20.0, -90.0, -90.0, -60.0, 0.0, 0.0).finished();
-
-Gains published(const Scenario& scenario) {
-  return load_gains("published", joint_names(*scenario.robot));
-}
-
-TEST(PathWalk, NothingIsWrongWithThePublishedTask) {
-  for (const char* name : {"moving_target", "fixed_target", "target_switch"}) {
-    const Scenario scenario = load_scenario(name);
-    EXPECT_EQ(task_trouble(scenario, published(scenario)), "") << name;
-  }
-}
 
 TEST(PathWalk, FollowsThePathAndMeasuresTheArmOnIt) {
   Scenario scenario = load_scenario("moving_target");
@@ -66,179 +42,16 @@ TEST(PathWalk, EndsEarlyWhereItIsLostAndIsTheSameWhereItIsNot) {
   EXPECT_GE(shorter, 3);
 }
 
-TEST(PathWalk, SaysWhereThePathLeavesTheWorkspace) {
-  Scenario scenario = load_scenario("moving_target");
-  scenario.path.terms = {{1, Vec3(0.0, 0.0, 0.0), Vec3(-0.9, 0.0, 0.0)}};  // out to 1.55 m
-  const std::string trouble = task_trouble(scenario, published(scenario));
-  EXPECT_THAT(trouble, AllOf(HasSubstr("leaves the workspace of ur10"), HasSubstr("tool at (-1.")));
-  scenario.path.center = Vec3(-3.0, 0.0, 0.5);
-  EXPECT_THAT(task_trouble(scenario, published(scenario)),
-              AllOf(HasSubstr("cannot have its tool at (-3"), HasSubstr("move the path")));
-}
-
-TEST(PathWalk, TheDistanceItNamesIsTheLeastThatTheArmCanHave) {
-  Scenario scenario = load_scenario("moving_target");
-  scenario.path.center = Vec3(-1.2, 0.04, 0.5);
-  scenario.path.terms = {{1, Vec3(0.4, 0.0, 0.0), Vec3(0.0, 0.4, 0.0)}};
-  const std::string trouble = task_trouble(scenario, published(scenario));
-  std::smatch said;
-  ASSERT_TRUE(std::regex_search(
-      trouble, said, std::regex(R"(tool at \((\S+), (\S+), (\S+)\) m it comes no closer than (\S+) m)")))
-      << trouble;
-  const Vec3 place(std::stod(said[1]), std::stod(said[2]), std::stod(said[3]));
-  const double named = std::stod(said[4]);
-  EXPECT_GT(named, 1e-3);
-  const Chain& chain = scenario.robot->chain;
-  double least = 10.0;
-  for (unsigned sample = 0; sample < 20000; ++sample) {
-    least = std::min(least,
-                     (test::poses_at(chain, sample_position(*scenario.robot, sample)).p_0T - place).norm());
-  }
-  EXPECT_LE(named, least + 1e-3) << "printed to three digits";
-  EXPECT_GT(named, least - 0.15) << "so many samples come nearly as close";
-}
-
-TEST(PathWalk, LapsThatWindAJointUpAreAllGone) {
-  Scenario scenario = load_scenario("moving_target");
-  // About the base, its tool down: every lap turns the first joint once, which may turn twice.
-  scenario.path = {
-      Vec3(0.0, 0.0, 0.4), 2.0 * M_PI / 10.0, 0.0, {{1, Vec3(0.7, 0.0, 0.0), Vec3(0.0, 0.7, 0.0)}}};
-  scenario.targets = {{"below", {Vec3(0.0, 0.0, -20.0), 0.0, 0.0, {}}}};
-  scenario.duration = 8.0;
-  EXPECT_EQ(task_trouble(scenario, published(scenario)), "");
-  scenario.duration = 40.0;
-  EXPECT_THAT(task_trouble(scenario, published(scenario)),
-              AllOf(HasSubstr("shoulder_pan_joint leaves its limits"), HasSubstr("at 40 s")));
-  // It winds up, not down: only the upper limit is in its way.
-  auto free_below = std::make_shared<RobotModel>(*scenario.robot);
-  free_below->joints[0].limits.lower = -100.0;
-  free_below->joints[5].limits.lower = -100.0;  // it winds as well
-  free_below->joints[5].limits.upper = 100.0;
-  scenario.robot = free_below;
-  EXPECT_THAT(task_trouble(scenario, published(scenario)), HasSubstr("shoulder_pan_joint leaves its limits"));
-  free_below->joints[0].limits = {true, -6.3, 100.0, free_below->joints[0].limits.velocity,
-                                  free_below->joints[0].limits.effort};
-  EXPECT_EQ(task_trouble(scenario, published(scenario)), "");
-}
-
-/// Out by `sway` and back through the place where the UR10's first and last wrist axis are in line, the gaze
-/// at a target ahead of it.
-Scenario through_the_wrist(const Vec3& sway, double frequency) {
-  Scenario scenario = load_scenario("moving_target");
-  const Poses poses = test::poses_at(scenario.robot->chain, in_si(*scenario.robot, kWristInLine));
-  scenario.path = {poses.p_0T, frequency, 0.0, {{1, sway, Vec3::Zero()}}};
-  scenario.targets = {{"ahead", {poses.p_0T + 0.5 * poses.R_0T.col(2), 0.0, 0.0, {}}}};
-  return scenario;
-}
-
-/// From the pose of its beginning that is close to q.
-PathWalk walk_from(const Scenario& scenario, JointVector q) {
-  const ToolGoal begin{scenario.path.at(0.0).position, scenario.targets[0].path.at(0.0).position};
-  EXPECT_TRUE(reach_goal(*scenario.robot, begin, q));
-  return walk_path(scenario, q, 0.0);
-}
-
-TEST(PathWalk, SaysWhereASingularityIsPassed) {
-  const Scenario scenario = through_the_wrist(Vec3(0.0, 0.0, 0.1), 0.6);
-  JointVector q = in_si(*scenario.robot, kWristInLine);
-  q[4] += 0.3;
-  const PathWalk walk = walk_from(scenario, q);
-  EXPECT_LT(walk.error.value, 1e-3);
-  EXPECT_LT((walk.manipulability.tool - scenario.path.center).norm(), 2e-3);  // a step takes 1.2 mm there
-  EXPECT_FALSE(is_clear(walk));
-  EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), HasSubstr("manipulability is")));
-}
-
-TEST(PathWalk, SaysWhereTheToolPassesItsOwnTarget) {
-  Scenario scenario = load_scenario("moving_target");
-  scenario.targets = {{"on_it", {scenario.path.at(5.0).position + Vec3(0.0, 0.0, 0.005), 0.0, 0.0, {}}}};
-  EXPECT_THAT(task_trouble(scenario, published(scenario)),
-              AllOf(HasSubstr("passes the target that it looks at"), HasSubstr("m from it")));
-}
-
-TEST(PathWalk, APathThatIsLostInASingularityHasNotLeftTheWorkspace) {
-  // Aside to the line on which the wrist could turn over in time.
-  const Scenario scenario = through_the_wrist(Vec3(0.15, 0.0, 0.0), 2.0);
-  JointVector q(6);
-  q << 0.44, -1.43, -1.39, -3.46, -0.16, 0.0;
-  const PathWalk walk = walk_from(scenario, q);
-  EXPECT_GT(walk.error.value, 1e-2);
-  EXPECT_THAT(trouble(walk, scenario), AllOf(HasSubstr("singularity"), testing::Not(HasSubstr("workspace"))));
-}
-
 TEST(PathWalk, LongScenariosAreGoneAlongInABoundedNumberOfSteps) {
   Scenario scenario = load_scenario("moving_target");  // 40 s; its target moves on
-  const JointVector q = in_si(*scenario.robot, published(scenario).joint_space_goal);
-  EXPECT_EQ(walk_from(scenario, q).steps, 2000);
+  const JointVector q = best_start_of_task(scenario);
+  EXPECT_EQ(walk_path(scenario, q, 0.0).steps, 2000);
   for (const double duration : {800.0, 1e5}) {
     scenario.duration = duration;
-    const PathWalk walk = walk_from(scenario, q);
+    const PathWalk walk = walk_path(scenario, q, 0.0);
     EXPECT_EQ(walk.steps, 20000) << duration;
     EXPECT_LT(walk.error.value, 1e-3) << duration << ": longer steps are short enough to follow the path";
   }
-}
-
-TEST(PathWalk, SaysWhichJointLeavesItsLimits) {
-  Scenario scenario = load_scenario("moving_target");
-  const JointVector q = best_start_of_task(scenario);
-  auto narrow = std::make_shared<RobotModel>(*scenario.robot);
-  narrow->joints[0].limits.lower = q[0] - 0.02;
-  narrow->joints[0].limits.upper = q[0] + 0.02;
-  scenario.robot = narrow;
-  const PathWalk walk = walk_path(scenario, q, 0.0);
-  EXPECT_EQ(walk.joint, 0);
-  EXPECT_THAT(trouble(walk, scenario),
-              AllOf(HasSubstr(narrow->joints[0].name), HasSubstr("leaves its limits by")));
-}
-
-TEST(PathWalk, AScenarioWithoutAStartFindsItsOwnAndTheGoalOnTheTask) {
-  const test::TemporaryFolder folder;
-  const std::string text =
-      "robot: ur10\nduration: 20\ncontrol_period: 0.002\n"
-      "path: {center: [-0.65, 0.04, 0.5], frequency: 0.6, terms: [{order: 1, cos: [0, -0.12, 0], sin: "
-      "[-0.12, 0, 0]}]}\n"
-      "targets: [{name: below, center: [-0.6, 0, 0]}]\ntheta_start: {model_scale: 1}\n";
-  const Scenario scenario = load_scenario(folder.write("own.yaml", text));
-  const Poses poses = test::poses_at(scenario.robot->chain, scenario.goal_position);
-  EXPECT_LT((poses.p_0T - scenario.path.at(0.0).position).norm(), 1e-8);
-  EXPECT_LT(poses.R_0T.col(2).cross((scenario.targets[0].path.center - poses.p_0T).normalized()).norm(),
-            1e-8);
-  EXPECT_GT((scenario.start_position - scenario.goal_position).cwiseAbs().minCoeff(), 0.1);
-
-  Gains gains = published(scenario);
-  gains.joint_space_goal.resize(0);
-  EXPECT_EQ(with_goal(gains, scenario).joint_space_goal, in_degrees(*scenario.robot, scenario.goal_position));
-  const RolloutResult result = Rollout(scenario, Stepper::kMidpoint, Engine::kNative).run(gains);
-  ASSERT_EQ(result.status, RolloutStatus::kCompleted) << result.reason;
-  EXPECT_LT(result.metrics[Metric::kPositionMax], 2e-3);
-
-  const Scenario given =
-      load_scenario(folder.write("given.yaml", text + "start_position_deg: [0, -90, 90, 0, 0, 0]\n"));
-  EXPECT_THAT(test::refusal([&] { with_goal(gains, given); }),
-              AllOf(HasSubstr("given"), HasSubstr("joint_space_goal")));
-}
-
-TEST(PathWalk, AGainsFileMayLeaveTheGoalOutAndReadsBackWithoutIt) {
-  const Scenario scenario = load_scenario("moving_target");
-  Gains gains = published(scenario);
-  gains.joint_space_goal.resize(0);
-  const test::TemporaryFolder folder;
-  const std::string path = folder.write("gains.yaml", gains_yaml(gains, {}));
-  EXPECT_EQ(load_gains(path, joint_names(*scenario.robot)).joint_space_goal.size(), 0);
-}
-
-TEST(PathWalk, TheFoundStartIsOffTheGoalTowardsTheMiddle) {
-  const Scenario scenario = load_scenario("moving_target");
-  RobotModel arm = *scenario.robot;
-  for (JointInfo& joint : arm.joints) joint.limits = {true, -2.0, 2.0, 1.0, 1.0};
-  arm.joints[5].limits = {true, -0.1, 0.1, 1.0, 1.0};
-  JointVector goal = JointVector::Constant(6, 1.9);
-  goal[1] = -1.9;
-  goal[5] = 0.09;
-  const JointVector start = off_goal(arm, goal);
-  EXPECT_NEAR(start[0], 1.9 - M_PI / 9.0, 1e-12);
-  EXPECT_NEAR(start[1], -1.9 + M_PI / 9.0, 1e-12);
-  EXPECT_NEAR(start[5], 0.07, 1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,138 @@
+#include "sim/scenario/task_trouble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "armtune/error.hpp"
+#include "core/control/pose_search.hpp"
+#include "core/control/roll_centering.hpp"
+#include "core/robot/kinematics.hpp"
+#include "sim/scenario/start_of_task.hpp"
+
+namespace armtune::internal {
+namespace {
+
+constexpr double kOffPath = 1e-3;  // m: as close a tool is there
+constexpr unsigned kPlacesTried = 30;
+constexpr int kTimesLooked = 20;    // at a path that was lost, for where it cannot be reached at all
+constexpr double kAtTarget = 0.02;  // m: as close no gaze can turn as fast as the line does
+
+/// The smallest distance from the goal's place that the tool was found to have, however it is turned [m].
+double closest(const RobotModel& robot, const ToolGoal& goal) {
+  double least = std::numeric_limits<double>::infinity();
+  Poses poses;
+  for (unsigned start = 0; start < kPlacesTried && least > kOffPath; ++start) {
+    JointVector q = sample_position(robot, start);
+    reach_goal(robot, {goal.tool, {}}, q);
+    forward_kinematics(robot.chain, q, poses);
+    least = std::min(least, (poses.p_0T - goal.tool).norm());
+  }
+  return least;
+}
+
+/// Whether the arm can have its tool there at all, on whatever way.
+bool can_reach(const RobotModel& robot, const ToolGoal& goal) {
+  for (unsigned start = 0; start < kPlacesTried; ++start) {
+    JointVector q = sample_position(robot, start);
+    if (reach_goal(robot, goal, q)) return true;
+  }
+  return false;
+}
+
+std::string place(const WalkPlace& at) {
+  return fmt::format("at {:.4g} s, tool at ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
+                     at.tool.z());
+}
+
+/// Where the arm cannot have its tool at all, from where the walk lost the path on; empty: nowhere there.
+std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
+  WalkPlace farthest;
+  std::optional<WalkPlace> turned_wrong;
+  for (int look = 0; look < kTimesLooked; ++look) {
+    const double time = walk.left.time + (walk.ended - walk.left.time) * look / (kTimesLooked - 1);
+    const ToolGoal goal = tool_goal_at(scenario, time);
+    const double distance = closest(*scenario.robot, goal);
+    if (distance > std::max(kOffPath, farthest.value)) farthest = {time, goal.tool, distance};
+    if (distance <= kOffPath && !turned_wrong && !can_reach(*scenario.robot, goal))
+      turned_wrong = {time, goal.tool, 0.0};
+  }
+  const char* how = !tracks_orientation(scenario.mask) ? ""
+                    : scenario.orientation             ? " with the tool turned as it is to be"
+                                                       : " with the tool's z axis on the target";
+  if (farthest.value > kOffPath) {
+    return fmt::format(
+        "the path leaves the workspace of {}, from {:.4g} s on: {} it comes no closer than {:.3g} m; move or "
+        "shrink the path",
+        scenario.robot->name, walk.left.time, place(farthest), farthest.value);
+  }
+  if (!turned_wrong) return {};
+  return fmt::format(
+      "the path leaves the workspace of {}{}, {}: within its joint limits it cannot; move or shrink the "
+      "path, or turn the "
+      "tool otherwise",
+      scenario.robot->name, how, place(*turned_wrong));
+}
+
+}  // namespace
+
+std::string trouble(const PathWalk& walk, const Scenario& scenario) {
+  if (is_clear(walk)) return {};
+  if (walk.sight.value < kAtTarget) {
+    return fmt::format(
+        "the tool passes the target that it looks at, {}, {:.3g} m from it; move the path or the target",
+        place(walk.sight), walk.sight.value);
+  }
+  // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
+  // inverse alone may lead.
+  if (is_off_path(walk)) {
+    if (std::string beyond = out_of_reach(walk, scenario); !beyond.empty()) return beyond;
+  }
+  if (is_singular(walk)) {
+    return fmt::format(
+        "the path runs through a singularity of {}: {} manipulability is {:.3g}, elsewhere on it up to "
+        "{:.3g}; "
+        "move the path, or give another start",
+        scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
+        walk.largest_manipulability);
+  }
+  if (is_off_path(walk)) {
+    return fmt::format(
+        "from its start {} cannot keep to the path, {} by {:.3g} m, though it can have its tool there; move "
+        "the path, or "
+        "give another start",
+        scenario.robot->name, place(walk.error), walk.error.value);
+  }
+  if (walk.margin.value >= 0.0) {
+    const LeastClearance& touched = *contact(walk);
+    return fmt::format("on the path {} touch, at {:.4g} s; move the path, or give another start",
+                       scenario.clearance->name(*touched.pair), touched.time);
+  }
+  return fmt::format(
+      "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",
+      scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
+      place(walk.margin));
+}
+
+TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains) {
+  if (scenario.planned) return {};
+  JointVector q = in_si(*scenario.robot, with_goal(gains, scenario).joint_space_goal);
+  if (!reach_goal(*scenario.robot, tool_goal_at(scenario, scenario.start_time), q)) {
+    try {
+      q = best_start_of_task(scenario);
+    } catch (const InputError& error) {
+      return {error.what()};
+    }
+  }
+  const PathWalk walk = walk_path(scenario, q, gains.joint_centering_gain, gains.roll_centering_gain);
+  const bool leaves_limits = !is_off_path(walk) && !is_singular(walk) && walk.margin.value < 0.0;
+  // The roll of a gaze drifts by itself, which moves the last joint; a roll control would hold it.
+  const bool roll_drifts = walk.joint == scenario.robot->n() - 1 &&
+                           RollCentering(*scenario.robot, 1.0, scenario.mask).is_on() &&
+                           !scenario.orientation && gains.roll_centering_gain == 0.0;
+  return {trouble(walk, scenario), leaves_limits && !roll_drifts};
+}
+
+}  // namespace armtune::internal
