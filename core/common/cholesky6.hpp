@@ -14,7 +14,7 @@ class Cholesky6T {
  public:
   using Matrix = Eigen::Matrix<T, 6, 6>;
 
-  /// The leading n rows and columns of A, of which the lower triangle is read.
+  /// Factorises the leading n rows and columns of A. Only their lower triangle is read.
   void compute(const Matrix& A, int n) {
     using std::sqrt;
     n_ = n;
@@ -22,7 +22,7 @@ class Cholesky6T {
     for (int j = 0; j < n; ++j) {
       T square = A(j, j);
       for (int k = 0; k < j; ++k) square -= L_(j, k) * L_(j, k);
-      // Not positive: A has lost rank, and its product is zero whatever comes after.
+      // A square that is not positive means that A has lost rank: its product is zero whatever follows.
       const T root = sqrt(square);
       product_ = select(square > T(0), product_ * root, T(0));
       L_(j, j) = root;
@@ -35,10 +35,10 @@ class Cholesky6T {
     }
   }
 
-  /// sqrt(det A): the product of L's diagonal; zero where A is not positive definite.
+  /// Returns sqrt(det A), the product of L's diagonal; zero if A is not positive definite.
   const T& root_of_determinant() const { return product_; }
 
-  /// A^-1 b, for n = 6.
+  /// Returns A^-1 b in the leading n entries; the entries of b beyond them are returned unchanged.
   Vec6T<T> solve(const Vec6T<T>& b) const {
     Vec6T<T> x = b;
     for (int i = 0; i < n_; ++i) {
@@ -55,7 +55,7 @@ class Cholesky6T {
  private:
   int n_ = 0;
   Matrix L_;
-  Vec6T<T> inverse_;  ///< of L's diagonal
+  Vec6T<T> inverse_;  ///< of the diagonal of L
   T product_;
 };
 

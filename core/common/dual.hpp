@@ -1,6 +1,7 @@
 #pragma once
-// A number that carries its derivatives along N directions, so that every kernel over a scalar type gives
-// exact Jacobians: forward-mode differentiation (Griewank and Walther, Evaluating Derivatives, chapter 3).
+// A number that carries its derivatives along N directions. Any kernel that is a template over its scalar
+// type then gives exact Jacobians by forward-mode differentiation (Griewank and Walther, Evaluating
+// Derivatives, chapter 3).
 
 #include <Eigen/Core>
 #include <cmath>
@@ -16,7 +17,7 @@ struct Dual {
   // NOLINTNEXTLINE(google-explicit-constructor): a constant is a number, too
   Dual(double constant) : value(constant) {}
   Dual(double v, const Eigen::Array<double, N, 1>& d) : value(v), slope(d) {}
-  /// The variable of direction k.
+  /// Returns the variable with value v whose derivative is 1 along direction k.
   static Dual variable(double v, int k) {
     Dual x(v);
     x.slope[k] = 1.0;

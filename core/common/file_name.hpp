@@ -1,22 +1,22 @@
 #pragma once
-// Names that files of results are called after: of scenarios, studies, tasks, and the labels of compared
-// sets.
+// Checks of names that result files are named after: those of scenarios, studies and tasks, and the labels of
+// compared sets.
 
 #include <cstddef>
 #include <string>
 
 namespace armtune::internal {
 
-/// Longest name [byte]. A file system takes 255 for a file, and the longest that is put around a name is
-/// "rollout_", ".csv" and ".partial", or a date.
+/// Longest name [byte]. A file system allows 255 for a file name. The longest text that is put around a name
+/// is "rollout_", ".csv" and ".partial", or a date.
 inline constexpr std::size_t kLongestName = 200;
 
-/// Throws InputError, naming `path`, if files called after `name` could not be made, or not be told of: it is
+/// Throws InputError, naming `path`, if `name` cannot be used in the names and texts of result files: it is
 /// longer than `longest` bytes, is not UTF-8, or holds a control character or another one that ends a line.
 void check_file_name(const std::string& name, const std::string& path, std::size_t longest = kLongestName);
 
-/// The same for a name that CSV files hold as well: it holds no comma and no quote, and does not begin as a
-/// spreadsheet's formula does.
+/// Does the same for a name that CSV files hold as well. It must also have no comma and no quote, and must
+/// not begin like a spreadsheet's formula.
 void check_result_name(const std::string& name, const std::string& path, std::size_t longest = kLongestName);
 
 }  // namespace armtune::internal

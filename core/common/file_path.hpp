@@ -1,16 +1,17 @@
 #pragma once
-// Paths in fewer words that name the same file.
+// Simplified and absolute forms of a path that name the same file.
 
 #include <string>
 
 namespace armtune::internal {
 
-/// The path without "." and, where that names the same file, without "..": behind a symbolic link ".." is the
-/// folder above what the link names, not the one that the link is in. "." for an empty path.
+/// Returns the path without "." and, where that names the same file, without "..". After a symbolic link ".."
+/// is kept: it is the parent of the link's target, not the folder that holds the link. Returns "." for an
+/// empty path.
 std::string without_dots(const std::string& path);
 
-/// The same, from the root of the file system. Throws InputError if the current folder, where relative paths
-/// begin, was deleted or may not be looked at.
+/// Returns the same as an absolute path. Throws InputError if the current folder, where relative paths begin,
+/// was deleted or may not be accessed.
 std::string absolute_path(const std::string& path);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Files as texts: the user's own, which a run reads once, and those that armtune writes.
+// Reading of whole files as text: armtune's own files, and the user's input files, which a run reads once.
 
 #include <cstddef>
 #include <memory>
@@ -7,18 +7,18 @@
 
 namespace armtune::internal {
 
-/// The whole file; pipes and devices are read like files. Throws InputError with the path for one that is
-/// missing, a directory, cannot be opened or read, or holds more than `max_bytes`: that much is read and no
-/// more. `kind` is what messages call it: "a URDF file".
+/// Returns the content of the file; pipes and devices are read like files. Throws InputError with the path if
+/// it is missing, is a directory, cannot be opened or read, or holds more than `max_bytes`; reading stops
+/// there. `kind` is the name of the expected content in messages: "a URDF file".
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
-/// The same for a file that the user named. While an InputRecord lives, the file is read once and every later
-/// call gives the same bytes. Throws InputError as well if the path is not printable (see is_printable):
-/// run.yaml could not name it.
+/// Does the same for a file that the user named. While an InputRecord lives, the file is read once and every
+/// later call returns the same bytes. Also throws InputError if the path is not printable (see is_printable),
+/// since run.yaml could not name it.
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
-/// Keeps what read_input_file reads, so that a run uses and tells of one state of its inputs, whatever
-/// becomes of the files meanwhile. For a program that makes one run: there is one at a time, for all threads.
+/// Keeps what read_input_file reads. A run then uses and records one state of its inputs, even if the files
+/// change meanwhile. It is for a program that makes one run: at a time there is one record for all threads.
 class InputRecord {
  public:
   InputRecord();
@@ -27,10 +27,11 @@ class InputRecord {
   InputRecord& operator=(const InputRecord&) = delete;
 };
 
-/// The bytes that read_input_file gave for this file. Null without an InputRecord, or if it was not read.
+/// Returns the bytes that read_input_file returned for this file; null without an InputRecord, or if the file
+/// was not read.
 std::shared_ptr<const std::string> recorded_input(const std::string& path);
 
-/// Lets the next read_input_file read the file again: the program itself writes it.
+/// Makes the next read_input_file read the file again. It is for files that the program itself writes.
 void forget_input(const std::string& path);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Sines and cosines of all joints at once: of doubles two at a time.
+// Sines and cosines of all joints at once; for doubles, two at a time.
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 namespace armtune::internal {
 
-/// sin and cos of every entry of x (n), one by one.
+/// Computes sin and cos of every entry of x (n), one by one.
 template <typename T>
 void each_sine_and_cosine(const JointVectorT<T>& x, JointVectorT<T>& sines, JointVectorT<T>& cosines) {
   using std::cos;
@@ -21,7 +21,8 @@ void each_sine_and_cosine(const JointVectorT<T>& x, JointVectorT<T>& sines, Join
   }
 }
 
-/// sin and cos of every entry of x (n).
+/// Computes sin and cos of every entry of x (n). If a double is beyond kLargestAngle, all are computed one by
+/// one.
 template <typename T>
 void sines_and_cosines(const JointVectorT<T>& x, JointVectorT<T>& sines, JointVectorT<T>& cosines) {
   each_sine_and_cosine(x, sines, cosines);
@@ -45,7 +46,7 @@ inline void sines_and_cosines(const JointVector& x, JointVector& sines, JointVec
   }
 }
 
-/// Of one angle.
+/// Computes sin and cos of one angle.
 inline void sine_and_cosine(double x, double& sine, double& cosine) {
   if (!(std::abs(x) <= vector_math::kLargestAngle)) {
     sine = std::sin(x);

@@ -1,6 +1,6 @@
 #pragma once
-// LU factorisation of a 6 x 6 matrix with partial pivoting, for one matrix or for several side by side, whose
-// rows change places each on its own. Golub and Van Loan, Matrix Computations, section 3.4.
+// LU factorisation of a 6 x 6 matrix with partial pivoting, for one matrix or for several side by side. Each
+// of several matrices swaps its own rows. Golub and Van Loan, Matrix Computations, section 3.4.
 
 #include <array>
 #include <utility>
@@ -24,7 +24,7 @@ class Lu6T {
         if (!any(larger)) continue;
         for (int j = 0; j < 6; ++j) exchange(larger, rows_(k, j), rows_(r, j));
       }
-      // A pivot of zero has nothing but zeros below it: they are done, and the determinant is zero.
+      // A pivot of zero has only zeros below it: they need no elimination, and the determinant is zero.
       inverse_pivot_[static_cast<std::size_t>(k)] = select(abs(rows_(k, k)) > T(0), T(1) / rows_(k, k), T(0));
       for (int r = k + 1; r < 6; ++r) {
         const T l = rows_(r, k) * inverse_pivot_[static_cast<std::size_t>(k)];
@@ -41,7 +41,7 @@ class Lu6T {
     return abs(product);
   }
 
-  /// x = A^-1 b; without meaning if the determinant is zero.
+  /// Computes x = A^-1 b. The result has no meaning if the determinant is zero.
   void solve(const Vec6T<T>& b, JointVectorT<T>& x) const {
     x = b;
     std::size_t pair = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// "Did you mean": the known word closest to a misspelt one.
+// Suggestions for misspelt words ("did you mean ...?"): the known word closest to a given one.
 
 #include <span>
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace armtune::internal {
 
-/// The candidate with the smallest edit distance to `word`: insertions, deletions, substitutions and swaps of
-/// neighbours (Damerau-Levenshtein in its restricted form, optimal string alignment), ASCII case ignored; the
-/// first one of equals. Empty when nothing is close: distance > max(2, length of word / 3), or not one letter
-/// in place. Throws nothing but std::bad_alloc.
+/// Returns the candidate with the smallest edit distance to `word`, the first one of equals. The distance
+/// counts insertions, deletions, substitutions and swaps of neighbours (restricted Damerau-Levenshtein,
+/// optimal string alignment) and ignores ASCII case. Returns an empty string if nothing is close: distance >
+/// max(2, length of word / 3), or no letter in place. Throws only std::bad_alloc.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// "; did you mean 'x'?" with the nearest candidate, ready to end a message; empty when nothing is close.
+/// Returns "; did you mean 'x'?" with the nearest candidate, to end a message; empty if nothing is close.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace armtune::internal

@@ -1,7 +1,7 @@
 #pragma once
-// Several doubles side by side, as a scalar type: a kernel over Pack<W> does W arms at once, each with the
-// very operations, in the same order, that it has alone, so with the same bits. GCC's vector extensions: any
-// width compiles for any processor.
+// Several doubles side by side as one scalar type. A kernel over Pack<W> computes W arms at once. Each arm's
+// operations and their order are those of the arm alone, so the results are bit-identical. It uses GCC's
+// vector extensions: any width compiles for any processor.
 
 #include <Eigen/Core>
 #include <bit>
@@ -32,7 +32,7 @@ template <int W>
 class Pack {
  public:
   using Register = typename PackRegister<W>::Doubles;
-  /// All bits set where a comparison holds.
+  /// All bits are set where a comparison is true.
   using Mask = decltype(Register{} < Register{});
 
   Pack() = default;
@@ -60,7 +60,7 @@ class Pack {
   Register v_;
 };
 
-/// Where the mask holds a, elsewhere b.
+/// Returns a where the mask is set, else b.
 template <int W>
 Pack<W> select(const typename Pack<W>::Mask& where, const Pack<W>& a, const Pack<W>& b) {
   return Pack<W>(where ? a.values() : b.values());
@@ -79,8 +79,8 @@ Pack<W> sqrt(const Pack<W>& x) {
   return Pack<W>(root);
 }
 
-/// sin and cos of every entry of x (n). An arm one of whose angles is too large for the quick way takes the
-/// other one with all of them, as it does alone.
+/// Computes sin and cos of every entry of x (n). If one angle of an arm is too large for the fast method, all
+/// angles of that arm take the slow one, as they do for the arm alone.
 template <int W>
 void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& sines,
                        JointVectorT<Pack<W>>& cosines) {
@@ -105,7 +105,7 @@ void sines_and_cosines(const JointVectorT<Pack<W>>& x, JointVectorT<Pack<W>>& si
   }
 }
 
-/// Of the same arithmetic as that of two numbers at once.
+/// Returns e^x, with the same arithmetic as for two numbers at once.
 template <int W>
 Pack<W> exp(const Pack<W>& x) {
   return Pack<W>(vector_math::exponential(x.values()));
@@ -133,8 +133,8 @@ struct NumTraits<armtune::internal::Pack<W>> : GenericNumTraits<double> {
 };
 
 namespace internal {
-/// Arrays of packs are aligned as a pack is: the 16 bytes that Eigen asks for without AVX are less, which
-/// Clang refuses.
+/// Arrays of packs have the alignment of a pack. The 16 bytes that Eigen would use without AVX are fewer,
+/// which Clang rejects.
 template <int W, int Size>
 struct compute_default_alignment<armtune::internal::Pack<W>, Size> {
   enum { value = 0 };

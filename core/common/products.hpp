@@ -1,6 +1,6 @@
 #pragma once
-// The products of the control period's kernels, with their sums in one order for every scalar type: from the
-// first term to the last. Eigen's own order depends on scalar and size, and with it the last bit.
+// Matrix and vector products for the control period's kernels. They add their terms in one order, first to
+// last, for every scalar type. Eigen's own order depends on scalar and size, and the last bit with it.
 
 #include <cmath>
 
@@ -8,25 +8,25 @@
 
 namespace armtune::internal {
 
-/// R v.
+/// Returns R v.
 template <typename T>
 [[gnu::always_inline]] inline Vec3T<T> times(const Mat3T<T>& R, const Vec3T<T>& v) {
   return R.col(0) * v[0] + R.col(1) * v[1] + R.col(2) * v[2];
 }
 
-/// a . b of 3-vectors.
+/// Returns a . b of 3-vectors.
 template <typename A, typename B>
 auto dot3(const A& a, const B& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// R^T v.
+/// Returns R^T v.
 template <typename T>
 Vec3T<T> transposed_times(const Mat3T<T>& R, const Vec3T<T>& v) {
   return {dot3(R.col(0), v), dot3(R.col(1), v), dot3(R.col(2), v)};
 }
 
-/// A B.
+/// Returns A B.
 template <typename T>
 Mat3T<T> times(const Mat3T<T>& A, const Mat3T<T>& B) {
   Mat3T<T> C;
@@ -34,7 +34,7 @@ Mat3T<T> times(const Mat3T<T>& A, const Mat3T<T>& B) {
   return C;
 }
 
-/// J x of a 6 x n Jacobian.
+/// Returns J x for a 6 x n Jacobian.
 template <typename T>
 Vec6T<T> times(const JacobianT<T>& J, const JointVectorT<T>& x) {
   Vec6T<T> y = J.col(0) * x[0];
@@ -42,7 +42,7 @@ Vec6T<T> times(const JacobianT<T>& J, const JointVectorT<T>& x) {
   return y;
 }
 
-/// J^T y (n).
+/// Computes x = J^T y (n).
 template <typename T>
 void transposed_times(const JacobianT<T>& J, const Vec6T<T>& y, JointVectorT<T>& x) {
   x.resize(J.cols());
@@ -53,7 +53,7 @@ void transposed_times(const JacobianT<T>& J, const Vec6T<T>& y, JointVectorT<T>&
   }
 }
 
-/// |x|.
+/// Returns |x|.
 template <typename T>
 T norm(const JointVectorT<T>& x) {
   using std::sqrt;

@@ -1,18 +1,18 @@
 #pragma once
-// Choices written once for one number and for several side by side (core/common/pack.hpp): what is a branch
-// for the one is a blend for the others.
+// Choices that are written once for a single number and for several side by side (core/common/pack.hpp). What
+// is a branch for a single number is a blend for several.
 
 #include <type_traits>
 
 namespace armtune::internal {
 
-/// Where the condition holds a, elsewhere b.
+/// Returns a where the condition is true, else b.
 template <typename T>
 T select(bool where, const T& a, const T& b) {
   return where ? a : b;
 }
 
-/// True if a mask holds anywhere; everywhere.
+/// True if a mask is set in any lane (any), or in every lane (all).
 inline bool any(bool where) {
   return where;
 }
@@ -31,7 +31,7 @@ bool all(const Mask& where) {
   return !any(~where);
 }
 
-/// What comparing two T gives.
+/// The result type of comparing two T.
 template <typename T>
 using MaskT = decltype(T(0) < T(0));
 

@@ -1,7 +1,7 @@
 #pragma once
-// Two numbers that go through the same arithmetic, side by side: of doubles, one SSE2 register, which every
-// x86-64 processor has. What one rotation turns comes in such twins: linear and angular velocity, force and
-// moment, mass and inertia.
+// Two numbers that go through the same arithmetic side by side. Two doubles fit one SSE2 register, which
+// every x86-64 processor has. Quantities that one rotation turns come in such pairs: linear and angular
+// velocity, force and moment, mass and inertia.
 
 namespace armtune::internal {
 
@@ -46,7 +46,7 @@ class Twin<double> {
   Twin operator-() const { return Twin(-v_); }
   Twin& operator+=(Twin b) { return *this = *this + b; }
   Twin& operator-=(Twin b) { return *this = *this - b; }
-  // The other one stays to the bit: y - 0 is y, where y + 0 makes 0 of -0.
+  // The other one stays bit-identical: y - 0 is y, while y + 0 turns -0 into 0.
   void add_first(double x) { v_ -= Register{-x, 0.0}; }
   void add_second(double x) { v_ -= Register{0.0, -x}; }
 

@@ -1,13 +1,13 @@
 #pragma once
-// Fixed-capacity vector types: sizes are known at run time, memory at compile time, so nothing here
-// allocates.
+// Vector and matrix types of fixed capacity. Their sizes are known at run time, their memory at compile time,
+// so nothing here allocates.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 namespace armtune::internal {
 
-/// Most joints a serial arm may have. Memory of every workspace is laid out for it.
+/// Largest number of joints of a serial arm. The memory of every workspace is laid out for it.
 inline constexpr int kMaxJoints = 12;
 /// Inertial parameters per link: mass, first moment (3), inertia about the joint frame (6).
 inline constexpr int kLinkParameters = 10;

@@ -1,25 +1,25 @@
 #pragma once
-// Sine, cosine and exponential of several numbers at once, without branches: the same operations on every
-// width and on every x86-64 processor, so the same bytes. Within 2 units in the last place of the exact
-// value (3 for angles between 1000 and kLargestAngle); a NaN stays one.
+// Sine, cosine and exponential of several numbers at once, without branches. The operations are the same for
+// every width and on every x86-64 processor, so the results are bit-identical. They are within 2 units in the
+// last place of the exact value (3 for angles between 1000 and kLargestAngle). A NaN remains a NaN.
 //
-// Argument reduction after Cody and Waite (Software Manual for the Elementary Functions, 1980), pi/2 and
-// ln 2 in parts of 33 bits so that their multiples are exact; then polynomials that interpolate the function
-// at Chebyshev nodes, which is within a few per cent of the least largest error.
+// The argument is reduced after Cody and Waite (Software Manual for the Elementary Functions, 1980), with
+// pi/2 and ln 2 in parts of 33 bits so that their multiples are exact. Polynomials then interpolate the
+// function at Chebyshev nodes. Their largest error is within a few per cent of the smallest possible one.
 
 namespace armtune::internal::vector_math {
 
-/// Two doubles, in one register of any x86-64 processor.
+/// Two doubles in one register of any x86-64 processor.
 using Double2 = double __attribute__((vector_size(16)));
 
 /// As many 64-bit integers as V has doubles.
 template <typename V>
 using Bits = decltype(V{} < V{});
 
-/// Beyond, what is left of the angle is less exact.
+/// Largest angle [rad] of sine_cosine. Beyond it the reduced angle is less exact.
 inline constexpr double kLargestAngle = 1e5;
-/// Added and taken away again it rounds to the nearest integer, whose lowest bits are then its own. 1.5 *
-/// 2^52
+/// 1.5 * 2^52. Adding and subtracting it rounds to the nearest integer. The lowest bits of the sum are those
+/// of that integer.
 inline constexpr double kRounder = 6755399441055744.0;
 
 template <typename V>
@@ -52,12 +52,12 @@ void sine_cosine(const V& x, V& sine, V& cosine) {
   cosine = reinterpret_cast<V>((c_bits ^ changed) ^ (((quarter + 1) & 2) << 62));
 }
 
-/// e^x; beyond 708 to either side that of +-708, so that nothing overflows.
+/// Returns e^x. Beyond +-708 it returns the value at +-708, so that nothing overflows.
 template <typename V>
 V exponential(const V& x) {
   const V lowest = V{} - 708.0;
   const V highest = V{} + 708.0;
-  // A NaN is neither below nor above.
+  // A NaN is neither below nor above, and passes through.
   const V inside = x < lowest ? lowest : (x > highest ? highest : x);
   const V shifted = inside * 1.44269504088896340736 + kRounder;
   const V k = shifted - kRounder;

@@ -3,14 +3,14 @@
 //   theta <- theta - gamma Y^T S dt,   S = q' - qr';   compensation torque Y theta.
 //
 // The published law takes Y along the measured motion, Y(q, q', qr', qr''). The noise n of the measured
-// velocities is in S, and through the feedback also in qr'' = ... - Kp n. The two correlate: the inertia
-// estimates grow by gamma Kp E[n^2] per second, and no amount of time ends that. Three options bound theta;
-// the published law has none of them:
-//   - Y along the filtered motion (adaptation_filter.hpp), in which there is hardly any noise;
-//   - leakage towards the start of theta, of inertias faster than of the rest. It is the inertias that learn
-//     from noise, and an overrated inertia of a light wrist makes the loop ring. Gravity shows masses and
-//     first moments at all times: they may leak slowly, and keep what was learnt of a payload;
-//   - projection to physically valid parameters, which bounds theta from one side only: the cone of physical
+// velocities is in S, and through the feedback also in qr'' = ... - Kp n. The two correlate, so the inertia
+// estimates grow by gamma Kp E[n^2] per second without end. Three options bound theta; the published law has
+// none of them:
+//   - Y along the filtered motion (adaptation_filter.hpp), which has hardly any noise.
+//   - Leakage towards the start of theta, faster for inertias than for the rest. Inertias are what learns
+//     from noise, and an overestimated inertia of a light wrist makes the loop ring. Gravity shows masses and
+//     first moments at all times: they may leak slowly and keep what was learnt of a payload.
+//   - Projection to physically valid parameters. It bounds theta from one side only: the cone of physical
 //     parameters has no upper bound.
 
 #include "core/common/select.hpp"
@@ -28,7 +28,7 @@ class AdaptationT {
 
   const ParameterVectorT<T>& theta() const { return theta_; }
   ParameterVectorT<T>& theta() { return theta_; }
-  /// Where leakage leads back to.
+  /// Returns the theta that leakage leads back to.
   ParameterVectorT<T>& start() { return start_; }
 
   /// Takes one explicit Euler step of length dt [s] in the lanes `where`. Y is that of `along`, S that of
@@ -42,8 +42,8 @@ class AdaptationT {
     }
   }
 
-  /// Leakage (Ioannou and Kokotovic's sigma modification): theta <- theta - rate (theta - start) dt. The rate
-  /// is `leakage`, that of inertias, of links and of rotors, `leakage` + `of_inertias` [1/s].
+  /// Applies leakage (Ioannou and Kokotovic's sigma modification): theta <- theta - rate (theta - start) dt.
+  /// The rate is `leakage`; for the inertias of links and rotors it is `leakage` + `of_inertias` [1/s].
   void leak(const T& leakage, const T& of_inertias, const T& dt, const MaskT<T>& where = T(0) < T(1)) {
     const T slow = leakage * dt;
     const T fast = (leakage + of_inertias) * dt;

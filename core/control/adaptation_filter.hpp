@@ -1,9 +1,9 @@
 #pragma once
-// The motion along which theta adapts, smoothed: q', qr' and qr'' go through a first-order low-pass filter,
+// A filter for the motion along which theta adapts. q', qr' and qr'' pass a first-order low-pass filter,
 //   x <- x + (1 - exp(-2 pi f T)) (measured - x),
 // with the corner frequency f and the control period T. White noise n of the measured velocities is then
-// hardly in Y any more, while S still has all of it: the mean of their product falls by the factor
-// 1 - exp(-2 pi f T), 0.06 at 5 Hz and 2 ms.
+// hardly in Y any more, while S still has all of it. The mean of their product falls by the factor
+// 1 - exp(-2 pi f T), which is 0.06 at 5 Hz and 2 ms.
 
 #include <cmath>
 #include <type_traits>
@@ -25,7 +25,7 @@ class AdaptationFilterT {
     for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) x->setZero(n);
   }
 
-  /// Takes in the measured q' and the references qr', qr'' (n each) of one period.
+  /// Filters the measured q' and the references qr', qr'' (n each) of one period.
   void take(const T& share, const JointVectorT<T>& qd, const JointVectorT<T>& qdr,
             const JointVectorT<T>& qddr) {
     for (Eigen::Index i = 0; i < qd_.size(); ++i) {
@@ -35,12 +35,12 @@ class AdaptationFilterT {
     }
   }
 
-  /// Writes the smoothed motion at the measured poses.
+  /// Computes the smoothed motion at the measured poses.
   void motion(const ChainT<T>& chain, const PosesT<T>& poses, SlotineLiT<T>& along) const {
     slotine_li_forward(chain, poses, qd_, qdr_, qddr_, along);
   }
 
-  /// Lets one lane among several start at rest.
+  /// Resets one lane among several to rest.
   void rest([[maybe_unused]] int lane) {
     for (JointVectorT<T>* x : {&qd_, &qdr_, &qddr_}) {
       for (Eigen::Index i = 0; i < x->size(); ++i) {

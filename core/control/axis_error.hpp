@@ -1,19 +1,19 @@
 #pragma once
 // Orientation errors of a task that leaves the turn about the tool's z axis free
-// (TaskMask::kPositionAndAxis). Gains of unequal axes would make tilts of that turn, so it is no part of an
-// error.
+// (TaskMask::kPositionAndAxis). Errors leave that turn out, since gains that differ between axes would turn
+// it into a tilt.
 
 #include "core/trajectory/gaze.hpp"
 
 namespace armtune::internal {
 
-/// -(the shortest turn of the tool's z axis onto that of the desired orientation): rotation vector [rad, base
-/// frame], perpendicular to both.
+/// Returns the negative of the shortest turn of the tool's z axis onto that of the desired orientation. It is
+/// a rotation vector [rad, base frame], perpendicular to both axes.
 inline Vec3 axis_error(const Mat3& R_0T, const Eigen::Quaterniond& desired) {
   return -gaze_turn(R_0T, Vec3::Zero(), desired * Vec3::UnitZ());
 }
 
-/// The part of an angular velocity [rad/s, base frame] that moves the tool's z axis.
+/// Returns the part of an angular velocity [rad/s, base frame] that moves the tool's z axis.
 inline Vec3 axis_rate(const Mat3& R_0T, const Vec3& w) {
   const Vec3 z = R_0T.col(2);
   return w - z.dot(w) * z;

@@ -1,12 +1,12 @@
 #pragma once
-// Cartesian references (equation 1):
+// The references of the Cartesian law (equation 1):
 //   xr'  = xd' - Kp dx - Ki int(dx) dt,   xr'' = xd'' - Kp dx' - Ki dx.
 
 #include "core/common/types.hpp"
 
 namespace armtune::internal {
 
-/// Six-vectors (linear, angular) in the base frame.
+/// The errors of the Cartesian law. Six-vectors are (linear, angular) in the base frame.
 struct CartesianErrors {
   Vec6 pose = Vec6::Zero();           ///< dx: position [m], then the rotation vector -log(Qd Q^-1) [rad]
   Vec6 rate = Vec6::Zero();           ///< dx' = (v - vd, w - wd)
@@ -15,7 +15,7 @@ struct CartesianErrors {
   Vec6 desired_accel = Vec6::Zero();  ///< xd''
 };
 
-/// xr' and xr''.
+/// The references xr' and xr''.
 template <typename T>
 struct TaskReferenceT {
   Vec6T<T> rate = Vec6T<T>::Zero();
@@ -28,9 +28,9 @@ inline TaskReference task_reference(const CartesianErrors& x, const Vec6& Kp, co
           x.desired_accel - Kp.cwiseProduct(x.rate) - Ki.cwiseProduct(x.pose)};
 }
 
-/// Takes the feedback out of the turn about z (unit, base frame): what is left of it is the desired motion's.
-/// For a gaze whose roll is free. Its roll has no error, so that nothing would end a roll rate that the
-/// integral asks for, and the integral gets a part about z whenever the tool's axis turns.
+/// Removes the feedback from the turn about z (unit, base frame), so that only the desired motion's turn
+/// remains. It is for a gaze with a free roll. The roll has no error, so nothing would end a roll rate that
+/// the integral commands, and the integral gets a part about z whenever the tool's axis turns.
 inline void without_roll_feedback(const CartesianErrors& x, const Vec3& z, TaskReference& reference) {
   reference.rate.tail<3>() -= z * z.dot(reference.rate.tail<3>() - x.desired_rate.tail<3>());
   reference.acceleration.tail<3>() -= z * z.dot(reference.acceleration.tail<3>() - x.desired_accel.tail<3>());

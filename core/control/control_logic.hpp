@@ -1,7 +1,7 @@
 #pragma once
-// What a control period decides: the state, what it tracks, its gains, pace and limits. The arithmetic
-// between the decisions is the same whatever they are, so it can be done for one arm or for several side by
-// side; what is decided for one arm concerns no other.
+// The decisions of a control period: the state, what it tracks, its gains, pace and limits. The arithmetic
+// between the decisions does not depend on them, so it can be done for one arm or for several side by side.
+// The decisions for one arm do not affect the others.
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace armtune::internal {
 
-/// The measured arm as every period looks at it.
+/// The quantities of the measured arm that every period needs.
 struct ArmView {
   Mat3 R_0T = Mat3::Identity();
   Vec3 p_0T = Vec3::Zero();
@@ -24,33 +24,34 @@ struct ArmView {
   double manipulability = 0.0;
   bool damped = false;
   double obstacle_distance = 0.0;  ///< [m], infinite without obstacles
-  /// The whole of it; null: computed from the joints where a decision needs it.
+  /// The complete measured arm; null: computed from the joints when a decision needs it.
   const MeasuredArm* whole = nullptr;
 };
 
 class ControlLogic {
  public:
-  /// gains must be valid for the model (see validate). period: control period [s]. mask: the part of the
-  /// tool's motion that is the task.
+  /// gains must be valid for the model (see validate). period: control period [s]. mask: the components of
+  /// the tool's motion that are the task.
   ControlLogic(std::shared_ptr<const RobotModel> model, const Gains& gains, double period,
                TaskMask mask = TaskMask::kPose);
 
-  /// First in a period: its state and what that tracks. True: the joint reference is what `task_reference()`
-  /// resolves to; otherwise it is in the output already.
+  /// First step of a period: decides the state and what it tracks. Returns true if the joint reference is yet
+  /// to be resolved from `task_reference()`, false if it is already in the output.
   bool decide(const JointState& measured, const ArmView& arm, const Scene& scene, double time);
   const TaskReference& task_reference() const { return task_reference_; }
 
-  /// Then, with the joint reference in the output: it slows down to what the joints can do.
+  /// Second step, with the joint reference in the output: slows it down to what the joints can follow.
   void keep_pace(const Scene& scene, double time);
-  /// False: keep_pace does nothing in this period, and nobody here needs the joint reference.
+  /// True if keep_pace acts in this period. Otherwise the joint reference is not needed here.
   bool keeps_pace() const;
 
-  /// Of the active law (n) [N m s/rad].
+  /// Returns Kd of the active state (n) [N m s/rad].
   const JointVector& Kd() const { return Kd_; }
 
-  /// Then, with the law's torque as the commanded one in the output: repulsion, barrier, effort limits.
+  /// Third step, with the law's torque in the output as the commanded one: adds the repulsion and the
+  /// barrier, and applies the effort limits.
   void limit_torque(const JointState& measured, const ArmView& arm, const Scene& scene);
-  /// Last: the integral goes on. True: so does what the law learns.
+  /// Last step: advances the integral unless a joint is saturated. Returns true if the law may learn now.
   bool conclude();
 
   const ControlOutput& output() const { return out_; }
@@ -77,7 +78,7 @@ class ControlLogic {
   JointVector goal_;  ///< joint_space_goal [rad, m]
   JointVector effort_limits_;
   JointVector velocity_limits_;
-  JointVector velocity_bound_;  ///< of the governor
+  JointVector velocity_bound_;  ///< bound of the governor [rad/s, m/s]
   InverseDamping damping_;
   TaskMask mask_;
   JointCentering centering_;
@@ -96,7 +97,7 @@ class ControlLogic {
   TaskReference task_reference_;
   JointVector Kd_;
   JointVector bypassing_;  ///< torque that does not come from the reference
-  MeasuredArm spare_;      ///< where an ArmView has no whole
+  MeasuredArm spare_;      ///< used if an ArmView has no `whole`
   bool spare_is_now_ = false;
   ControlOutput out_;
 };

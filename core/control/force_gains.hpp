@@ -1,21 +1,21 @@
 #pragma once
-// k_f of the obstacles' repulsion (equation 9). The force on point i acts on joint j with the gain k_f,i,j. A
-// gains file has one number per force point, which then counts for every joint (k_f,i,j = k_f,i), or a list
-// of n numbers per force point, one for each joint.
+// The gains k_f of the obstacles' repulsion (equation 9). The force on point i acts on joint j with the gain
+// k_f,i,j. A gains file has either one number per force point, which is used for every joint (k_f,i,j =
+// k_f,i), or a list of n numbers per force point, one for each joint.
 
 #include "core/common/types.hpp"
 
 namespace armtune::internal {
 
-/// n numbers, one per force point; or n x n, row by row: those of force point i begin at i n.
+/// The values k_f: n, one per force point; or n x n, row by row, with those of force point i from i n on.
 using ForceGains = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxJoints * kMaxJoints, 1>;
 
-/// True if every force point has a gain of its own for each of the n joints.
+/// True if every force point has a separate gain for each of the n joints.
 inline bool is_per_joint(const ForceGains& gains, int n) {
   return n > 1 && gains.size() == Eigen::Index{n} * n;
 }
 
-/// k_f,i,j [N] of force point `point` on joint `joint`.
+/// Returns k_f,i,j [N] of force point `point` on joint `joint`.
 inline double force_gain(const ForceGains& gains, int n, int point, int joint) {
   return gains[is_per_joint(gains, n) ? point * n + joint : point];
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The one declaration of every gain: name, unit, valid range, search range, meaning. Those of a controller's
-// own are declared with it, in the same words (core/control/laws/controller_kind.hpp).
+// The declarations of all gains: name, unit, valid range, search range, meaning. A controller's own gains are
+// declared with the controller, in the same form (core/control/laws/controller_kind.hpp).
 
 #include <limits>
 #include <span>
@@ -12,18 +12,18 @@
 
 namespace armtune::internal {
 
-/// The range a gain is searched in when a study names none.
+/// The range in which a gain is searched if a study gives none.
 enum class SearchRange {
-  kNone,    ///< not tuned unless a study says so
+  kNone,    ///< not tuned unless a study names it
   kFactor,  ///< lower_factor .. upper_factor times the start, on a log scale
-  /// Ki: 0 .. Kp^2/4 of the same axis, on a linear scale. Beyond it e'' + Kp e' + Ki e = 0 would oscillate.
+  /// For Ki: 0 .. Kp^2/4 of the same axis, on a linear scale. Beyond it e'' + Kp e' + Ki e = 0 oscillates.
   kCriticalDamping
 };
 
-/// How many numbers a controller's own gain has: one, six of the task (x y z rx ry rz), or one per joint.
+/// The number of values of a controller's own gain: one, six of the task (x y z rx ry rz), or one per joint.
 enum class GainShape { kScalar, kTask, kJoints };
 
-/// A controller's own gain: Gains::own[place].
+/// A controller's own gain, stored in Gains::own[place].
 struct OwnGain {
   GainShape shape = GainShape::kScalar;
   std::size_t place = 0;
@@ -36,39 +36,40 @@ struct GainField {
   std::variant<double Gains::*, Vec6 Gains::*, JointVector Gains::*, ForceGains Gains::*, OwnGain,
                bool Gains::*, SlerpReference Gains::*>
       member;
-  bool required = true;            ///< must stand in a gains file; joint vectors that need not may be empty
-  bool strictly_positive = false;  ///< otherwise numbers must be >= 0 (the joint goal: any)
+  bool required = true;            ///< must be in a gains file; if false, joint vectors may be empty
+  bool strictly_positive = false;  ///< otherwise values must be >= 0 (the joint goal: any)
   SearchRange search = SearchRange::kNone;
-  /// Of kFactor: bounds as factors on the start's value.
+  /// Bounds for kFactor, as factors on the start value.
   double lower_factor = 0.2;
   double upper_factor = 5.0;
-  /// Numbers must be below this.
+  /// Values must be below this.
   double below = std::numeric_limits<double>::infinity();
-  /// Not of states, references and limits, which every controller has: only controllers that name it have it.
+  /// True for gains of a law: only the controllers that name it have it. Gains of states, references and
+  /// limits belong to every controller.
   bool of_law = false;
-  /// A factor on it is one on the loop's gain.
+  /// True if a factor on this gain is a factor on the loop's gain.
   bool in_loop = false;
-  /// Of an own gain: each of its numbers where a gains file has none.
+  /// Default of each value of an own gain, if a gains file does not give it.
   double otherwise = 0.0;
 
   bool is_number() const { return member.index() <= 4; }
 };
 
-/// The members of Gains, in the order files are written. What one controller has: fields_of
-/// (core/control/laws/controller_kind.hpp).
+/// Returns the fields of the members of Gains, in the order of files. For the gains of one controller see
+/// fields_of (core/control/laws/controller_kind.hpp).
 const std::vector<GainField>& gain_fields();
 
-/// The numbers of a field: 1, 6, n or n x n (ForceGains) of them; empty for switches.
+/// Returns the values of a field: 1, 6, n or n x n (ForceGains) of them; empty for switches.
 std::span<double> numbers(Gains& gains, const GainField& field);
 std::span<const double> numbers(const Gains& gains, const GainField& field);
 
-/// How many numbers a field of this shape has on an arm of n joints.
+/// Returns the number of values of a field of this shape on an arm of n joints.
 Eigen::Index size_of(GainShape shape, int n);
 
-/// Names of a field's numbers: "" for a scalar, "x".."rz" for six, the joints' names for joint vectors.
+/// Returns the names of a field's values: "" for a scalar, "x".."rz" for six, joint names for joint vectors.
 std::vector<std::string> component_names(const GainField& field, const std::vector<std::string>& joints);
-/// The same of the numbers that `gains` have: where a force point has a gain for each joint, these are called
-/// "point/joint", by the names of both joints.
+/// Returns the same for the values that `gains` has. If a force point has a gain for each joint, their names
+/// are "point/joint", from the names of both joints.
 std::vector<std::string> component_names(const Gains& gains, const GainField& field,
                                          const std::vector<std::string>& joints);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Everything a person tunes in the controller, under the names of the published ROS parameters.
+// All values that a person can tune in the controller, under the names of the published ROS parameters.
 
 #include <string>
 #include <vector>
@@ -10,21 +10,21 @@
 
 namespace armtune::internal {
 
-/// Where a slerp runs from: the orientation frozen at its start, or (the released code) the current one.
+/// The orientation from which a slerp runs: the one at its start, or the current one (as the released code).
 enum class SlerpReference { kStart, kCurrent };
 
-/// Units and meaning of every field stand in core/control/gain_fields.cpp, the one declaration that files,
-/// help and search spaces are made from. Six-vectors are (x y z rx ry rz); joint vectors have n entries.
+/// The gains of a controller. core/control/gain_fields.cpp declares unit and meaning of every field; files,
+/// help and search spaces are made from it. Six-vectors are (x y z rx ry rz); joint vectors have n entries.
 struct Gains {
   std::string controller = "adaptive";  ///< a kind's name (core/control/laws/controller_kind.hpp)
-  std::vector<JointVector> own;         ///< the gains that this kind alone has, in the order it declares them
+  std::vector<JointVector> own;         ///< gains of this kind only, in the order of its declaration
   JointVector joint_space_gains_p;
   JointVector joint_space_gains_d;
   Vec6 task_space_gains_p = Vec6::Zero();
   Vec6 task_space_gains_i = Vec6::Zero();
   JointVector task_space_gains_d;
   ForceGains force_control_gains;
-  JointVector joint_space_goal;  ///< [deg], as published; empty: a scenario's own
+  JointVector joint_space_goal;  ///< [deg], as published; empty: the scenario's own
   double joint_trajectory_duration = 6.0;
   double obstacleInfluenceRadius = 0.325;
   double trajectoryDurationErrorGain = 7.0;
@@ -40,7 +40,7 @@ struct Gains {
   double release_radius = 0.0;
   SlerpReference slerp_reference = SlerpReference::kStart;
   bool adapt_while_avoiding = true;
-  // What the published law lacks; off unless a gains file says otherwise.
+  // Extensions that the published law lacks. They are off unless a gains file sets them.
   bool variable_damping = false;
   bool gaze_feedforward = false;
   double slerp_start_angle = 0.0;

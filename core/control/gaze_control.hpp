@@ -1,11 +1,14 @@
 #pragma once
-// Gaze orientation control (equation 7): below the angular threshold the goal orientation itself, above it a
-// slerp whose parameter is a quintic over k_s times the angle. With gaze feed-forward the desired orientation
-// turns as the line from tool to target does; without, as published, it stands still outside slerps.
-// With feed-forward a slerp from its start also begins in the motion that the desired orientation had: from
-// rest its velocity would jump, and Kd would make a torque of that jump.
-// An orientation that is given in place of a target is turned to in the same way. The rates are exact for a
-// slerp from its start; from the `current` orientation they leave out that this one moves.
+// Gaze orientation control (equation 7). Below the angular threshold the reference is the goal orientation
+// itself. Above it, the reference is a slerp whose parameter is a quintic over k_s times the angle.
+//
+// With gaze feed-forward the desired orientation turns like the line from tool to target. Without it, as
+// published, the desired orientation is at rest outside slerps. With feed-forward, a slerp from its start
+// also begins with the motion that the desired orientation had. If it began at rest, its velocity would
+// jump, and Kd would turn that jump into a torque.
+//
+// An orientation that is given in place of a target is tracked in the same way. The rates are exact for a
+// slerp from its start. For one from the `current` orientation they ignore that this orientation moves.
 
 #include <functional>
 #include <optional>
@@ -25,23 +28,24 @@ class GazeControl {
   struct Output {
     OrientationPoint desired;  ///< Qd, wd, wd'
     bool slerping = false;
-    Vec3 turn = Vec3::Zero();  ///< of the measured tool to its aim
+    Vec3 turn = Vec3::Zero();  ///< from the measured tool to its aim
   };
 
-  /// Largest speed of the joints that a slerp's own turn may take: its duration is stretched for it. The
-  /// motion in which it begins comes on top, and the velocity governor slows both.
+  /// The largest joint speeds for a slerp's own turn. Its duration is extended to keep them. The motion with
+  /// which the slerp begins is added to it, and the velocity governor slows both.
   struct SpeedBound {
-    std::function<const TaskInverse&()> inverse;  ///< of the Jacobian as it is; asked when a slerp starts
+    std::function<const TaskInverse&()> inverse;  ///< of the present Jacobian; called when a slerp starts
     const JointVector& bound;                     ///< (n) [rad/s, m/s]
   };
 
-  /// Desired orientation at `time` [s] for the measured tool orientation and the motions of tool and aim
-  /// (base frame). Only feed-forward looks at their velocities and accelerations.
+  /// Returns the desired orientation at `time` [s], from the measured tool orientation and the motions of
+  /// tool and aim (base frame). Only feed-forward uses their velocities and accelerations.
   Output update(const Gains& gains, const Mat3& R_0T, const Eigen::Quaterniond& Q_0T,
                 const MotionPoint<Vec3>& tool, const ToolAim& aim, double time,
                 const std::optional<SpeedBound>& speed = {});
 
-  /// To be called while joints are tracked: a slerp that comes next begins as the tool turns [rad/s].
+  /// Sets the tool's angular velocity [rad/s], with which the next slerp begins. Call it while joints are
+  /// tracked.
   void tool_turns(const Vec3& angular_velocity) { last_ = {angular_velocity, Vec3::Zero()}; }
 
  private:
@@ -58,7 +62,7 @@ class GazeControl {
   Eigen::Quaterniond Q_start_ = Eigen::Quaterniond::Identity();
   Quintic<double> parameter_ = rest_to_rest(0.0, 1.0, 1.0);
   TurnRate last_;                        ///< of the desired orientation in the last period
-  std::optional<Quintic<Vec3>> onward_;  ///< the rotation vector by which a slerp goes on as it began
+  std::optional<Quintic<Vec3>> onward_;  ///< rotation vector that continues the motion before the slerp
 };
 
 }  // namespace armtune::internal

@@ -1,14 +1,15 @@
 #pragma once
-// Where joints go that the task does not need: to the middle of their position limits, z = -k (q - middle).
+// Motion of joints that the task does not need, towards the middle of their position limits:
+//   z = -k (q - middle).
 
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
-/// z of every joint: zero for those without position limits.
+/// The motion z of every joint; zero for joints without position limits.
 template <typename T>
 struct JointCenteringT {
-  JointVectorT<T> middle;  ///< of the position limits [rad, m]
+  JointVectorT<T> middle;  ///< middle of the position limits [rad, m]
   JointVectorT<T> rate;    ///< k [1/s]
 
   JointVectorT<T> velocity(const JointVectorT<T>& q) const {
@@ -24,7 +25,7 @@ struct JointCenteringT {
 };
 using JointCentering = JointCenteringT<double>;
 
-/// rate: k [1/s] of joints with position limits.
+/// Makes the motion for a model. rate: k [1/s] of joints with position limits.
 JointCentering joint_centering(const RobotModel& model, double rate);
 
 }  // namespace armtune::internal

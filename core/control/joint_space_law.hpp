@@ -1,6 +1,6 @@
 #pragma once
-// Joint space references: of leaveSingularity, for a quintic from the start pose to the goal, and of
-// followPlan, for a planned trajectory:
+// Joint space references, for leaveSingularity (a quintic from the start pose to the goal) and for followPlan
+// (a planned trajectory):
 //   qr' = qd' - Kp (q - qd),   qr'' = qd'' - Kp (q' - qd').
 
 #include "core/common/types.hpp"
@@ -15,7 +15,7 @@ struct JointReferenceT {
 };
 using JointReference = JointReferenceT<double>;
 
-/// qd, qd', qd'' at t on the rest-to-rest quintic between two joint configurations (n each).
+/// Returns qd, qd', qd'' at t on the rest-to-rest quintic between two joint positions (n each).
 inline MotionPoint<JointVector> joint_trajectory(const JointVector& start, const JointVector& goal,
                                                  double duration, double t) {
   const MotionPoint<double> s = rest_to_rest(0.0, 1.0, duration).at(t);

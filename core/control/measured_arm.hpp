@@ -1,5 +1,5 @@
 #pragma once
-// Where an arm is measured to be, and what the control laws ask of that place: poses, Jacobian, its inverse.
+// The measured state of an arm as the control laws need it: poses, Jacobian, and the Jacobian's inverse.
 
 #include "core/control/task_inverse.hpp"
 #include "core/robot/kinematics.hpp"
@@ -18,7 +18,7 @@ struct MeasuredArmT {
   MeasuredArmT(const MeasuredArmT&) = delete;  // the inverse refers to this J
   MeasuredArmT& operator=(const MeasuredArmT&) = delete;
 
-  /// Everything but J_dot at q, q' (n).
+  /// Computes everything but J_dot at q, q' (n).
   void measure(const ChainT<T>& chain, const JointVectorT<T>& q, const JointVectorT<T>& qd,
                const InverseDampingT<T>& damping, TaskMask mask) {
     forward_kinematics(chain, q, poses);

@@ -1,5 +1,5 @@
 #pragma once
-// What the arm keeps away from: a ball in the base frame. Scalar type T, as in chain.hpp.
+// An obstacle that the arm avoids: a ball in the base frame. Scalar type T, as in chain.hpp.
 
 #include <string>
 
@@ -7,21 +7,21 @@
 
 namespace armtune::internal {
 
-/// Four numbers, center first (sim/lanes counts on it).
+/// A ball of four numbers. The center must be the first member (sim/lanes relies on it).
 template <typename T>
 struct ObstacleT {
   Vec3T<T> center = Vec3T<T>::Zero();  ///< [m]
-  T radius = T(0);                     ///< of its body [m]; 0: a point
+  T radius = T(0);                     ///< radius of the ball [m]; 0: a point
 };
 using Obstacle = ObstacleT<double>;
 
-/// A ball on its way.
+/// A ball that moves along a path.
 struct MovingObstacle {
   std::string name;
-  Path path;            ///< of its centre
-  double radius = 0.0;  ///< of its body [m]
+  Path path;            ///< path of the centre
+  double radius = 0.0;  ///< radius of the ball [m]
 
-  /// At t [s].
+  /// Returns the ball at t [s].
   Obstacle at(double t) const { return {path.at(t).position, radius}; }
 };
 

@@ -1,10 +1,11 @@
 #pragma once
 // Distances between an arm and the obstacles. There are two:
-//   obstacle_distance is what the published controller acts on. It counts the joint origins, and not the
-//   tool. clearance is how close the arm really comes. It counts the tool tip as well.
-// A chain with link_radius has links with a surface, from each joint's origin to the next and from the last
-// one to the tool; then both are the distance of the nearest link's surface. Both are negative where arm and
-// obstacle meet, and infinite without obstacles.
+//   - obstacle_distance is the distance that the published controller uses. It counts the joint origins, and
+//     not the tool.
+//   - clearance is how close the arm really comes. It counts the tool tip as well.
+// In a chain with link_radius, links have a surface, from each joint's origin to the next and from the last
+// one to the tool. Both distances are then that of the nearest link's surface. Both are negative if arm and
+// obstacle overlap, and infinite without obstacles.
 
 #include <cmath>
 #include <limits>
@@ -16,8 +17,8 @@
 
 namespace armtune::internal {
 
-/// The point nearest to p on link i: the straight line from its joint's origin to the next one's, of the last
-/// to the tool's.
+/// Returns the point nearest to p on link i, a straight line from its joint's origin to the next one's (to
+/// the tool's for the last link).
 template <typename T>
 Vec3T<T> nearest_on_link(const PosesT<T>& poses, int i, const Vec3T<T>& p) {
   const Vec3T<T>& from = poses.p_0B[static_cast<std::size_t>(i)];
@@ -30,7 +31,7 @@ Vec3T<T> nearest_on_link(const PosesT<T>& poses, int i, const Vec3T<T>& p) {
   return from + share * line;
 }
 
-/// Returns the distance that the controller acts on [m]: the smallest of any joint origin, or any link's
+/// Returns the distance that the controller uses [m]: the smallest from any joint origin, or any link's
 /// surface, to any obstacle's surface.
 template <typename T>
 T obstacle_distance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles) {
@@ -64,8 +65,8 @@ inline double obstacle_distance(const Chain& chain, const Poses& poses, std::spa
 }
 
 /// Returns the arm's clearance [m]. acted_on: obstacle_distance of the same arm and obstacles, to which the
-/// tool tip is added; of a chain with link_radius it is the clearance already, as its last link ends at the
-/// tool.
+/// tool tip is added. For a chain with link_radius it is the clearance already, since its last link ends at
+/// the tool.
 template <typename T>
 T clearance(const ChainT<T>& chain, const PosesT<T>& poses, std::span<const ObstacleT<T>> obstacles,
             const T& acted_on) {

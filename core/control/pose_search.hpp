@@ -1,6 +1,6 @@
 #pragma once
-// Joint positions that have the tool where it is wanted: damped least squares (Wampler 1986; Nakamura and
-// Hanafusa 1986) from many starts. The best result is taken.
+// A search for joint positions at which the tool reaches a goal: damped least squares (Wampler 1986; Nakamura
+// and Hanafusa 1986) from many starts. The best result is taken.
 
 #include <functional>
 #include <optional>
@@ -9,29 +9,29 @@
 
 namespace armtune::internal {
 
-/// Where the tool is wanted, base frame [m].
+/// The wanted pose of the tool, base frame [m].
 struct ToolGoal {
   Vec3 tool = Vec3::Zero();
-  std::optional<Vec3> target;  ///< that its z axis points at; none: any orientation
-  std::optional<Eigen::Quaterniond> orientation = std::nullopt;  ///< wanted whole, in place of a target
+  std::optional<Vec3> target;  ///< point at which the tool's z axis aims; none: any orientation
+  std::optional<Eigen::Quaterniond> orientation = std::nullopt;  ///< orientation, in place of a target
 };
 
-/// Moves q (n) to where the goal is met to 1e-9 m and rad. False: it does not get there, or not within the
-/// position limits.
+/// Moves q (n) to the goal, with an error below 1e-9 m and rad. Returns false if it does not get there, or
+/// not within the position limits.
 bool reach_goal(const RobotModel& robot, const ToolGoal& goal, JointVector& q);
 
-/// Of the joint positions (n) that `reach_goal` finds from `first` and from random ones, the one with the
-/// highest score; a position whose score is not a number, or -infinity, is left out. None: nothing was found.
-/// The same call finds the same.
+/// Returns the joint positions (n) with the highest score, of those that `reach_goal` finds from `first` and
+/// from random starts. Positions with a score of NaN or -infinity are left out. No value: nothing was found.
+/// The result is reproducible.
 std::optional<JointVector> best_pose(const RobotModel& robot, const ToolGoal& goal, const JointVector& first,
                                      const std::function<double(const JointVector&)>& score);
 
-/// Number `sample` of a fixed series of joint positions (n) within the limits; a joint that turns takes a
-/// turn at most, about zero where it can.
+/// Returns number `sample` of a fixed series of joint positions (n) within the limits. The range of a
+/// revolute joint is at most one turn, around zero if its limits allow that.
 JointVector sample_position(const RobotModel& robot, unsigned sample);
 
-/// The joint that is closest to a position limit, and what is left to it as a share of its range: 0.5 in the
-/// middle, negative outside. 0.5 where no joint has limits.
+/// The joint that is closest to a position limit, and its distance from it as a share of its range: 0.5 in
+/// the middle, negative outside. It is 0.5 if no joint has limits.
 struct TightestJoint {
   int joint = 0;
   double margin = 0.5;

@@ -1,14 +1,14 @@
 #pragma once
 // Roll control of a gaze. A gaze fixes where the tool's z axis points and leaves the turn about it, the roll,
-// free. Left alone the roll drifts: closed laps of tool and target do not bring the joints back, and the last
-// joint winds up until it reaches its position limit. RollCentering turns the tool about its z axis so that
-// the last joint goes back to the middle of its limits.
+// free. Without control the roll drifts: closed laps of tool and target do not bring the joints back, and the
+// last joint winds up until it reaches its position limit. RollCentering turns the tool about its z axis so
+// that the last joint returns to the middle of its limits.
 //
 // Where the last joint turns about the tool's z axis, a roll moves that joint alone: q_n' = c rho, with the
 // roll rate rho and c = +1 or -1 by the direction of the joint's axis. With m the middle of the limits,
 //   rho* = -c v tanh(k (q_n - m) / v),   rho' = (rho* - rho) / T,
-// so that rho never passes v and never jumps. T = min(1 s, 1 / (4 k)) keeps q_n from overshooting the middle:
-// for small offsets q_n follows T s^2 + s + k = 0, whose roots are real for 4 k T <= 1.
+// so that rho never exceeds v and never jumps. T = min(1 s, 1 / (4 k)) prevents q_n from overshooting the
+// middle: for small offsets q_n follows T s^2 + s + k = 0, whose roots are real for 4 k T <= 1.
 
 #include "core/control/task_mask.hpp"
 #include "core/robot/robot_model.hpp"
@@ -18,15 +18,15 @@ namespace armtune::internal {
 
 class RollCentering {
  public:
-  /// gain: k [1/s], 0 for none. It stays off where it cannot do what it promises: unless the task holds the
-  /// whole pose, and the last joint is revolute, has position limits and turns about the tool's z axis.
+  /// gain: k [1/s], 0 for none. The control is off unless the task includes the whole pose and the last joint
+  /// is revolute, has position limits and turns about the tool's z axis.
   RollCentering(const RobotModel& model, double gain, TaskMask mask);
 
   /// True if a gaze is to be rolled.
   bool is_on() const { return gain_ > 0.0; }
 
-  /// Goes on by one control period [s], with the joints measured at q (n). frozen_start: a slerp from a
-  /// frozen orientation is under way; the roll since its start is kept.
+  /// Advances by one control period [s], with the joints measured at q (n). frozen_start: true during a slerp
+  /// from a frozen orientation; the roll since its start is then kept.
   void step(const JointVector& q, double period, bool frozen_start);
 
   /// Adds the roll to the desired orientation, its angular velocity and its angular acceleration.
@@ -42,7 +42,7 @@ class RollCentering {
   double time_constant_ = 1.0;  ///< T [s]
   double rate_ = 0.0;
   double acceleration_ = 0.0;  ///< rho' [rad/s^2]
-  double since_start_ = 0.0;   ///< roll since a slerp began [rad]
+  double since_start_ = 0.0;   ///< roll since a slerp started [rad]
 };
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// The controller's states and the pure functions that move between them.
+// The controller's states and the pure functions that decide the transitions between them.
 
 namespace armtune::internal {
 
@@ -27,28 +27,28 @@ constexpr const char* name(ControlState state) {
   return "";
 }
 
-/// The state of the first period. planned: a joint trajectory is there to be followed.
+/// Returns the state of the first period. planned: true if there is a joint trajectory to follow.
 constexpr ControlState first_state(bool planned) {
   return planned ? ControlState::kFollowPlan : ControlState::kLeaveSingularity;
 }
 
-/// States whose reference is a joint motion: they track neither a position of the tool nor a gaze.
+/// True for states whose reference is a joint motion. They track neither a position of the tool nor a gaze.
 constexpr bool tracks_joints(ControlState state) {
   return state == ControlState::kLeaveSingularity || state == ControlState::kFollowPlan;
 }
 
 struct TransitionInput {
-  bool joint_trajectory_finished = false;  ///< joint_trajectory_duration is over
-  bool return_finished = false;            ///< the return trajectory has reached the path
-  double obstacle_distance = 0.0;  ///< closest joint origin or link to an obstacle [m], infinite if none
+  bool joint_trajectory_finished = false;  ///< true after joint_trajectory_duration
+  bool return_finished = false;            ///< true if the return trajectory has reached the path
+  double obstacle_distance = 0.0;  ///< distance to the closest joint origin or link [m], infinite if none
   double influence_radius = 0.0;   ///< r_o [m]
   double release_radius = 0.0;     ///< >= r_o [m]
-  bool plan_finished = false;      ///< the planned trajectory is over
+  bool plan_finished = false;      ///< true if the planned trajectory is over
 };
 
-/// State of this period from that of the last one. leaveSingularity is not interrupted: the Cartesian law
-/// that avoidObstacles needs cannot be used near the start pose's singularity. followPlan is, and not taken
-/// up again: pushed aside, the arm is not where the plan has it, and the plan's time has gone on.
+/// Returns the state of this period from that of the last one. leaveSingularity is not interrupted: the
+/// Cartesian law that avoidObstacles needs cannot be used near the start pose's singularity. followPlan can
+/// be interrupted, and is not resumed: the arm was pushed away from the plan, and the plan's time has passed.
 constexpr ControlState next_state(ControlState state, const TransitionInput& in) {
   if (state == ControlState::kLeaveSingularity) {
     return in.joint_trajectory_finished ? ControlState::kReturnToTrajectory : state;

@@ -1,11 +1,12 @@
 #pragma once
-// A joint goal that moves with the task: where the arm would be if it already followed the path and the gaze.
-// leaveSingularity can end there, in the task's own motion, instead of at a pose that is the same for every
-// task.
+// A joint goal that moves with the task: the joint positions of an arm that already follows the path and the
+// gaze. leaveSingularity can end there, in the task's own motion, instead of at a pose that is the same for
+// every task.
 //
-// Closed-loop inverse kinematics (Siciliano et al., Robotics: Modelling, Planning and Control, section 3.7)
-// on a configuration of its own:  q' = J+ (xd' - K e),  q'' = J+ (xd'' - K e' - J' q'),  integrated from the
-// start. It knows nothing of the joints' position limits, like the Cartesian law that takes over from it.
+// The goal is computed by closed-loop inverse kinematics (Siciliano et al., Robotics: Modelling, Planning and
+// Control, section 3.7) on a separate configuration:  q' = J+ (xd' - K e),  q'' = J+ (xd'' - K e' - J' q'),
+// integrated from the start. It ignores the joints' position limits, like the Cartesian law that takes over
+// from it.
 
 #include "core/control/roll_centering.hpp"
 #include "core/control/task_resolution.hpp"
@@ -15,16 +16,17 @@ namespace armtune::internal {
 
 class TaskGoal {
  public:
-  /// Starts anew at q (n).
+  /// Restarts at q (n).
   void start(const JointVector& q) {
     motion_.position = q;
     motion_.velocity.setZero(q.size());
     step_.setZero(q.size());
   }
 
-  /// The goal's q, q', q'' now, then one step of length dt [s]. path: desired tool motion, aim: where the
-  /// tool is to be turned. damping: of the inverse. mask: the part of both that is the task. centering: of
-  /// joints that it does not need. roll: turns the tool about its z axis as well; null: nothing does.
+  /// Returns the goal's q, q', q'' now, and advances the goal by dt [s] for the next call. path: desired tool
+  /// motion. aim: desired orientation. damping: of the inverse. mask: the components of both that are the
+  /// task. centering: of joints that the task does not need. roll: turns the tool about its z axis as well;
+  /// null: nothing does.
   const MotionPoint<JointVector>& step(const Chain& chain, const MotionPoint<Vec3>& path, const ToolAim& aim,
                                        const InverseDamping& damping, TaskMask mask,
                                        const JointCentering& centering, double dt,
@@ -34,11 +36,11 @@ class TaskGoal {
   MotionPoint<JointVector> motion_;
   MeasuredArm arm_;
   JointReference reference_;
-  JointVector step_;  ///< from the last configuration to the next
+  JointVector step_;  ///< from this configuration to the next
 };
 
-/// From `start` at rest (n) to a moving goal: (1 - s) start + s goal, with its derivatives. s: 0 to 1, at
-/// rest at both ends.
+/// Returns the motion from `start` at rest (n) to a moving goal: (1 - s) start + s goal, with its
+/// derivatives. s: from 0 to 1, at rest at both ends.
 MotionPoint<JointVector> towards(const JointVector& start, const MotionPoint<JointVector>& goal,
                                  const MotionPoint<double>& s);
 

@@ -2,8 +2,8 @@
 // The manipulability-switched inverse of the Jacobian (equations 3 and 4):
 //   m = sqrt(det(J J^T));  m >= threshold: J^-1, or J^T (J J^T)^-1 with more than six joints;
 //   otherwise the damped J^T (J J^T + psi I)^-1.
-// Of a task with fewer components (core/control/task_mask.hpp) J is E J, with E taking the components: the
-// leading three rows, or these and the angular ones along the tool's x and y axes.
+// For a task with fewer components (core/control/task_mask.hpp) J stands for E J. E selects the components:
+// the leading three rows, or these and the angular ones along the tool's x and y axes.
 
 #include "core/common/cholesky6.hpp"
 #include "core/common/lu6.hpp"
@@ -16,9 +16,9 @@ namespace armtune::internal {
 template <typename T>
 class TaskInverseT {
  public:
-  /// Factorises once for all right-hand sides of a control period. J is 6 x n and is referred to, not copied.
-  /// With fewer joints than the task has components J J^T is singular by shape: always damped with all of
-  /// psi, m = sqrt(det(J^T J)). R_0T: of the tool.
+  /// Factorises once for all right-hand sides of a control period. J is 6 x n. It is referred to, not copied.
+  /// With fewer joints than task components, J J^T is singular by shape: the inverse is then always damped
+  /// with all of psi, and m = sqrt(det(J^T J)). R_0T: orientation of the tool.
   void compute(const JacobianT<T>& J, const InverseDampingT<T>& damping, TaskMask mask = TaskMask::kPose,
                const Mat3T<T>& R_0T = Mat3T<T>::Identity()) {
     J_ = &J;
@@ -42,13 +42,13 @@ class TaskInverseT {
       manipulability_ = cholesky_.root_of_determinant();
     }
     const T& m = manipulability_;
-    // Not "below": a manipulability that is not a number is damped as well.
+    // Not "m < threshold": a manipulability of NaN is damped as well.
     undamped_ = deficient ? MaskT<T>{} : m >= damping.threshold;
     some_damped_ = !all(undamped_);
     if (some_damped_) damped_.compute(J_Jt(deficient ? damping.psi : damping.at(m)), rows);
   }
 
-  /// x (n) = J+ b: of all x that give the task's components of b, where they can, the smallest.
+  /// Computes x (n) = J+ b, the smallest of all x that give the task's components of b, if they can be given.
   void apply(const Vec6T<T>& b, JointVectorT<T>& x) const {
     if (!is_square()) return transposed_times(*J_, multipliers(b), x);
     if (any(undamped_)) lu_.solve(b, x);
@@ -59,7 +59,8 @@ class TaskInverseT {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = select(undamped_, x[i], damped[i]);
   }
 
-  /// L = E^T (E J J^T E^T)^-1 E b, damped where the inverse is, so that J+ b = J^T L. Not if is_square().
+  /// Returns L = E^T (E J J^T E^T)^-1 E b, damped like the inverse, so that J+ b = J^T L. It must not be
+  /// called if is_square().
   Vec6T<T> multipliers(const Vec6T<T>& b) const {
     const Vec6T<T> taken = take(b);
     if (!some_damped_) return give(cholesky_.solve(taken));
@@ -71,10 +72,10 @@ class TaskInverseT {
     return give(L);
   }
 
-  /// E^T E b: what of b is the task.
+  /// Returns E^T E b, the part of b that belongs to the task.
   Vec6T<T> of_task(const Vec6T<T>& b) const { return give(take(b)); }
 
-  /// Six joints for six components.
+  /// True for six joints and six task components.
   bool is_square() const { return mask_ == TaskMask::kPose && J_->cols() == 6; }
   TaskMask mask() const { return mask_; }
   const T& manipulability() const { return manipulability_; }
@@ -83,7 +84,7 @@ class TaskInverseT {
  private:
   using Mat6 = typename Cholesky6T<T>::Matrix;
 
-  /// E b, in the leading rows; zeros below.
+  /// Returns E b in the leading rows, with zeros below.
   Vec6T<T> take(const Vec6T<T>& b) const {
     if (mask_ == TaskMask::kPose) return b;
     Vec6T<T> taken = Vec6T<T>::Zero();
@@ -94,7 +95,7 @@ class TaskInverseT {
     }
     return taken;
   }
-  /// E^T of the leading rows.
+  /// Returns E^T times the leading rows.
   Vec6T<T> give(const Vec6T<T>& taken) const {
     if (mask_ == TaskMask::kPose) return taken;
     Vec6T<T> b = Vec6T<T>::Zero();
@@ -105,9 +106,9 @@ class TaskInverseT {
     return b;
   }
 
-  /// Rows of it beyond the task's components are not looked at.
+  /// Returns E J. Rows beyond the task's components are not used.
   const JacobianT<T>& task_jacobian() const { return mask_ == TaskMask::kPositionAndAxis ? taken_ : *J_; }
-  /// E J J^T E^T + psi I, of which the leading rows' lower triangle is set.
+  /// Returns E J J^T E^T + psi I. Only the lower triangle of the leading rows is set.
   Mat6 J_Jt(const T& psi) const {
     const JacobianT<T>& J = task_jacobian();
     Mat6 A;
@@ -121,7 +122,7 @@ class TaskInverseT {
     }
     return A;
   }
-  /// The leading n rows of J^T E^T E J, likewise.
+  /// Returns the leading n rows of J^T E^T E J. Only their lower triangle is set.
   Mat6 Jt_J() const {
     const JacobianT<T>& J = task_jacobian();
     Mat6 A;
@@ -138,7 +139,7 @@ class TaskInverseT {
   const JacobianT<T>* J_ = nullptr;
   TaskMask mask_ = TaskMask::kPose;
   Mat3T<T> R_0T_ = Mat3T<T>::Identity();
-  JacobianT<T> taken_;  ///< E J of kPositionAndAxis
+  JacobianT<T> taken_;  ///< E J for kPositionAndAxis
   Lu6T<T> lu_;
   Cholesky6T<T> cholesky_;
   Cholesky6T<T> damped_;

@@ -1,13 +1,13 @@
 #pragma once
-// Which components of the tool's motion are the task. An arm of n joints can hold at most n of them; joints
-// beyond them are redundant.
+// The components of the tool's motion that are the task. An arm of n joints can control at most n of them;
+// joints beyond the number of components are redundant.
 
 namespace armtune::internal {
 
 enum class TaskMask {
   kPose,             ///< position and orientation
   kPositionAndAxis,  ///< position and the direction of the tool's z axis: the turn about it is free
-  kPosition          ///< position alone
+  kPosition          ///< position only
 };
 
 constexpr int components(TaskMask mask) {
@@ -34,7 +34,7 @@ constexpr const char* name(TaskMask mask) {
   return "";
 }
 
-/// The most that so many joints can hold.
+/// Returns the mask with the most components that this number of joints can control.
 constexpr TaskMask largest_mask(int joints) {
   if (joints >= components(TaskMask::kPose)) return TaskMask::kPose;
   if (joints >= components(TaskMask::kPositionAndAxis)) return TaskMask::kPositionAndAxis;

@@ -1,14 +1,15 @@
 #pragma once
-// Joint references of a Cartesian one (equation 2):  qr' = J+ xr',  qr'' = J+ (xr'' - J' qr').
+// The joint references that follow from a Cartesian one (equation 2):  qr' = J+ xr',
+// qr'' = J+ (xr'' - J' qr').
 //
-// With more joints than the task has components they follow, of all motions that hold the task, the one
-// closest to a motion z of their own, which draws them to the middle of their position limits (Liegeois,
+// With more joints than task components, many motions fulfil the task. The references are the one of them
+// that is closest to a motion z, which draws the joints to the middle of their position limits (Liegeois,
 // Automatic supervisory control of the configuration and behavior of multibody mechanisms, 1977):
 //   qr' = z + J^T L,   L = (J J^T)^-1 (xr' - J z),   z = -k (q - middle)
 // and, as qr'' is the derivative of qr' along the motion,
 //   qr'' = y + J^T (J J^T)^-1 (xr'' - J' qr' - J y),   y = z' + J'^T L.
-// A task's components E J (core/control/task_mask.hpp) turn with the tool: E' adds J^T (0, w x L) to y and
-// takes (0, w x r) from xr'', r being what the task leaves of xr' - J qr'.
+// The components E J of a task (core/control/task_mask.hpp) turn with the tool. E' then adds J^T (0, w x L)
+// to y and subtracts (0, w x r) from xr'', where r = xr' - J qr' is the part that the task leaves.
 
 #include "core/control/cartesian_law.hpp"
 #include "core/control/joint_centering.hpp"
@@ -17,8 +18,8 @@
 
 namespace armtune::internal {
 
-/// (0, w x L_angular): E'^T of multipliers, and -E' of motions, for a task whose components turn with the
-/// tool.
+/// Returns (0, w x L_angular), for a task whose components turn with the tool. It is E'^T of multipliers, and
+/// -E' of motions.
 template <typename T>
 Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   Vec6T<T> turned = Vec6T<T>::Zero();
@@ -26,7 +27,7 @@ Vec6T<T> turning(const Vec3T<T>& w, const Vec6T<T>& L) {
   return turned;
 }
 
-/// qr' (n) of an arm that is measured, at q (n). Returns L, of which the acceleration is made as well.
+/// Computes qr' (n) of a measured arm at q (n). Returns L, which resolve_acceleration needs.
 template <typename T>
 Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
                           const JointCenteringT<T>& centering, const JointVectorT<T>& q,
@@ -43,7 +44,8 @@ Vec6T<T> resolve_velocity(const Vec6T<T>& rate, const MeasuredArmT<T>& arm,
   return L;
 }
 
-/// qr'' (n) of an arm that is measured and differentiated at q' (n), with qr' in the reference and its L.
+/// Computes qr'' (n) of an arm that is measured and differentiated at q' (n). The reference already holds
+/// qr', and L is the one of qr'.
 template <typename T>
 void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm,
                           const JointCenteringT<T>& centering, const JointVectorT<T>& qd, const Vec6T<T>& L,
@@ -66,7 +68,7 @@ void resolve_acceleration(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm
   reference.acceleration += back;
 }
 
-/// qr' and qr'' of an arm that is measured and differentiated, at q, q' (n).
+/// Computes qr' and qr'' of an arm that is measured and differentiated at q, q' (n).
 template <typename T>
 void resolve(const TaskReferenceT<T>& x, const MeasuredArmT<T>& arm, const JointCenteringT<T>& centering,
              const JointVectorT<T>& q, const JointVectorT<T>& qd, JointReferenceT<T>& reference) {

@@ -1,10 +1,10 @@
 #pragma once
-// Joint-level velocity barrier: damping that grows as |q'| nears its limit, against torques that bypass the
-// velocity reference. With x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, from 0 at the start
-// to 1 at the limit:
-//   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i),
-// and a bypassing torque that pushes on is faded by 1 - h. The damping counts from the start of the barrier,
-// so that its slope stays below 1.7 gain Kd: what is steeper rings in a sampled loop.
+// A velocity barrier for each joint. It is damping that grows as |q'| nears its limit, against torques that
+// bypass the velocity reference. With x = (|q'|/limit - start) / (1 - start) and h = 3 x^2 - 2 x^3, which
+// rises from 0 at the start to 1 at the limit:
+//   tau_i <- tau_i - gain Kd_i h (|q'_i| - start limit_i) sign(q'_i).
+// A bypassing torque in the direction of motion is multiplied by 1 - h. The damping counts from the start of
+// the barrier, so that its slope stays below 1.7 gain Kd: a steeper one rings in a sampled loop.
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,15 @@
 
 namespace armtune::internal {
 
-/// h in [0, 1] at a joint velocity; `start`: share of the limit where it begins, in [0, 1).
+/// Returns h in [0, 1] at a joint velocity. start: share of the limit where the barrier begins, in [0, 1).
 inline double velocity_barrier(double qd, double limit, double start) {
   const double x = std::clamp((std::abs(qd) / limit - start) / (1.0 - start), 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// Adds `bypassing` (n), a torque that does not come from the reference, and the barrier's damping to the
-/// torque. qd (n): measured; limits (n) > 0; Kd (n) [N m s/rad]; gain: 0 adds `bypassing` as it is.
+/// Adds to the torque the barrier's damping and `bypassing` (n), a torque that does not come from the
+/// reference. qd (n): measured; limits (n) > 0; Kd (n) [N m s/rad]. With gain 0, `bypassing` is added
+/// unchanged.
 inline void add_behind_barrier(const JointVector& qd, const JointVector& limits, double start, double gain,
                                const JointVector& Kd, const JointVector& bypassing, JointVector& torque) {
   for (Eigen::Index i = 0; i < torque.size(); ++i) {

@@ -1,10 +1,11 @@
 #pragma once
-// Whether a rigid body can have an inertia, and the nearest inertia that one can have.
+// A test of whether a rigid body can have a given inertia, and the nearest inertia that one can have.
 //
 // The inertia I of a body about its centre of mass follows from the second moments of its mass,
-// S = integral of r r^T dm = tr(I)/2 1 - I. A body exists for every S without negative eigenvalues. The same
-// in principal moments: none is negative, and none is larger than the sum of the other two. See Wensing, Kim
-// and Slotine, Linear matrix inequalities for physically consistent inertial parameter identification, 2018.
+// S = integral of r r^T dm = tr(I)/2 1 - I. A body exists for every S without negative eigenvalues. In
+// principal moments this means: none is negative, and none is larger than the sum of the other two. See
+// Wensing, Kim and Slotine, Linear matrix inequalities for physically consistent inertial parameter
+// identification, 2018.
 
 #include "core/robot/chain.hpp"
 
@@ -13,7 +14,8 @@ namespace armtune::internal {
 /// Returns the principal moments about the centre of mass, in ascending order [kg m^2]. The mass is positive.
 Vec3 principal_moments(const LinkInertia& body);
 
-/// Returns true if a rigid body can have it, up to 1e-4 of the largest moment: vendors round to five digits.
+/// Returns true if a rigid body can have this inertia, with a tolerance of 1e-4 of the largest moment, since
+/// vendors round to five digits.
 bool is_physical(const LinkInertia& body);
 
 /// Returns the body's mass and centre with the nearest inertia that a rigid body can have: nearest in the

@@ -1,6 +1,6 @@
 #pragma once
-// A serial chain as the kernels see it: geometry and inertia, nothing else. Scalar type T, so that the same
-// kernels can later run several arms at once.
+// A serial chain for the numerical kernels: geometry, inertia and friction, without names and limits. Its
+// scalar type is T, so that the same kernels can compute several arms at once.
 
 #include <array>
 
@@ -19,9 +19,9 @@ struct LinkInertiaT {
 };
 using LinkInertia = LinkInertiaT<double>;
 
-/// Body frame B of every joint: origin on the joint's axis, z along the axis, so that a joint turns about, or
-/// slides along, its own z. `R_PB0`, `p_PB0`: pose of B in the previous body's frame P at q = 0 (the first P
-/// is the base frame 0).
+/// A serial chain of n joints. The body frame B of every joint has its origin on the joint's axis and z along
+/// the axis: a joint turns about, or slides along, its own z. `R_PB0`, `p_PB0`: pose of B in the previous
+/// body's frame P at q = 0. The first P is the base frame 0.
 template <typename T>
 struct ChainT {
   int n = 0;
@@ -32,7 +32,7 @@ struct ChainT {
   JointVectorT<T> rotor_inertia;     ///< D, reflected to the joint [kg m^2, kg]
   JointVectorT<T> viscous_friction;  ///< [N m s/rad, N s/m]
   JointVectorT<T> coulomb_friction;  ///< [N m, N]
-  /// Of the links [m], for their distance from obstacles; empty: it is the joints' origins that count.
+  /// Radii of the links [m], for their distance from obstacles. Empty: the joints' origins count instead.
   JointVectorT<T> link_radius;
   Mat3T<T> R_BT = Mat3T<T>::Identity();  ///< tool frame in the last body frame
   Vec3T<T> p_BT = Vec3T<T>::Zero();

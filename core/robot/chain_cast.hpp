@@ -1,5 +1,5 @@
 #pragma once
-// A chain over another scalar type, such as dual numbers.
+// Conversion of a chain to another scalar type, such as dual numbers.
 
 #include "core/robot/chain.hpp"
 

@@ -1,14 +1,14 @@
 #pragma once
 // Inverse dynamics by the recursive Newton-Euler algorithm, gravity torque, and the mass matrix by the
-// composite rigid body algorithm. Featherstone, Rigid Body Dynamics Algorithms, sections 5.3 and 6.2; here in
-// 3-vectors, body frames, with the classical acceleration of the body frame's origin.
+// composite rigid body algorithm. Featherstone, Rigid Body Dynamics Algorithms, sections 5.3 and 6.2. Here
+// they use 3-vectors in body frames, and the classical acceleration of the body frame's origin.
 
 #include "core/robot/friction.hpp"
 #include "core/robot/kinematics.hpp"
 
 namespace armtune::internal {
 
-/// tau = (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05)  [N m, N].
+/// Computes tau = (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05)  [N m, N].
 /// q' and q'' (n) in rad/s, rad/s^2 (m for prismatic joints); poses from `forward_kinematics` at q.
 template <typename T>
 void inverse_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
@@ -55,21 +55,21 @@ void inverse_dynamics(const ChainT<T>& chain, const PosesT<T>& poses, const Join
   }
 }
 
-/// g(q): the torque that holds the arm still (n).
+/// Computes g(q), the torque that holds the arm still (n).
 template <typename T>
 void gravity_torque(const ChainT<T>& chain, const PosesT<T>& poses, JointVectorT<T>& tau) {
   const JointVectorT<T> zero = JointVectorT<T>::Zero(chain.n);
   inverse_dynamics(chain, poses, zero, zero, tau);
 }
 
-/// M(q) (n x n), links only: rotor inertia D is not in it.
+/// Computes M(q) (n x n) of the links only, without rotor inertia D.
 template <typename T>
 void mass_matrix(const ChainT<T>& chain, const PosesT<T>& poses, JointMatrixT<T>& M) {
   M.setZero(chain.n, chain.n);
   LinkInertiaT<T> composite = chain.link[static_cast<std::size_t>(chain.n - 1)];
   for (int i = chain.n - 1; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
-    // Force and moment about body i's origin that a unit acceleration of joint i asks of all bodies beyond.
+    // Force and moment about body i's origin that accelerate all bodies from i on by a unit q'' of joint i.
     const Vec3T<T>& h = composite.first_moment;
     Vec3T<T> f;
     Vec3T<T> t;

@@ -1,8 +1,8 @@
 #pragma once
 // Forward dynamics by the articulated-body algorithm. Featherstone, Rigid Body Dynamics Algorithms, section
-// 7.3; here in 3-vectors with the axes of the base, so that an articulated body only moves its origin from
-// one joint to the next and is never turned. Rotor inertia is added to each joint's own articulated inertia,
-// where it is exact. Linear and angular halves go through it as twins.
+// 7.3. Here it uses 3-vectors with the axes of the base, so that an articulated body only moves its origin
+// from one joint to the next and is never turned. Rotor inertia is added to each joint's own articulated
+// inertia, where it is exact. Linear and angular halves are computed together as twins (common/twin.hpp).
 
 #include "core/robot/friction_step.hpp"
 #include "core/robot/kinematics.hpp"
@@ -11,8 +11,8 @@
 
 namespace armtune::internal {
 
-/// Work space of `forward_dynamics`: what its passes leave for the next one. Base axes. Twins: linear and
-/// angular motion of the body's origin; force and moment about that origin.
+/// The workspace of `forward_dynamics`: results that one pass leaves for the next, with base axes. Twins are
+/// linear and angular motion of the body's origin, or force and moment about that origin.
 template <typename T>
 struct ForwardDynamicsT {
   std::array<Vec3T<T>, kMaxJoints> arm;  ///< from the previous body's origin to the body's
@@ -20,12 +20,12 @@ struct ForwardDynamicsT {
   std::array<TwinVec3T<T>, kMaxJoints> turning;  ///< acceleration by the joint's own motion, without any q''
   std::array<TwinVec3T<T>, kMaxJoints> U;        ///< articulated inertia times the joint's axis
   std::array<T, kMaxJoints> inverse_d;           ///< 1 / (articulated inertia about the axis + rotor inertia)
-  std::array<T, kMaxJoints> u;                   ///< torque that is left for acceleration
+  std::array<T, kMaxJoints> u;                   ///< torque left for acceleration
   JointVectorT<T> coulomb;                       ///< tanh(q'/0.05)
 };
 using ForwardDynamics = ForwardDynamicsT<double>;
 
-/// Force of an articulated body, about its origin, for the spatial acceleration (a, w') of it:
+/// The force of an articulated body, about its origin, as a function of its spatial acceleration (a, w'):
 ///   f = M a + B w' + f0,   t = B^T a + I w' + t0.
 template <typename T>
 struct ArticulatedBodyT {
@@ -62,24 +62,24 @@ struct ArticulatedBodyT {
     B.bottom[1] -= h.x();
   }
 
-  /// Force and moment for unit acceleration along, or about, the axis z.
+  /// Returns the force and moment for unit acceleration along, or about, the axis z.
   [[gnu::always_inline]] TwinVec3T<T> along(const Vec3T<T>& z, JointMotion motion) const {
     return motion == JointMotion::kRevolute ? TwinVec3T<T>(B * z, M_I.second_times(z))
                                             : TwinVec3T<T>(M_I.first_times(z), B.transposed_times(z));
   }
 
-  /// Takes away what a joint gives way to: U U^T / d. scaled: U / d.
+  /// Subtracts U U^T / d, the part of the inertia that the joint's free motion takes out. scaled: U / d.
   [[gnu::always_inline]] void subtract(const TwinVec3T<T>& scaled, const TwinVec3T<T>& U) {
     M_I.subtract_square(scaled, U);
     B.subtract_product(scaled.first(), U.second());
   }
 
-  /// Adds to the bias what the acceleration c takes.
+  /// Adds to the bias the force that the acceleration c needs.
   [[gnu::always_inline]] void accelerate(const TwinVec3T<T>& c) {
     bias += M_I * c + TwinVec3T<T>(B * c.second(), B.transposed_times(c.first()));
   }
 
-  /// The same body about another origin, from which its present one lies at p.
+  /// Moves the body's origin to another point, from which the present origin is at p.
   [[gnu::always_inline]] void move_origin(const Vec3T<T>& p) {
     const SplitMat3T<T> C = B;
     // B' = B - M [p]: a row times [p] is that row cross p.
@@ -106,7 +106,7 @@ struct ArticulatedBodyT {
   }
 };
 
-/// Outwards: velocities of all bodies.
+/// Computes the velocities of all bodies, from the base outwards.
 template <typename T>
 void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                      ForwardDynamicsT<T>& s) {
@@ -130,7 +130,8 @@ void body_velocities(const ChainT<T>& chain, const PosesT<T>& poses, const Joint
   }
 }
 
-/// Inwards: each joint hands on what it cannot give way to.
+/// Computes the articulated bodies, from the tip inwards. Each joint passes on the force that its own motion
+/// does not absorb.
 template <typename T, typename Friction>
 void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                         const JointVectorT<T>& torque, const Friction& friction, ForwardDynamicsT<T>& s) {
@@ -158,7 +159,7 @@ void articulated_bodies(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   }
 }
 
-/// Outwards: accelerations, against gravity.
+/// Computes the joint accelerations, from the base outwards. Gravity is an acceleration of the base.
 template <typename T>
 void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const ForwardDynamicsT<T>& s,
                          JointVectorT<T>& qdd) {
@@ -179,7 +180,7 @@ void joint_accelerations(const ChainT<T>& chain, const PosesT<T>& poses, const F
   }
 }
 
-/// Writes q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s
+/// Computes q'' (n) of (M + D) q'' + C q' + g + Fv q' + Fc tanh(q'/0.05) = torque. q', torque (n) in rad/s
 /// (m/s) and N m (N); poses: `body_poses` at q is enough. Singular only if a joint moves no inertia at all.
 /// friction: FrictionStep for an evaluation within a step of integration, InstantFriction for q'' itself.
 template <typename T, typename Friction>

@@ -1,5 +1,5 @@
 #pragma once
-// Joint friction: viscous, and Coulomb smoothed by tanh. Plant and regressor share this one definition.
+// Joint friction: viscous, and Coulomb friction smoothed by tanh. Plant and regressor share this definition.
 
 #include <cmath>
 
@@ -9,18 +9,19 @@
 
 namespace armtune::internal {
 
-/// Velocity at which tanh takes over from sign [rad/s, m/s].
+/// Velocity scale of tanh, which replaces the sign function [rad/s, m/s].
 inline constexpr double kCoulombVelocity = 0.05;
 
-/// Direction of Coulomb friction at velocity qd: tanh(q' / 0.05). From one exponential, exact to 1e-16: the
-/// library's tanh takes three times as long to keep the relative accuracy of results near zero as well.
+/// Returns the direction of Coulomb friction at velocity qd, tanh(q' / 0.05). It needs one exponential and is
+/// exact to 1e-16. The library's tanh is also accurate relative to results near zero, and takes three times
+/// as long.
 template <typename T>
 T coulomb_direction(const T& qd) {
   using std::exp;
   return T(1) - T(2) / (T(1) + exp(qd * T(2.0 / kCoulombVelocity)));
 }
 
-/// The same of two joints at once.
+/// Returns the same for two joints at once.
 inline vector_math::Double2 coulomb_direction(const vector_math::Double2& qd) {
   return 1.0 - 2.0 / (1.0 + vector_math::exponential(qd * (2.0 / kCoulombVelocity)));
 }
@@ -28,7 +29,7 @@ inline double coulomb_direction(double qd) {
   return coulomb_direction(vector_math::Double2{qd, qd})[0];
 }
 
-/// The same of all joints (n).
+/// Computes the same for all joints (n).
 template <typename T>
 void coulomb_directions(const JointVectorT<T>& qd, JointVectorT<T>& directions) {
   directions.resize(qd.size());
@@ -45,7 +46,8 @@ inline void coulomb_directions(const JointVector& qd, JointVector& directions) {
   if (n % 2 == 1) directions[n - 1] = coulomb_direction(qd[n - 1]);
 }
 
-/// The same; zero where no joint has Coulomb friction (coefficients, n), so that nothing would come of them.
+/// Computes the same, but zero if no joint has Coulomb friction (coefficients, n): the directions then have
+/// no effect.
 template <typename T>
 void coulomb_directions(const JointVectorT<T>& qd, const JointVectorT<T>& coefficients,
                         JointVectorT<T>& directions) {

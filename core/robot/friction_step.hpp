@@ -1,5 +1,5 @@
 #pragma once
-// Friction over one step of integration: linearly implicit where it is stiff, explicit elsewhere.
+// Friction over one step of integration: linearly implicit where friction is stiff, explicit elsewhere.
 //
 // An explicit step of h multiplies a velocity that only friction changes by about 1 - h c / d, where c is the
 // slope of the friction law and d the inertia that the joint moves. The step is unstable once h c / d exceeds
@@ -11,10 +11,9 @@
 // With G = h c / 2 and f(v) = c v this is friction in the middle of the step, c (v0 + h k / 2). It is a
 // W-method (Steihaug and Wolfbrandt 1979; Hairer and Wanner, Solving Ordinary Differential Equations II,
 // section IV.7), with these choices:
-//   - G is 0 where friction is not stiff. The rule is then the explicit one, to the bit, and has its order.
+//   - G is 0 where friction is not stiff. The rule is then bit for bit the explicit one, and has its order.
 //   - Where friction is stiff, G is h c / 2. The rule is then of second order (the semi-implicit Euler rule
-//   of
-//     first), because the two terms with G differ by O(h^2). A step of friction alone gains no energy,
+//     of first), because the two terms with G differ by O(h^2). A step of friction alone gains no energy,
 //     because h c is at most twice M + D + G.
 //   - Beyond h c = 2 d the inertia d + G is raised to h c, so that friction alone stops the joint within the
 //     step. With less, the velocity would change its sign in every step and hardly decay.
@@ -29,31 +28,31 @@
 
 namespace armtune::internal {
 
-/// Holds what a joint's friction adds to the left side (inertia) and the right side (force) of its equation
-/// of motion.
+/// The terms that a joint's friction adds to the left side (inertia) and the right side (force) of its
+/// equation of motion.
 template <typename T>
 struct AddedByFriction {
   T inertia;  ///< [kg m^2, kg]
   T force;    ///< [N m, N]
 };
 
-/// Adds nothing: at an instant friction is the torque f(q') alone, which the dynamics subtract by themselves.
+/// Friction at an instant. It adds nothing: it is the torque f(q') alone, which the dynamics subtract.
 struct InstantFriction {
   template <typename T>
   void add(const ChainT<T>& /*chain*/, Eigen::Index /*i*/, const T& /*qd*/, T& /*inertia*/,
            T& /*force*/) const {}
 };
 
-/// Adds what friction needs over a step of h.
+/// Friction over a step of h.
 template <typename T>
 class FrictionStep {
  public:
   /// h [s]; start: q' (n) at the beginning of the step, which must outlive this.
   FrictionStep(const T& h, const JointVectorT<T>& start) : h_(h), rate_(T(2.0) / h), start_(start) {}
 
-  /// Returns what the friction of joint i adds at its velocity qd. inertia: d, which the joint moves while
-  /// the joints behind it are free and those before it are held, rotor included. This is the articulated
-  /// inertia, and the pivot of M + D if that is eliminated from the last joint on.
+  /// Returns the terms of the friction of joint i at its velocity qd. inertia: d, the inertia that the joint
+  /// moves while the joints after it are free and those before it are held, including its rotor. This is the
+  /// articulated inertia, and the pivot of M + D if that is eliminated from the last joint on.
   AddedByFriction<T> added(const ChainT<T>& chain, Eigen::Index i, const T& qd, const T& inertia) const {
     using std::abs;
     const T speed = abs(qd);
@@ -77,7 +76,7 @@ class FrictionStep {
     return {select(stopping > G, stopping, G), -(rate_ * G) * (start_[i] - qd)};
   }
 
-  /// Adds it to the inertia and the force of joint i.
+  /// Adds those terms to the inertia and the force of joint i.
   void add(const ChainT<T>& chain, Eigen::Index i, const T& qd, T& inertia, T& force) const {
     const AddedByFriction<T> friction = added(chain, i, qd, inertia);
     inertia += friction.inertia;
@@ -85,9 +84,9 @@ class FrictionStep {
   }
 
  private:
-  /// Of the rotor inertia: an explicit step is stable up to 2.
+  /// Stiffness bound h c as a factor on the rotor inertia. An explicit step is stable up to 2.
   static constexpr double kOfRotor = 1.75;
-  /// Of d: 2 / 33, as above.
+  /// Stiffness bound h c as a factor on d. Derived above: 2 / 33.
   static constexpr double kOfInertia = 1.0 / 16.0;
 
   T h_, rate_;

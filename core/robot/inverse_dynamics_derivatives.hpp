@@ -1,7 +1,7 @@
 #pragma once
-// Exact derivatives of the inverse dynamics along q, q' and q''. Singh, Russell, Wensing, Efficient
-// analytical derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022; spatial vectors
-// about the base frame's origin, in its axes, as (angular, linear). Featherstone, Rigid Body Dynamics
+// Exact derivatives of the inverse dynamics with respect to q, q' and q''. Singh, Russell, Wensing, Efficient
+// analytical derivatives of rigid-body dynamics using spatial vector algebra, RA-L 2022. Spatial vectors are
+// (angular, linear), about the base frame's origin and with its axes. Featherstone, Rigid Body Dynamics
 // Algorithms, chapter 2.
 
 #include "core/robot/friction.hpp"
@@ -9,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// tau of `inverse_dynamics` (n) and what it changes by along q, q', q'' (n x n each).
+/// The torque tau of `inverse_dynamics` (n) and its derivatives by q, q' and q'' (n x n each).
 template <typename T>
 struct InverseDynamicsDerivativesT {
   JointVectorT<T> tau;     ///< [N m, N]
@@ -31,7 +31,7 @@ Mat3T<T> skew(const Vec3T<T>& a) {
   return S;
 }
 
-/// v x m of motion vectors.
+/// Returns v x m of motion vectors.
 template <typename T>
 Vec6T<T> cross(const Vec6T<T>& v, const Vec6T<T>& m) {
   const Vec3T<T> w = v.template head<3>();
@@ -42,7 +42,7 @@ Vec6T<T> cross(const Vec6T<T>& v, const Vec6T<T>& m) {
   return result;
 }
 
-/// v x* f of a motion and a force vector (moment, force).
+/// Returns v x* f of a motion and a force vector (moment, force).
 template <typename T>
 Vec6T<T> cross_force(const Vec6T<T>& v, const Vec6T<T>& f) {
   const Vec3T<T> w = v.template head<3>();
@@ -53,7 +53,7 @@ Vec6T<T> cross_force(const Vec6T<T>& v, const Vec6T<T>& f) {
   return result;
 }
 
-/// Inertia of a body about the base frame's origin. R_0B, p_0B: its pose.
+/// Returns the inertia of a body about the base frame's origin. R_0B, p_0B: pose of the body.
 template <typename T>
 Matrix<T> inertia(const LinkInertiaT<T>& link, const Mat3T<T>& R_0B, const Vec3T<T>& p_0B) {
   const Vec3T<T> h = R_0B * link.first_moment;
@@ -68,8 +68,8 @@ Matrix<T> inertia(const LinkInertiaT<T>& link, const Mat3T<T>& R_0B, const Vec3T
   return I;
 }
 
-/// 2 B(I, v) = (v x*) I - I (v x) + (I v) x*-bar, which takes a joint's motion to what the velocity products
-/// of the bodies beyond it change by.
+/// Returns 2 B(I, v) = (v x*) I - I (v x) + (I v) x*-bar. It maps a joint's motion to the change of the
+/// velocity products of the bodies beyond it.
 template <typename T>
 Matrix<T> twice_B(const Matrix<T>& I, const Vec6T<T>& v) {
   const Mat3T<T> W = skew<T>(v.template head<3>());
@@ -88,7 +88,8 @@ Matrix<T> twice_B(const Matrix<T>& I, const Vec6T<T>& v) {
 
 }  // namespace spatial
 
-/// q', q'' (n) [rad, m and per s, s^2]; poses from `forward_kinematics` at q.
+/// Computes tau and its derivatives. q', q'' (n) [rad, m and per s, s^2]; poses from `forward_kinematics` at
+/// q.
 template <typename T>
 void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                                   const JointVectorT<T>& qdd, InverseDynamicsDerivativesT<T>& out) {
@@ -124,7 +125,7 @@ void inverse_dynamics_derivatives(const ChainT<T>& chain, const PosesT<T>& poses
   out.by_qdd.resize(n, n);
   for (int i = n - 1; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
-    // The motion of joint i as the forces beyond it feel it ...
+    // Change of the forces beyond joint i along its motion ...
     const Vec6T<T> own_rate = Vec6T<T>(T(2) * S_rate[k]);  // v_i x S_i = v_parent x S_i
     const Vec6T<T> along_q = B2[k] * S_rate[k] + I[k] * S_rate_2[k] + spatial::cross_force<T>(S[k], f[k]);
     const Vec6T<T> along_qd = B2[k] * S[k] + I[k] * own_rate;

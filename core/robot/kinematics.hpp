@@ -1,5 +1,5 @@
 #pragma once
-// Forward kinematics of every joint, geometric Jacobian at the tool and its exact time derivative.
+// Forward kinematics of every joint, and the geometric Jacobian at the tool with its exact time derivative.
 // Siciliano et al., Robotics: Modelling, Planning and Control, chapters 2 and 3. Frame 0 is the base.
 
 #include "core/common/joint_math.hpp"
@@ -9,8 +9,8 @@
 
 namespace armtune::internal {
 
-/// Poses at one configuration. Filled by `forward_kinematics`; read by everything that needs a pose, so that
-/// no pose is computed twice in a control period.
+/// The poses at one configuration. `forward_kinematics` fills it once in a control period, and everything
+/// that needs a pose reads it.
 template <typename T>
 struct PosesT {
   int n = 0;
@@ -23,7 +23,7 @@ struct PosesT {
 };
 using Poses = PosesT<double>;
 
-/// Pose of every body in the previous one at q (n) [rad, m], and nothing else of `poses`.
+/// Computes the pose of every body in the previous one at q (n) [rad, m]. The rest of `poses` is unchanged.
 template <typename T>
 void relative_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
   JointVectorT<T> sines;
@@ -47,7 +47,7 @@ void relative_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>&
   }
 }
 
-/// Poses of all bodies at q (n) [rad, m]: all of `poses` but the tool.
+/// Computes the poses of all bodies at q (n) [rad, m], but not that of the tool.
 template <typename T>
 void body_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
   relative_poses(chain, q, poses);
@@ -65,7 +65,7 @@ void body_poses(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& pos
   }
 }
 
-/// Poses of all bodies and of the tool at q (n) [rad, m].
+/// Computes the poses of all bodies and of the tool at q (n) [rad, m].
 template <typename T>
 void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT<T>& poses) {
   body_poses(chain, q, poses);
@@ -74,8 +74,8 @@ void forward_kinematics(const ChainT<T>& chain, const JointVectorT<T>& q, PosesT
   poses.p_0T = poses.p_0B[last] + times(poses.R_0B[last], chain.p_BT);
 }
 
-/// Geometric Jacobian J (6 x n, linear rows first) of the point p (fixed in body `body`, given in the base
-/// frame). Columns of joints beyond the body are zero.
+/// Computes the geometric Jacobian J (6 x n, linear rows first) of a point that is fixed in `body`. p_0: the
+/// point in the base frame. Columns of joints beyond the body are zero.
 template <typename T>
 void point_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, int body, const Vec3T<T>& p_0,
                     JacobianT<T>& J) {
@@ -94,13 +94,14 @@ void point_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, int body, co
   }
 }
 
-/// J at the tool: (v_0T, w_0T) = J q'.
+/// Computes J at the tool: (v_0T, w_0T) = J q'.
 template <typename T>
 void tool_jacobian(const ChainT<T>& chain, const PosesT<T>& poses, JacobianT<T>& J) {
   point_jacobian(chain, poses, chain.n - 1, poses.p_0T, J);
 }
 
-/// Exact J' (6 x n) along q', with twist = J q': columns d/dt (z x (p_T - p_i), z) with z' = w x z.
+/// Computes the exact J' (6 x n) along q', with twist = J q'. Its columns are d/dt (z x (p_T - p_i), z) with
+/// z' = w x z.
 template <typename T>
 void tool_jacobian_derivative(const ChainT<T>& chain, const PosesT<T>& poses, const Vec6T<T>& twist,
                               const JointVectorT<T>& qd, JacobianT<T>& J_dot) {

@@ -1,5 +1,5 @@
 #pragma once
-// The inertia that the links of a URDF give to the moving bodies of an arm.
+// The inertia that a URDF's links give to the moving bodies of an arm.
 
 #include <string>
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace armtune::internal {
 
-/// Where a link's frame L sits: fixed in the frame B of a moving body, or in the base (body -1).
+/// The pose of a link's frame L, which is fixed in the frame B of a moving body, or in the base (body -1).
 struct Site {
   int body = -1;
   Mat3 R_BL = Mat3::Identity();
   Vec3 p_BL = Vec3::Zero();
 };
 
-/// Returns a link's inertia about the origin of its frame, from what is told of it.
+/// Returns a link's inertia about the origin of its frame, from the values given for it.
 LinkInertia in_link_frame(const GivenInertia& told);
 
-/// Returns the inertia that the file gives the link, about the origin of the link's frame; it has an inertial
-/// element. Throws InputError, beginning with `source`, if its mass or a moment of inertia is negative: when
-/// it is added to a body, that would no longer be seen.
+/// Returns the inertia that the file gives the link, which must have one, about the origin of the link's
+/// frame. Throws InputError, beginning with `source`, if its mass or a moment of inertia is negative. Once it
+/// is added to a body, that could no longer be detected.
 LinkInertia inertia_of(const UrdfLink& link, const std::string& source);
 
 class LinkInertias {
@@ -30,9 +30,9 @@ class LinkInertias {
   /// Adds a link to the body that it is fixed to. in_L: about the origin of the link's frame.
   void add(const std::string& link, const LinkInertia& in_L, const Site& site, Chain& chain);
 
-  /// Throws InputError, beginning with `source`, if there are bodies in the chain whose inertia no rigid body
-  /// has; it names all links that are to blame. missing, where given, collects these links instead, and the
-  /// chain gets the nearest inertia that a rigid body can have in their place.
+  /// Checks that a rigid body can have the inertia of each body in the chain. Otherwise it throws InputError,
+  /// beginning with `source` and naming all links that cause it. If `missing` is given, it collects these
+  /// links instead, and the chain gets the nearest possible inertia in their place.
   void judge(Chain& chain, const std::string& source, MissingData* missing) const;
 
  private:

@@ -1,19 +1,20 @@
 #pragma once
-// How thick links are: for the distance of capsules about them from obstacles.
+// The thickness of links, for the distance of obstacles from capsules around them.
 
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
-/// Radius [m] of each link (n) out of its simple shapes, those that it collides with where it has any: the
-/// largest of its cylinders, capsules and spheres, of a box the half diagonal across its longest edge. NaN
-/// where there is none, as of meshes. Where a shape lies does not count: one aside of the straight line
-/// between the joints' origins sticks out of the capsule about it.
+/// Returns the radius [m] of each link (n), from its simple collision shapes or, if it has none, its simple
+/// visual shapes. It is the largest radius of the link's cylinders, capsules and spheres; a box counts with
+/// the half diagonal across its longest edge. It is NaN if there is no such shape, for example only meshes.
+/// The position of a shape is ignored: one beside the straight line between the joints' origins sticks out of
+/// the capsule around that line.
 JointVector shape_radii(const RobotModel& model);
 
-/// The same arm, whose distance from obstacles is that of capsules about its links: straight from each
-/// joint's origin to the next one's, the last one's to the tool's, as thick as model.link_radii says. Throws
-/// InputError naming the links whose radius is not known.
+/// Returns the same arm with capsules around its links, for its distance from obstacles. Each runs straight
+/// from a joint's origin to the next one's, the last one to the tool's, and is as thick as model.link_radii.
+/// Throws InputError naming the links whose radius is not known.
 RobotModel with_link_surfaces(const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// What a link looks like: a simple body, or a mesh in a file, fixed in a body frame. For drawing, and for
-// how thick a link is (link_radius.hpp).
+// The geometry of a link: a simple body, or a mesh in a file, fixed in a body frame. It is used for drawing,
+// and for the thickness of a link (link_radius.hpp).
 
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace armtune::internal {
 
-/// kNoSize: a collision shape whose size the file does not give as above zero, so that it can neither be
-/// drawn nor met.
+/// The kinds of shapes. kNoSize: a collision shape without a positive size in the file, so that it can be
+/// neither drawn nor hit.
 enum class ShapeKind { kBox, kCylinder, kSphere, kCapsule, kMesh, kNoSize };
 
-/// "box", "cylinder", "sphere", "capsule", "mesh", "shape without size"
+/// Returns "box", "cylinder", "sphere", "capsule", "mesh" or "shape without size".
 constexpr const char* name(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::kBox:
@@ -33,16 +33,16 @@ constexpr const char* name(ShapeKind kind) {
 
 struct Shape {
   int body = -1;           ///< index of the joint that moves it; -1: the base
-  int link = 0;            ///< the same for all shapes of a link, of which a body may have several
-  std::string link_name;   ///< of that link, or "tool"
-  bool collision = false;  ///< of the link's collision geometry, not of what is to be seen
+  int link = 0;            ///< number of its link; a body may have several links
+  std::string link_name;   ///< name of that link, or "tool"
+  bool collision = false;  ///< part of the link's collision geometry, not of its visual geometry
   ShapeKind kind = ShapeKind::kSphere;
   Mat3 R_BS = Mat3::Identity();  ///< shape in the body frame B (see chain.hpp); lengths lie along its z
-  Vec3 p_BS = Vec3::Zero();      ///< of its centre, of a mesh its origin [m]
+  Vec3 p_BS = Vec3::Zero();      ///< its centre, or the origin of a mesh [m]
   /// Box: edges; cylinder and capsule: radius, length (a capsule's without its caps), 0; sphere: radius, 0, 0
-  /// [m]; mesh: factors on its coordinates.
+  /// [m]. Mesh: scale factors of its coordinates.
   Vec3 size = Vec3::Zero();
-  std::string file;  ///< of a mesh, as the URDF names it
+  std::string file;  ///< of a mesh, as named in the URDF
 };
 
 }  // namespace armtune::internal

@@ -1,10 +1,10 @@
 #pragma once
 // The Slotine-Li regressor: Y(q, q', qr', qr'') theta = (M + D) qr'' + C(q, q') qr' + g + friction(q'),
-// with the C for which M' - 2C is skew. Slotine and Li, On the adaptive control of robot manipulators, 1987;
-// the recursion is Niemeyer and Slotine's (Performance in adaptive manipulator control, 1991).
+// with the C for which M' - 2C is skew. Slotine and Li, On the adaptive control of robot manipulators, 1987.
+// The recursion is that of Niemeyer and Slotine, Performance in adaptive manipulator control, 1991.
 //
-// Force of one body, from  I (ar - v x vr / 2) + v x* (I vr) / 2 + vr x* (I v) / 2  in spatial notation with
-// ar_i = X ar + S qr'' + v_i x S qr'. Multiplied out in 3-vectors, with v = (v, w) and
+// The force of one body is  I (ar - v x vr / 2) + v x* (I vr) / 2 + vr x* (I v) / 2  in spatial notation,
+// with ar_i = X ar + S qr'' + v_i x S qr'. It is multiplied out in 3-vectors. With v = (v, w) and
 //   e = ar_linear + wr x v,     a = ar_angular - w x wr / 2,
 // the first-moment terms collapse by Jacobi's identity to
 //   f = m e + a x h + (w x (wr x h) + wr x (w x h)) / 2
@@ -17,14 +17,14 @@
 
 namespace armtune::internal {
 
-/// Motion of every body for one (q, q', qr', qr''); from it come Y theta, Y^T S and Y itself. Twins: linear
-/// and angular half, of the body's origin and in its frame.
+/// The motion of every body for one (q, q', qr', qr''), from which Y theta, Y^T S and Y are computed. Twins
+/// are the linear and angular half, of the body's origin and in its frame.
 template <typename T>
 struct SlotineLiT {
   int n = 0;
   std::array<TwinVec3T<T>, kMaxJoints> velocity;      ///< (v, w)
   std::array<TwinVec3T<T>, kMaxJoints> reference;     ///< (vr, wr)
-  std::array<TwinVec3T<T>, kMaxJoints> acceleration;  ///< (e, a), effective, gravity included
+  std::array<TwinVec3T<T>, kMaxJoints> acceleration;  ///< (e, a), effective, including gravity
   JointVectorT<T> qd;
   JointVectorT<T> qdr;
   JointVectorT<T> qddr;
@@ -32,7 +32,8 @@ struct SlotineLiT {
 };
 using SlotineLi = SlotineLiT<double>;
 
-/// Forward recursion. qd: q' measured; qdr, qddr: references (n each).
+/// Computes the motion of all bodies, from the base outwards. qd: q' measured; qdr, qddr: references (n
+/// each).
 template <typename T>
 void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const JointVectorT<T>& qd,
                         const JointVectorT<T>& qdr, const JointVectorT<T>& qddr, SlotineLiT<T>& s) {
@@ -75,14 +76,14 @@ void slotine_li_forward(const ChainT<T>& chain, const PosesT<T>& poses, const Jo
   }
 }
 
-/// The inertia in a link's ten parameters, twice.
+/// Returns the inertia in a link's ten parameters as both matrices of a twin.
 template <typename T, typename Link>
 TwinSymmetric3T<T> inertia_twice(const Link& link) {
   return {Twin<T>::both(link[4]), Twin<T>::both(link[5]), Twin<T>::both(link[6]),
           Twin<T>::both(link[7]), Twin<T>::both(link[8]), Twin<T>::both(link[9])};
 }
 
-/// tau = Y theta (n), by recursion, without forming Y. theta (13 n) need not be physically valid.
+/// Computes tau = Y theta (n) by recursion, without forming Y. theta (13 n) need not be physically valid.
 template <typename T>
 void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const SlotineLiT<T>& s,
                        const ParameterVectorT<T>& theta, JointVectorT<T>& tau) {
@@ -115,7 +116,8 @@ void slotine_li_torque(const ChainT<T>& chain, const PosesT<T>& poses, const Slo
   }
 }
 
-/// Derivatives of the power (x_v . f + x_w . t) of body k by its ten parameters, for a virtual body motion x.
+/// Returns the derivatives of body k's power (x_v . f + x_w . t) by its ten parameters, for a virtual body
+/// motion x.
 template <typename T>
 Eigen::Matrix<T, kLinkParameters, 1> link_power_gradient(const SlotineLiT<T>& s, std::size_t k,
                                                          const Vec3T<T>& x_v, const Vec3T<T>& x_w) {
@@ -136,8 +138,8 @@ Eigen::Matrix<T, kLinkParameters, 1> link_power_gradient(const SlotineLiT<T>& s,
   return gradient;
 }
 
-/// Writes Y^T S (13 n) with the Y of one motion and the S = q' - qr' of another, both at the same q. The body
-/// motions of S are v - vr, so no further recursion is needed.
+/// Computes Y^T S (13 n) with the Y of one motion and the S = q' - qr' of another, both at the same q. The
+/// body motions of S are v - vr, so no further recursion is needed.
 template <typename T>
 void slotine_li_gradient(const SlotineLiT<T>& along, const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
   gradient.resize(s.n * (kLinkParameters + kJointParameters));
@@ -152,13 +154,13 @@ void slotine_li_gradient(const SlotineLiT<T>& along, const SlotineLiT<T>& s, Par
   }
 }
 
-/// Writes Y^T S (13 n) of one motion.
+/// Computes Y^T S (13 n) of one motion.
 template <typename T>
 void slotine_li_gradient(const SlotineLiT<T>& s, ParameterVectorT<T>& gradient) {
   slotine_li_gradient(s, s, gradient);
 }
 
-/// Y (n x 13 n) itself, for identification and tests.
+/// Computes Y (n x 13 n) itself, for identification and tests.
 template <typename T>
 void slotine_li_regressor(const ChainT<T>& chain, const PosesT<T>& poses, const SlotineLiT<T>& s,
                           RegressorT<T>& Y) {

@@ -1,18 +1,19 @@
 #pragma once
-// theta: the parameters in which the dynamics are linear, and their order.
+// The parameter vector theta, in which the dynamics are linear, and the order of its entries.
 //
-// Ten per link, link by link, in the link's body frame B (z along the joint axis), inertia about B's origin:
+// It has ten entries per link, link by link, in the link's body frame B (z along the joint axis), with the
+// inertia about B's origin:
 //   m, m cx, m cy, m cz, Ixx, Ixy, Ixz, Iyy, Iyz, Izz
-// then three per joint, joint by joint: rotor inertia, viscous friction, Coulomb friction.
+// Three per joint follow, joint by joint: rotor inertia, viscous friction, Coulomb friction.
 
 #include "core/robot/chain.hpp"
 
 namespace armtune::internal {
 
-/// Where the inertia begins in a link's ten parameters.
+/// Index of the first inertia entry in a link's ten parameters.
 inline constexpr int kFirstInertia = 4;
 
-/// Index of a joint's first parameter (rotor inertia).
+/// Returns the index of a joint's first parameter (rotor inertia).
 constexpr int joint_parameter_index(int n, int joint) {
   return n * kLinkParameters + joint * kJointParameters;
 }
@@ -22,7 +23,7 @@ constexpr int parameter_count(const ChainT<T>& chain) {
   return chain.n * (kLinkParameters + kJointParameters);
 }
 
-/// theta of a chain (13 n entries).
+/// Returns theta of a chain (13 n entries).
 template <typename T>
 ParameterVectorT<T> theta_of(const ChainT<T>& chain) {
   ParameterVectorT<T> theta(parameter_count(chain));

@@ -10,7 +10,7 @@ template <typename T>
 struct TurnedLinkT {
   T mass;                    ///< [kg]
   Vec3T<T> first_moment;     ///< m c [kg m]
-  T xx, xy, xz, yy, yz, zz;  ///< of the inertia [kg m^2]
+  T xx, xy, xz, yy, yz, zz;  ///< entries of the inertia [kg m^2]
 
   Vec3T<T> inertia_times(const Vec3T<T>& w) const {
     return {xx * w[0] + xy * w[1] + xz * w[2], xy * w[0] + yy * w[1] + yz * w[2],
@@ -18,7 +18,7 @@ struct TurnedLinkT {
   }
 };
 
-/// (m, R h, R I R^T). The upper two rows of R go through it as a twin.
+/// Returns (m, R h, R I R^T). The upper two rows of R are computed together as a twin.
 template <typename T>
 [[gnu::always_inline]] inline TurnedLinkT<T> turned(const LinkInertiaT<T>& link, const Mat3T<T>& R) {
   const Mat3T<T>& I = link.inertia;

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors and matrices of twins: two vectors that the same rotation turns, two symmetric matrices at once.
+// Vectors and matrices of twins: two vectors that the same rotation turns, or two symmetric matrices at once.
 
 #include "core/common/products.hpp"
 #include "core/common/twin.hpp"
@@ -7,7 +7,7 @@
 
 namespace armtune::internal {
 
-/// Two 3-vectors.
+/// Two 3-vectors side by side.
 template <typename T>
 struct TwinVec3T {
   Twin<T> x, y, z;
@@ -27,7 +27,7 @@ struct TwinVec3T {
   }
   friend TwinVec3T operator*(const Twin<T>& s, const TwinVec3T& v) { return {s * v.x, s * v.y, s * v.z}; }
   TwinVec3T& operator+=(const TwinVec3T& b) { return *this = *this + b; }
-  /// Adds to the first, or to the second.
+  /// Adds to the first vector, or to the second.
   void add_first(const Vec3T<T>& v) {
     x.add_first(v[0]);
     y.add_first(v[1]);
@@ -42,13 +42,13 @@ struct TwinVec3T {
   TwinVec3T cross(const TwinVec3T& b) const {
     return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
   }
-  /// Both dot products.
+  /// Returns both dot products.
   Twin<T> dot(const TwinVec3T& b) const { return x * b.x + y * b.y + z * b.z; }
-  /// Both cross products with z.
+  /// Returns both cross products with z.
   TwinVec3T cross_axis() const { return {y, -x, Twin<T>::both(T(0))}; }
 };
 
-/// Two symmetric 3 x 3 matrices by their six numbers.
+/// Two symmetric 3 x 3 matrices side by side, by their six entries.
 template <typename T>
 struct TwinSymmetric3T {
   Twin<T> xx, xy, xz, yy, yz, zz;
@@ -56,7 +56,7 @@ struct TwinSymmetric3T {
   TwinVec3T<T> operator*(const TwinVec3T<T>& v) const {
     return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
   }
-  /// The first of the two times v, and the second.
+  /// Returns the product of v and the first matrix, or the second.
   Vec3T<T> first_times(const Vec3T<T>& v) const {
     return {xx.first() * v[0] + xy.first() * v[1] + xz.first() * v[2],
             xy.first() * v[0] + yy.first() * v[1] + yz.first() * v[2],
@@ -75,7 +75,7 @@ struct TwinSymmetric3T {
     yz += b.yz;
     zz += b.zz;
   }
-  /// Takes s v^T away, s being a multiple of v.
+  /// Subtracts s v^T, where s is a multiple of v.
   void subtract_square(const TwinVec3T<T>& s, const TwinVec3T<T>& v) {
     xx -= s.x * v.x;
     xy -= s.x * v.y;
@@ -86,20 +86,20 @@ struct TwinSymmetric3T {
   }
 };
 
-/// R v of both.
+/// Returns R v of both vectors.
 template <typename T>
 [[gnu::always_inline]] inline TwinVec3T<T> times(const Mat3T<T>& R, const TwinVec3T<T>& v) {
   return {v.x * R(0, 0) + v.y * R(0, 1) + v.z * R(0, 2), v.x * R(1, 0) + v.y * R(1, 1) + v.z * R(1, 2),
           v.x * R(2, 0) + v.y * R(2, 1) + v.z * R(2, 2)};
 }
-/// R^T v of both.
+/// Returns R^T v of both vectors.
 template <typename T>
 [[gnu::always_inline]] inline TwinVec3T<T> transposed_times(const Mat3T<T>& R, const TwinVec3T<T>& v) {
   return {v.x * R(0, 0) + v.y * R(1, 0) + v.z * R(2, 0), v.x * R(0, 1) + v.y * R(1, 1) + v.z * R(2, 1),
           v.x * R(0, 2) + v.y * R(1, 2) + v.z * R(2, 2)};
 }
 
-/// One 3 x 3 matrix by its columns, the upper two rows of each as a twin.
+/// One 3 x 3 matrix by its columns. The upper two rows of each column are a twin.
 template <typename T>
 struct SplitMat3T {
   Twin<T> top[3];
@@ -109,17 +109,17 @@ struct SplitMat3T {
     const Twin<T> none = Twin<T>::both(T(0));
     return {{none, none, none}, {T(0), T(0), T(0)}};
   }
-  /// Entry (i, j).
+  /// Returns entry (i, j).
   T operator()(int i, int j) const { return i == 0 ? top[j].first() : i == 1 ? top[j].second() : bottom[j]; }
   Vec3T<T> operator*(const Vec3T<T>& v) const {
     const Twin<T> upper = top[0] * v[0] + top[1] * v[1] + top[2] * v[2];
     return {upper.first(), upper.second(), bottom[0] * v[0] + bottom[1] * v[1] + bottom[2] * v[2]};
   }
-  /// The transposed times v.
+  /// Returns the transposed matrix times v.
   Vec3T<T> transposed_times(const Vec3T<T>& v) const {
     return {dot3(column(0), v), dot3(column(1), v), dot3(column(2), v)};
   }
-  /// Takes a b^T away.
+  /// Subtracts a b^T.
   void subtract_product(const Vec3T<T>& a, const Vec3T<T>& b) {
     const Twin<T> upper(a[0], a[1]);
     for (int j = 0; j < 3; ++j) {

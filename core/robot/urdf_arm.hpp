@@ -1,5 +1,5 @@
 #pragma once
-// The arm in a URDF.
+// The model of the arm that is part of a URDF's tree.
 
 #include <string>
 
@@ -9,8 +9,9 @@
 
 namespace armtune::internal {
 
-/// Throws InputError, beginning with `source`. missing, where given, collects what file and options do not
-/// say instead of throwing for it; the arm then has ones in its place and is not for simulating.
+/// Builds the arm. Throws InputError, beginning with `source`. If `missing` is given, it collects the data
+/// that neither file nor options give, instead of throwing for them. The arm then has placeholders of 1 in
+/// their place and is not for simulation.
 RobotModel build_arm(const UrdfTree& tree, const UrdfOptions& options, const std::string& source,
                      MissingData* missing = nullptr);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which interfaces ros2_control gives a robot's joints, as its URDF says.
+// The interfaces that ros2_control gives a robot's joints, read from its URDF.
 
 #include <map>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace armtune::internal {
 
-/// Of one joint: "position", "velocity", "effort" and whatever else the file names.
+/// The interfaces of one joint: "position", "velocity", "effort" and any others that the file names.
 struct JointInterfaces {
   std::vector<std::string> command;
   std::vector<std::string> state;
@@ -17,7 +17,7 @@ struct JointInterfaces {
 };
 
 /// Returns the interfaces of every joint in the `<ros2_control>` elements of a URDF's text, by joint name. A
-/// joint that stands in several of them has those of all.
+/// joint that appears in several of them has the interfaces of all.
 std::map<std::string, JointInterfaces> ros2_control_interfaces(const std::string& urdf);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// A joint's limits, from its URDF and from what a robot file says in its place.
+// A joint's limits, from its URDF and from the options that replace or complete it.
 
 #include <string>
 
@@ -8,13 +8,13 @@
 
 namespace armtune::internal {
 
-/// The options' in place of the file's. missing: where given, what is missing is added to it and stands as 1
-/// (positions: -1 to 1) [rad, m, rad/s, m/s, N m, N]; without it, missing position limits throw InputError,
-/// with `source` in front.
+/// Returns the joint's limits; those of the options replace those of the file. If `missing` is given, missing
+/// limits are added to it and replaced by 1 (positions: -1 to 1) [rad, m, rad/s, m/s, N m, N]. Without it,
+/// missing position limits throw InputError, with `source` in front.
 JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const std::string& source,
                       MissingData* missing);
 
-/// Within the joint's limits, as close to zero as they allow [rad, m].
+/// Returns the position within the joint's limits that is closest to zero [rad, m].
 double place_to_hold(const UrdfJoint& joint, const UrdfOptions& options);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// The shapes of a URDF link.
+// The visual and collision shapes of a URDF link.
 
 #include <vector>
 
@@ -11,8 +11,8 @@ class Link;
 
 namespace armtune::internal {
 
-/// What the link shows, then what it collides with, in the link's frame. Shapes without a positive finite
-/// size are left out: they are for drawing only.
+/// Returns the link's visual shapes, then its collision shapes, in the link's frame. A visual shape without a
+/// positive finite size is left out; a collision shape without one gets the kind kNoSize.
 std::vector<Shape> shapes_of(const urdf::Link& link);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// A URDF as its file has it: links and joints, nothing left out or put together yet.
+// A URDF as it is in its file: all links and joints, before the arm is selected and links are merged.
 
 #include <map>
 #include <optional>
@@ -24,22 +24,22 @@ struct UrdfJoint {
 
   std::string name;
   UrdfMotion motion = UrdfMotion::kFixed;
-  std::string parent;  ///< links
+  std::string parent;  ///< name of the parent link
   std::string child;
-  Mat3 R_PL = Mat3::Identity();  ///< child link's frame in the parent's, at zero
+  Mat3 R_PL = Mat3::Identity();  ///< pose of the child link's frame in the parent's, at zero
   Vec3 p_PL = Vec3::Zero();
-  Vec3 axis = Vec3::Zero();  ///< in the child's frame, as written
+  Vec3 axis = Vec3::Zero();  ///< in the child's frame, as written in the file
   std::optional<Limits> limits;
   double damping = 0.0;        ///< [N m s/rad, N s/m]
   double friction = 0.0;       ///< [N m, N]
-  double rotor_inertia = 0.0;  ///< as the joint feels it [kg m^2, kg]
+  double rotor_inertia = 0.0;  ///< as felt at the joint [kg m^2, kg]
   std::string mimics;          ///< the joint it follows; empty: none
-  JointInterfaces interfaces;  ///< of ros2_control
+  JointInterfaces interfaces;  ///< from ros2_control
 };
 
 struct UrdfInertial {
   double mass = 0.0;                 ///< [kg]
-  Mat3 R_LC = Mat3::Identity();      ///< inertial frame in the link's
+  Mat3 R_LC = Mat3::Identity();      ///< orientation of the inertial frame in the link's
   Vec3 p_LC = Vec3::Zero();          ///< centre of mass [m]
   Mat3 about_center = Mat3::Zero();  ///< in the inertial frame [kg m^2]
 };
@@ -48,17 +48,17 @@ struct UrdfLink {
   std::string name;
   std::optional<UrdfInertial> inertial;
   std::vector<Shape> shapes;        ///< poses in the link's frame
-  std::vector<std::string> joints;  ///< that move on it, in the file's order of names
+  std::vector<std::string> joints;  ///< child joints, in the order of their names
 };
 
 struct UrdfTree {
   std::string name;
-  std::string root;  ///< link
+  std::string root;  ///< name of the root link
   std::map<std::string, UrdfLink> links;
   std::map<std::string, UrdfJoint> joints;
 };
 
-/// Throws InputError, beginning with `source`, unless every link is reached from the root by one way.
+/// Throws InputError, beginning with `source`, unless every link is reached from the root in exactly one way.
 void require_tree(const UrdfTree& tree, const std::string& source);
 
 }  // namespace armtune::internal

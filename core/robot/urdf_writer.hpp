@@ -1,6 +1,6 @@
 #pragma once
-// A RobotModel as a URDF: kinematics, inertia and limits, without shapes. Link frames are the model's body
-// frames.
+// A writer of a RobotModel as a URDF with kinematics, inertia and limits, without shapes. Link frames are the
+// model's body frames.
 
 #include <string>
 
@@ -8,12 +8,12 @@
 
 namespace armtune::internal {
 
-/// Name of the URDF's last link: `tool`, with underscores after it where the arm has a link of that name.
+/// Returns the name of the URDF's last link: `tool`, followed by underscores if the name is taken in the arm.
 std::string urdf_tool_link(const RobotModel& model);
 
-/// Text of the URDF. Its last link is `urdf_tool_link`, in the tool frame; its root the base link, or an
-/// upright one below it where that is tilted. Reading it back, between the two, gives the same chain but for
-/// rotor inertia and friction, which a URDF has no or no exact place for.
+/// Returns the text of the URDF. Its last link is `urdf_tool_link`, in the tool frame. Its root is the base
+/// link, or, if that is tilted, an upright link below it. If it is read back from base link to last link, it
+/// gives the same chain except for rotor inertia and friction, for which a URDF has no place or no exact one.
 std::string urdf_text(const RobotModel& model);
 
 }  // namespace armtune::internal

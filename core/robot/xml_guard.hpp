@@ -1,17 +1,18 @@
 #pragma once
-// What an XML parser must not be fed: tinyxml recurses once per nesting level, and urdfdom uses numbers it
-// cannot read as printf formats.
+// A check of URDF text before it reaches the XML parser: tinyxml recurses once per nesting level, and urdfdom
+// uses numbers that it cannot read as printf formats.
 
 #include <string>
 
 namespace armtune::internal {
 
-/// The text of an expanded URDF, safe to hand to urdfdom; velocity and effort limits that a moving joint does
-/// not give stand in it as 0. Throws InputError naming file and line for: a file that cannot be read, is a
-/// directory, empty, larger than 32 MB, UTF-16 or binary; a tag or comment without its end; a second
-/// `<inertial>`, `<axis>`, ... in one link or joint; elements nested deeper than 1,000; more than 10,000
-/// links, 200,000 elements, or 100 attributes in one tag; SDF and MJCF; xacro that is not expanded; a `%` or
-/// a character reference in any attribute but `filename`. All other errors are left to urdfdom.
+/// Returns the text of an expanded URDF that is safe to pass to urdfdom. Velocity and effort limits that a
+/// moving joint does not give are added as 0. Throws InputError naming the file, and the line where there is
+/// one, for: a file that cannot be read, is a directory, empty, larger than 32 MB, UTF-16 or binary; a tag or
+/// comment without its end; a second `<inertial>`, `<axis>`, ... in one link or joint; elements nested deeper
+/// than 1,000; more than 10,000 links, 200,000 elements, or 100 attributes in one tag; SDF and MJCF; xacro
+/// that is not expanded; a `%` or a character reference in any attribute but `filename`. All other errors are
+/// left to urdfdom.
 std::string read_guarded_urdf(const std::string& path);
 
 }  // namespace armtune::internal

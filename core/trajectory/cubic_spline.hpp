@@ -1,8 +1,7 @@
 #pragma once
-// Velocities and accelerations at waypoints that give positions and times only: those of the cubic
-// spline through them that is at rest at both ends (de Boor, A Practical Guide to Splines, chapter IV).
-// Between knots with its position, velocity and acceleration a quintic is this cubic, and acceleration is
-// linear.
+// Velocities and accelerations for waypoints that have positions and times only. They are those of the cubic
+// spline through the waypoints that is at rest at both ends (de Boor, A Practical Guide to Splines, chapter
+// IV). A quintic between two knots with these values equals the cubic, and its acceleration is linear.
 
 #include <vector>
 
@@ -10,7 +9,8 @@
 
 namespace armtune::internal {
 
-/// V: an Eigen vector of any size. time [s] rising, as many as positions, at least two.
+/// Returns the knots of that spline. V: an Eigen vector of any size. time [s]: increasing, as many as
+/// positions, at least two.
 template <typename V>
 std::vector<MotionPoint<V>> cubic_spline(const std::vector<double>& time, const std::vector<V>& positions) {
   const std::size_t n = time.size();
@@ -20,7 +20,7 @@ std::vector<MotionPoint<V>> cubic_spline(const std::vector<double>& time, const 
   for (const V& position : positions) knots.push_back({position, zero, zero});
   const auto h = [&](std::size_t k) { return time[k + 1] - time[k]; };
   const auto slope = [&](std::size_t k) { return V((positions[k + 1] - positions[k]) / h(k)); };
-  // Of equal accelerations on both sides of each inner knot, from the first to the last:
+  // The accelerations on both sides of each inner knot are equal, which gives, from the first to the last:
   //   v[k-1] / h[k-1] + 2 (1 / h[k-1] + 1 / h[k]) v[k] + v[k+1] / h[k] = 3 (slope[k-1] / h[k-1] + slope[k] /
   //   h[k]).
   std::vector<double> after(n, 0.0);  // v[k] = known[k] - after[k] v[k+1]

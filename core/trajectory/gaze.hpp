@@ -1,13 +1,14 @@
 #pragma once
-// Gaze: the orientation that points the tool's z axis at a target with the shortest turn (equation 7); the
-// roll about z stays as it is.
+// The gaze: the orientation that points the tool's z axis at a target with the shortest turn (equation 7).
+// The roll about z is left unchanged.
 
 #include "core/trajectory/rotation.hpp"
 
 namespace armtune::internal {
 
-/// Rotation vector [rad, base frame] of the shortest turn of tool z onto the line tool to target. If the
-/// target lies straight behind, the turn is about the tool's x axis; if it lies in the tool, there is none.
+/// Returns the rotation vector [rad, base frame] of the shortest turn of the tool's z axis onto the line from
+/// tool to target. If the target is exactly behind the tool, the turn is about the tool's x axis. If it is at
+/// the tool, there is no turn.
 inline Vec3 gaze_turn(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
   const Vec3 line = p_0G - p_0T;
   const double distance = line.norm();
@@ -21,12 +22,12 @@ inline Vec3 gaze_turn(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
   return axis * (std::atan2(sine, cosine) / sine);
 }
 
-/// Angle between the tool's z axis and the line to the target [rad].
+/// Returns the angle between the tool's z axis and the line to the target [rad].
 inline double gaze_angle(const Mat3& R_0T, const Vec3& p_0T, const Vec3& p_0G) {
   return gaze_turn(R_0T, p_0T, p_0G).norm();
 }
 
-/// Angular velocity [rad/s] of the line tool to target: u x u', without roll.
+/// Returns the angular velocity [rad/s] of the line from tool to target: u x u', without roll.
 inline Vec3 gaze_line_rate(const Vec3& p_0T, const Vec3& v_0T, const Vec3& p_0G, const Vec3& v_0G) {
   const Vec3 line = p_0G - p_0T;
   const double squared = line.squaredNorm();

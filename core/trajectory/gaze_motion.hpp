@@ -1,6 +1,6 @@
 #pragma once
 // Gaze feed-forward: how the line from the tool to a moving target turns, and how the shortest turn of a
-// standing frame onto that line changes. Exact derivatives of gaze.hpp's gaze_turn.
+// fixed frame onto that line changes. The derivatives of gaze.hpp's gaze_turn are exact.
 
 #include "core/trajectory/gaze.hpp"
 #include "core/trajectory/motion_point.hpp"
@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Direction u of the line tool to target, with u' and u''. r u' = l' - r' u and r u'' = l'' - r'' u - 2 r'
-/// u' for the line l = r u. A target in the tool has no direction: u = 0.
+/// Returns the direction u of the line from tool to target, with u' and u''. With the line l = r u,
+/// r u' = l' - r' u and r u'' = l'' - r'' u - 2 r' u'. A target at the tool has no direction: u = 0.
 inline MotionPoint<Vec3> gaze_direction(const MotionPoint<Vec3>& tool, const MotionPoint<Vec3>& target) {
   const Vec3 line = target.position - tool.position;
   const double r = line.norm();
@@ -25,15 +25,15 @@ inline MotionPoint<Vec3> gaze_direction(const MotionPoint<Vec3>& tool, const Mot
   return u;
 }
 
-/// Turn rate of a frame that follows a unit direction without roll: w = u x u', w' = u x u''.
+/// Returns the turn rate of a frame that follows a unit direction without roll: w = u x u', w' = u x u''.
 inline TurnRate direction_rate(const MotionPoint<Vec3>& u) {
   return {u.position.cross(u.velocity), u.position.cross(u.acceleration)};
 }
 
-/// The rotation vector phi of the shortest turn of a standing frame's z axis onto u, with phi' and phi''.
-/// phi = g(c) a with a = z x u, c = z . u = cos(angle) and g = angle / sin(angle), whose derivatives follow
-/// from (1 - c^2) g' = c g - 1 and (1 - c^2) g'' = g + 3 c g'. Straight behind z the turn has no derivative:
-/// zero.
+/// Returns the rotation vector phi of the shortest turn of a fixed frame's z axis onto u, with phi' and
+/// phi''. phi = g(c) a with a = z x u, c = z . u = cos(angle) and g = angle / sin(angle). The derivatives of
+/// g follow from (1 - c^2) g' = c g - 1 and (1 - c^2) g'' = g + 3 c g'. Exactly behind z the turn has no
+/// derivative; zero is returned for it.
 inline MotionPoint<Vec3> gaze_turn_motion(const Mat3& R_0F, const MotionPoint<Vec3>& u) {
   const Vec3 z = R_0F.col(2);
   const Vec3 a = z.cross(u.position);

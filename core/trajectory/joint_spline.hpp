@@ -1,6 +1,6 @@
 #pragma once
-// A joint motion given at knots in time. Between them its acceleration is linear, as a planner by direct
-// transcription writes it, or it goes along segments as ROS's controllers make them.
+// A joint motion given at knots in time. Between knots the acceleration is linear, as planners by direct
+// transcription produce it, or the motion follows the segments of ROS's controllers.
 
 #include <vector>
 
@@ -13,12 +13,12 @@ namespace armtune::internal {
 
 class JointSpline {
  public:
-  /// time [s]: of the knots, rising, at least two. knots: q, q', q'' of n joints at each (rad or m). Throws
-  /// InputError if the times do not rise or the counts differ.
+  /// Makes a motion of linear acceleration. time [s]: of the knots, increasing, at least two. knots: q, q',
+  /// q'' of n joints at each (rad or m). Throws InputError if the times do not increase or the counts differ.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots);
 
-  /// Joins the knots as ros_segments does. given: what of each knot counts; the rest is taken as zero. From
-  /// the end on the motion is that of the last knot. Throws as above.
+  /// Joins the knots as ros_segments does. given: the part of each knot that is used; the rest is taken as
+  /// zero. From the end on, the motion is that of the last knot. Throws as above.
   JointSpline(std::vector<double> time, std::vector<MotionPoint<JointVector>> knots, PointsGive given);
 
   double begin() const { return time_.front(); }
@@ -26,18 +26,18 @@ class JointSpline {
   const std::vector<double>& time() const { return time_; }
   const std::vector<MotionPoint<JointVector>>& knots() const { return knots_; }
 
-  /// q, q', q'' at t; before the start and after the end, those of the start and of the end. Allocates
-  /// nothing; the knots about t are found by bisection.
+  /// Returns q, q', q'' at t; before the start and after the end, those of the start and of the end.
+  /// Allocates nothing; the knots around t are found by bisection.
   MotionPoint<JointVector> at(double t) const;
 
-  /// Mean of q'' from t to t + dt, as far as the motion goes: the one acceleration that, held for so long,
-  /// takes q' where it is meant to be. dt > 0.
+  /// Returns the mean of q'' from t to t + dt, within the motion. If it is applied over that time, q' reaches
+  /// its planned value. dt > 0.
   JointVector mean_acceleration(double t, double dt) const;
 
  private:
   std::vector<double> time_;
   std::vector<MotionPoint<JointVector>> knots_;
-  std::vector<Quintic<JointVector>> segments_;  ///< none: acceleration is linear between knots
+  std::vector<Quintic<JointVector>> segments_;  ///< empty: acceleration is linear between knots
 };
 
 }  // namespace armtune::internal

@@ -1,12 +1,12 @@
 #pragma once
-// Motion whose acceleration changes linearly in time: constant jerk, so a cubic in position.
+// A motion whose acceleration changes linearly in time: its jerk is constant, its position a cubic.
 
 #include "core/trajectory/motion_point.hpp"
 
 namespace armtune::internal {
 
-/// Motion s [s] after `start`, when the acceleration is `end_acceleration` h > 0 [s] after it. V: double or
-/// an Eigen vector.
+/// Returns the motion s [s] after `start`, if the acceleration reaches `end_acceleration` h > 0 [s] after it.
+/// V: double or an Eigen vector.
 template <typename V>
 MotionPoint<V> linear_acceleration(const MotionPoint<V>& start, const V& end_acceleration, double h,
                                    double s) {

@@ -1,7 +1,8 @@
 #pragma once
-// Motion of a point from noisy samples of its position, as a camera gives them: a fading-memory polynomial
-// filter of the second degree (critically damped g-h-k filter). Brookner, Tracking and Kalman Filtering Made
-// Easy, section 1.4. With beta = exp(-bandwidth dt) and the residual r of each sample to the prediction:
+// An estimate of a point's motion from noisy samples of its position, such as those of a camera. It is a
+// fading-memory polynomial filter of the second degree (critically damped g-h-k filter): Brookner, Tracking
+// and Kalman Filtering Made Easy, section 1.4. With beta = exp(-bandwidth dt) and the residual r of each
+// sample to the prediction:
 //   p += g r,  v += h r / dt,  a += 2 k r / dt^2,
 //   g = 1 - beta^3,  h = 3/2 (1 - beta)^2 (1 + beta),  k = 1/2 (1 - beta)^3.
 // A point of constant acceleration is followed without lag.
@@ -15,7 +16,7 @@ namespace armtune::internal {
 
 class MotionFilter {
  public:
-  /// bandwidth > 0 [rad/s]: higher follows faster, lower lets less noise through. period [s] between samples.
+  /// bandwidth > 0 [rad/s]: higher follows faster, lower passes less noise. period [s] between samples.
   MotionFilter(double bandwidth, double period) : period_(period) {
     const double beta = std::exp(-bandwidth * period);
     const double rest = 1.0 - beta;
@@ -24,8 +25,8 @@ class MotionFilter {
     k2_ = rest * rest * rest / (period * period);
   }
 
-  /// Takes the sample of this period [m]; the estimate is of the same instant. It begins at rest at the first
-  /// one.
+  /// Takes the sample of this period [m] and returns the estimate for the same instant. The first estimate is
+  /// at rest at the first sample.
   const MotionPoint<Vec3>& update(const Vec3& sample) {
     if (!started_) {
       started_ = true;

@@ -1,6 +1,6 @@
 #pragma once
-// A path in time, of the tool, a target or an obstacle: a finite sum of harmonics about a centre, which
-// covers circles and what is like them,
+// A path in time, of the tool, a target or an obstacle. It is a finite sum of harmonics about a centre, which
+// covers circles and similar curves,
 //   p(t) = c + sum_k A_k cos(k phi) + B_k sin(k phi),   phi = w t + phase,
 // or a motion through knots, p(t) = c + spline(t).
 
@@ -14,29 +14,28 @@
 namespace armtune::internal {
 
 struct HarmonicTerm {
-  int order = 1;               ///< k >= 0; an order may stand more than once
+  int order = 1;               ///< k >= 0; several terms may have the same order
   Vec3 cosine = Vec3::Zero();  ///< A_k [m]
   Vec3 sine = Vec3::Zero();    ///< B_k [m]
 };
 
 struct Path {
   Vec3 center = Vec3::Zero();  ///< [m]
-  double frequency = 0.0;      ///< w [rad/s]; zero: a point at rest
+  double frequency = 0.0;      ///< w [rad/s]; zero: no harmonic motion
   double phase = 0.0;          ///< [rad]
   std::vector<HarmonicTerm> terms;
-  std::shared_ptr<const PositionSpline> spline =
-      nullptr;               ///< added; null: none. With one there are no terms.
-  double spline_rate = 1.0;  ///< > 0; the spline is at spline_rate t + spline_lead
+  std::shared_ptr<const PositionSpline> spline = nullptr;  ///< null: none. A path with a spline has no terms.
+  double spline_rate = 1.0;  ///< > 0; the spline is evaluated at spline_rate t + spline_lead
   double spline_lead = 0.0;  ///< [s]
 
-  /// Position [m], velocity and acceleration at t [s]; exact derivatives. Allocates nothing.
+  /// Returns position [m], velocity and acceleration at t [s]; the derivatives are exact. Allocates nothing.
   MotionPoint<Vec3> at(double t) const;
-  /// What the acceleration changes by, at t [m/s^3].
+  /// Returns the jerk at t [m/s^3].
   Vec3 jerk(double t) const;
 
-  /// Whether it is a point at rest.
+  /// True if it is a point at rest.
   bool rests() const { return !spline && (frequency == 0.0 || terms.empty()); }
-  /// After which it is where it was [s]; 0: it rests, or never comes back.
+  /// Returns the time after which the motion repeats [s]; 0: it is at rest, or does not repeat.
   double period() const;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
-// Straight ways between corners at one speed, the corners blended by quintics: from `blend` before a corner
-// to `blend` behind it in the time that this length takes at that speed, with no acceleration at either end,
-// so that velocity and acceleration have no jumps. (Siciliano et al., Robotics: Modelling, Planning and
-// Control, section 4.2.2, with quintics in place of parabolas.)
+// A path of straight sides between corners at one speed, with corners blended by quintics. A blend starts
+// `blend` before a corner, ends `blend` after it, and takes the time 2 blend / speed. The acceleration is
+// zero at both of its ends, so velocity and acceleration do not jump. (Siciliano et al., Robotics: Modelling,
+// Planning and Control, section 4.2.2, with quintics in place of parabolas.)
 
 #include <vector>
 
@@ -10,10 +10,11 @@
 
 namespace armtune::internal {
 
-/// corners [m], no two the same in a row; speed [m/s] and blend [m], both above zero. closed: from the last
-/// corner back to the first, for ever; otherwise it starts and ends at rest at the outer corners, where it
-/// speeds up and slows down over `blend`. Throws InputError naming the corner if a side is too short for the
-/// blends at its ends, or what else is wrong.
+/// Returns the motion through the corners. corners [m]: successive ones differ. speed [m/s] and blend [m]:
+/// above zero. closed: the path returns from the last corner to the first and repeats. Otherwise it starts
+/// and ends at rest at the outer corners, and speeds up and slows down over `blend`. Throws InputError,
+/// naming the corners or values, if a side is too short for the blends at its ends or an argument is not
+/// valid.
 PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double blend, bool closed);
 
 }  // namespace armtune::internal

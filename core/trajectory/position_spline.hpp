@@ -1,6 +1,6 @@
 #pragma once
-// A point's motion through knots in time: quintics between them, so that position, velocity and acceleration
-// go on without a jump from piece to piece.
+// A point's motion through knots in time. The pieces between knots are quintics, so that position, velocity
+// and acceleration are continuous.
 
 #include <optional>
 #include <utility>
@@ -14,9 +14,10 @@ namespace armtune::internal {
 
 class PositionSpline {
  public:
-  /// time [s]: of the knots, rising, at least two. knots: position [m], velocity, acceleration at each.
-  /// loops: behind the last knot it goes on from the first, which has then the same motion. Throws InputError
-  /// if the times do not rise, the counts differ, or a loop's ends differ by more than rounding.
+  /// time [s]: of the knots, increasing, at least two. knots: position [m], velocity and acceleration at
+  /// each. loops: after the last knot the motion starts again at the first, which must have the same values.
+  /// Throws InputError if the times do not increase, the counts differ, or a loop's ends differ by more than
+  /// rounding.
   PositionSpline(const std::vector<double>& time, const std::vector<MotionPoint<Vec3>>& knots, bool loops);
 
   double begin() const { return time_.front(); }
@@ -25,16 +26,16 @@ class PositionSpline {
   const std::vector<double>& time() const { return time_; }
   const std::vector<MotionPoint<Vec3>>& knots() const { return knots_; }
 
-  /// At t [s]; before the start and after the end of one that does not loop it rests where it begins or ends.
-  /// Allocates nothing; the piece is found by bisection.
+  /// Returns the motion at t [s]. If it does not loop, it rests at its first position before the start and at
+  /// its last one after the end. Allocates nothing; the piece is found by bisection.
   MotionPoint<Vec3> at(double t) const;
-  /// At t [m/s^3]; it may jump at knots.
+  /// Returns the jerk at t [m/s^3], which may jump at knots.
   Vec3 jerk(double t) const;
 
  private:
-  /// The piece that t is in, and the time since its beginning; t: as `inside` leaves it.
+  /// Returns the index of the piece that holds t, and the time since its start. t: as returned by `inside`.
   std::pair<std::size_t, double> piece(double t) const;
-  /// t, of a loop brought into its first turn; nothing: outside, where it rests.
+  /// Returns t, mapped into the first turn of a loop; no value outside the motion, where it rests.
   std::optional<double> inside(double t) const;
 
   std::vector<double> time_;

@@ -1,5 +1,5 @@
 #pragma once
-// Quintic polynomial between position, velocity and acceleration at both ends.
+// A quintic polynomial between given position, velocity and acceleration at both ends.
 // Siciliano et al., Robotics: Modelling, Planning and Control, section 4.2.1.
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace armtune::internal {
 
-/// V: double or a fixed-size Eigen vector. Times in seconds from the polynomial's own start.
+/// A quintic of V, a double or an Eigen vector. Times are in seconds from the polynomial's own start.
 template <typename V>
 class Quintic {
  public:
@@ -16,7 +16,7 @@ class Quintic {
   Quintic(const MotionPoint<V>& start, const MotionPoint<V>& end, double duration)
       : c0_(start.position), c1_(start.velocity), c2_(0.5 * start.acceleration), duration_(duration) {
     const double T = duration;
-    // What the cubic-and-higher part must add to the parabola through the start, at the end.
+    // Differences at the end between the wanted motion and the parabola through the start.
     const V p = end.position - (c0_ + T * (c1_ + T * c2_));
     const V v = end.velocity - (c1_ + 2.0 * T * c2_);
     const V a = end.acceleration - 2.0 * c2_;
@@ -28,7 +28,7 @@ class Quintic {
 
   double duration() const { return duration_; }
 
-  /// Motion at t [s]; before the start and after the end, that of the start and of the end.
+  /// Returns the motion at t [s]; before the start and after the end, that of the start and of the end.
   MotionPoint<V> at(double t) const {
     const double s = std::clamp(t, 0.0, duration_);
     return {c0_ + s * (c1_ + s * (c2_ + s * (c3_ + s * (c4_ + s * c5_)))),
@@ -36,7 +36,7 @@ class Quintic {
             2.0 * c2_ + s * (6.0 * c3_ + s * (12.0 * c4_ + s * (20.0 * c5_)))};
   }
 
-  /// What the acceleration changes by, at t in between.
+  /// Returns the jerk at t, which is clamped to the duration.
   V jerk(double t) const {
     const double s = std::clamp(t, 0.0, duration_);
     return 6.0 * c3_ + s * (24.0 * c4_ + s * (60.0 * c5_));
@@ -47,12 +47,12 @@ class Quintic {
   double duration_;
 };
 
-/// A scalar that moves from `from` to `to` and rests at both ends.
+/// Returns the motion of a scalar that moves from `from` to `to` and rests at both ends.
 inline Quintic<double> rest_to_rest(double from, double to, double duration) {
   return {MotionPoint<double>{from, 0.0, 0.0}, MotionPoint<double>{to, 0.0, 0.0}, duration};
 }
 
-/// No interpolation is made shorter than this [s]: a distance of zero would ask for no time at all.
+/// Shortest duration of an interpolation [s]: a distance of zero would otherwise give a duration of zero.
 inline constexpr double kShortestInterpolation = 0.05;
 
 }  // namespace armtune::internal

@@ -1,20 +1,20 @@
 #pragma once
-// The way back to a moving point on the path (equation 8): first a naive duration from the distance to where
-// the path is now, then the duration from the distance to where the path will be by then.
+// The way back to a moving point on the path (equation 8). A first duration follows from the distance to the
+// path's present point. The final one follows from the distance to the path's point after that duration.
 
 #include "core/trajectory/path.hpp"
 #include "core/trajectory/quintic.hpp"
 
 namespace armtune::internal {
 
-/// dt = k_t |p - pc(t0)|, then dt* = k_t |p - pc(t0 + dt)|; never shorter than kShortestInterpolation.
+/// Returns dt* = k_t |p - pc(t0 + dt)| with dt = k_t |p - pc(t0)|, at least kShortestInterpolation [s].
 /// k_t: trajectoryDurationErrorGain [s/m].
 inline double return_duration(const Vec3& p_0T, const Path& path, double t0, double k_t) {
   const double naive = k_t * (p_0T - path.at(t0).position).norm();
   return std::max(kShortestInterpolation, k_t * (p_0T - path.at(t0 + naive).position).norm());
 }
 
-/// Quintic from `start` at t0 to the path's own motion at t0 + dt*.
+/// Returns the quintic from `start` at t0 to the path's own motion at t0 + dt*.
 inline Quintic<Vec3> return_trajectory(const MotionPoint<Vec3>& start, const Path& path, double t0,
                                        double k_t) {
   const double duration = return_duration(start.position, path, t0, k_t);

@@ -1,9 +1,10 @@
 #pragma once
-// Points of a joint trajectory as ROS's controllers join them, each with the polynomial of lowest degree that
-// takes what both points give: position alone a straight line, velocity too a cubic, acceleration too a
-// quintic.
-// ros2_controllers, joint_trajectory_controller/src/trajectory.cpp, interpolate_between_points; branches
-// `humble` and `jazzy` of August 2026, and ros_controllers, `noetic-devel`, give the same polynomials.
+// The segments between the points of a joint trajectory, as ROS's controllers compute them. Each is the
+// polynomial of lowest degree that matches both points: a straight line for positions only, a cubic with
+// velocities, a quintic with accelerations.
+// Source: ros2_controllers, joint_trajectory_controller/src/trajectory.cpp, interpolate_between_points.
+// Branches `humble` and `jazzy` of August 2026, and ros_controllers, `noetic-devel`, give the same
+// polynomials.
 
 #include <vector>
 
@@ -13,11 +14,12 @@
 
 namespace armtune::internal {
 
-/// What every point of a trajectory gives: kVelocities stands for positions and velocities.
+/// The data that every point of a trajectory has. kVelocities: positions and velocities; kAccelerations: all
+/// three.
 enum class PointsGive { kPositions, kVelocities, kAccelerations };
 
-/// Returns the segments between neighbouring points. time [s]: rising, at least two, as many as points.
-/// points: n joints each (rad or m); what they do not give does not count.
+/// Returns the segments between neighbouring points. time [s]: increasing, at least two, as many as points.
+/// points: of n joints each (rad or m); data that `given` does not include is ignored.
 std::vector<Quintic<JointVector>> ros_segments(const std::vector<double>& time,
                                                const std::vector<MotionPoint<JointVector>>& points,
                                                PointsGive given);

@@ -1,5 +1,5 @@
 #pragma once
-// Exponential and logarithm of rotations: rotation vector = axis times full angle, shortest turn.
+// Exponential and logarithm of rotations. A rotation vector is the axis times the full angle of the turn.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace armtune::internal {
 
-/// Rotation by |phi| [rad] about phi.
+/// Returns the rotation by |phi| [rad] about phi.
 inline Eigen::Quaterniond rotation_exp(const Vec3& phi) {
   const double angle = phi.norm();
   // sin(angle/2)/angle, by its series where the quotient loses digits.
@@ -19,7 +19,7 @@ inline Eigen::Quaterniond rotation_exp(const Vec3& phi) {
   return q;
 }
 
-/// Rotation vector of a unit quaternion, |phi| <= pi (the sign of the quaternion does not matter).
+/// Returns the rotation vector of a unit quaternion, |phi| <= pi. The sign of the quaternion does not matter.
 inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
   const double sign = q.w() < 0.0 ? -1.0 : 1.0;
   const Vec3 v = sign * q.vec();
@@ -30,8 +30,8 @@ inline Vec3 rotation_log(const Eigen::Quaterniond& q) {
   return scale * v;
 }
 
-/// Of the rotation vectors that turn as phi does, whole turns apart, the one nearest to `near`: what goes
-/// past half a turn goes on.
+/// Returns, of all rotation vectors of the rotation phi (they differ by whole turns), the one nearest to
+/// `near`. A turn beyond half a turn thus continues without a jump.
 inline Vec3 nearest_rotation_vector(const Vec3& phi, const Vec3& near) {
   const double angle = phi.norm();
   const Vec3 axis = angle > 1e-9 ? Vec3(phi / angle) : near.stableNormalized();

@@ -8,13 +8,14 @@
 
 namespace armtune::internal {
 
-/// Base frame: w [rad/s] and w' [rad/s^2].
+/// The angular velocity w [rad/s] and acceleration w' [rad/s^2] of a frame, in the base frame.
 struct TurnRate {
   Vec3 velocity = Vec3::Zero();
   Vec3 acceleration = Vec3::Zero();
 };
 
-/// psi: rotation vector [rad] with its first and second derivatives; |psi| <= pi keeps it well conditioned.
+/// Returns w and w' of exp(psi). psi: rotation vector [rad] with its first and second derivatives; |psi| <=
+/// pi keeps it well conditioned.
 inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
   const double x = psi.position.squaredNorm();
   const double angle = std::sqrt(x);
@@ -47,9 +48,9 @@ inline TurnRate rotation_rate(const MotionPoint<Vec3>& psi) {
   return rate;
 }
 
-/// The other way round: the rotation vector psi from a standing orientation to one that turns with `rate`,
-/// with its derivatives. psi' = J_l^-1 w with J_l^-1 = 1 - [psi] / 2 + c [psi]^2, c = (1 - angle
-/// sin / (2 (1 - cos))) / angle^2, and psi'' = J_l^-1 (w' - J_l' psi'). |psi| < 2 pi.
+/// Computes the inverse: the rotation vector psi from a fixed orientation to one that turns with `rate`, with
+/// its derivatives. psi' = J_l^-1 w with J_l^-1 = 1 - [psi] / 2 + c [psi]^2,
+/// c = (1 - angle sin / (2 (1 - cos))) / angle^2, and psi'' = J_l^-1 (w' - J_l' psi'). |psi| < 2 pi.
 inline MotionPoint<Vec3> rotation_vector_motion(const Vec3& psi, const TurnRate& rate) {
   const double x = psi.squaredNorm();
   double c = 0.0;

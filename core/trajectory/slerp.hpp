@@ -1,5 +1,5 @@
 #pragma once
-// Spherical interpolation Q(s) = exp(s phi) Q_start with its angular velocity and acceleration.
+// The spherical interpolation Q(s) = exp(s phi) Q_start with its angular velocity and acceleration.
 
 #include "core/trajectory/rotation_rate.hpp"
 
@@ -11,14 +11,15 @@ struct OrientationPoint {
   Vec3 angular_acceleration = Vec3::Zero();  ///< base frame [rad/s^2]
 };
 
-/// phi: rotation vector from the start to the goal, base frame [rad]; s: interpolation parameter with its
-/// derivatives. The turn has one axis, so velocity and acceleration are s' phi and s'' phi.
+/// Interpolates towards a fixed goal. phi: rotation vector from start to goal, base frame [rad]. s:
+/// interpolation parameter with its derivatives. The axis is fixed, so velocity and acceleration are s' phi
+/// and s'' phi.
 inline OrientationPoint slerp(const Eigen::Quaterniond& start, const Vec3& phi,
                               const MotionPoint<double>& s) {
   return {rotation_exp(s.position * phi) * start, s.velocity * phi, s.acceleration * phi};
 }
 
-/// The same towards a goal that moves: phi with its derivatives. Q(t) = exp(s(t) phi(t)) Q_start.
+/// Interpolates towards a moving goal. phi: with its derivatives. Q(t) = exp(s(t) phi(t)) Q_start.
 inline OrientationPoint slerp(const Eigen::Quaterniond& start, const MotionPoint<Vec3>& phi,
                               const MotionPoint<double>& s) {
   const TurnRate rate = rotation_rate(
@@ -27,7 +28,7 @@ inline OrientationPoint slerp(const Eigen::Quaterniond& start, const MotionPoint
   return {rotation_exp(s.position * phi.position) * start, rate.velocity, rate.acceleration};
 }
 
-/// `outer` turned on top of `inner`, both about base axes: Q = Q_outer Q_inner.
+/// Returns the rotation `inner` followed by `outer`, both about base axes: Q = Q_outer Q_inner.
 inline OrientationPoint composed(const OrientationPoint& outer, const OrientationPoint& inner) {
   const Vec3 carried = outer.orientation * inner.angular_velocity;
   return {outer.orientation * inner.orientation, outer.angular_velocity + carried,

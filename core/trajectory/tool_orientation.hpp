@@ -1,5 +1,5 @@
 #pragma once
-// How the tool is to be turned where it is no gaze: fixed, along the path, or through orientations in time.
+// The desired orientation of a tool that has no gaze: fixed, along the path, or through given orientations.
 
 #include <memory>
 #include <optional>
@@ -10,32 +10,33 @@
 namespace armtune::internal {
 
 struct ToolOrientation {
-  /// Tool in the base frame; of a turn its beginning. Counts where there is no `approach`.
+  /// Tool orientation in the base frame; with a `turn`, at its beginning. It is not used with an `approach`.
   Eigen::Quaterniond start = Eigen::Quaterniond::Identity();
-  /// Rotation vector [rad, base frame] in time: the orientation is exp(turn(t)) start; null: it is fixed.
+  /// Rotation vector [rad, base frame] in time: the orientation is exp(turn(t)) start. Null: it is fixed.
   std::shared_ptr<const PositionSpline> turn = nullptr;
-  /// Base frame. With it the tool's x axis points where the path goes, and its z axis lies as near to this as
-  /// that leaves it.
+  /// Approach direction, base frame. If given, the tool's x axis points along the path, and its z axis is the
+  /// direction nearest to this one that is perpendicular to x.
   std::optional<Vec3> approach = std::nullopt;
 
-  /// At t [s], with its exact rates; path: the tool's. Allocates nothing.
+  /// Returns the orientation at t [s], with exact rates. path: that of the tool. Allocates nothing.
   OrientationPoint at(double t, const Path& path) const;
 
-  /// Whether it never turns.
+  /// True if the tool never turns.
   bool rests(const Path& path) const { return !turn && (!approach || path.rests()); }
 };
 
-/// Where the path goes at t [s]: u = v / |v| with u' and u''. Before the beginning and after the end of one
-/// that does not loop, where it begins or ends to go, at rest. Zero where it rests in between.
+/// Returns the direction of the path's motion at t [s]: u = v / |v| with u' and u''. Before the start and
+/// after the end of a path that does not loop, it is the fixed direction there. It is zero where the path
+/// rests in between.
 MotionPoint<Vec3> heading(const Path& path, double t);
 
-/// Farther than this from its beginning [rad] a turn through waypoints is none: near a whole turn a rotation
-/// vector tells no axis.
+/// Largest turn through waypoints, from its beginning [rad]. Near a whole turn, a rotation vector does not
+/// determine an axis.
 inline constexpr double kMostTurn = 1.5 * M_PI;
 
-/// Turns through orientations at given times [s], rising, at least two: the cubic spline
-/// through their rotation vectors from the first, at rest at both ends. Each is the one nearest to the last;
-/// those beyond kMostTurn are for the caller to refuse.
+/// Returns the turn through orientations at given times [s], increasing, at least two. It is the cubic spline
+/// through their rotation vectors from the first, at rest at both ends. Each vector is the one nearest to its
+/// predecessor. The caller must refuse vectors beyond kMostTurn.
 ToolOrientation turning_through(const std::vector<double>& time,
                                 const std::vector<Eigen::Quaterniond>& orientations);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The version of armtune, and the names of its bundled data.
+// The version of armtune and of the libraries that it uses, and the names of the data files bundled with it.
 
 #include <string>
 #include <utility>
@@ -7,11 +7,11 @@
 
 namespace armtune {
 
-/// (name, version) of armtune and of every library in use, armtune first.
+/// Returns (name, version) of armtune and of every library in use, armtune first.
 std::vector<std::pair<std::string, std::string>> versions();
 
-/// Names of what is bundled: folder is one of robots, scenarios, gains, studies, tasks, theta. Throws
-/// InputError.
+/// Returns the names of the bundled files in a folder: robots, scenarios, gains, studies, tasks or theta.
+/// Throws InputError for any other folder.
 std::vector<std::string> bundled(const std::string& folder);
 
 }  // namespace armtune

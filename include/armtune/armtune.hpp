@@ -1,6 +1,6 @@
 #pragma once
-// All of armtune's interface. plan.hpp and identify.hpp need libraries of their own (see there), and
-// program.hpp too.
+// The whole C++ interface of armtune in one include. plan.hpp, identify.hpp and program.hpp need further
+// libraries to link; each of them names its own.
 
 #include "armtune/about.hpp"
 #include "armtune/controller.hpp"

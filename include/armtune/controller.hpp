@@ -1,7 +1,7 @@
 #pragma once
-// Controllers of one's own: a law that turns references into joint torques, and the declaration of its gains.
-// States, references, gaze, returns, obstacles, the velocity governor and the limits are those of every
-// controller.
+// The interface for adding a controller of your own: a law that turns references into joint torques, and the
+// declaration of its gains. armtune supplies the rest, the same for every controller: states, references,
+// gaze, returns, obstacles, the velocity governor and the limits.
 
 #include <Eigen/Core>
 #include <functional>
@@ -19,7 +19,7 @@ namespace internal {
 struct LawInput;
 }
 
-/// One control period as a law sees it, on an arm of n joints. It lives for the call alone.
+/// The inputs of a law in one control period, for an arm of n joints. It is valid during the call only.
 class LawState {
  public:
   using Vector = Eigen::Map<const Eigen::VectorXd>;
@@ -31,14 +31,14 @@ class LawState {
   Vector reference_acceleration() const;  ///< qr'' (n) [rad/s^2, m/s^2]
   Vector sliding() const;                 ///< S = q' - qr' (n) [rad/s, m/s]
   Vector damping() const;                 ///< Kd of the active state (n) [N m s/rad, N s/m]
-  Jacobian jacobian() const;              ///< of the tool, (v, w) = J q' in the base frame (6 x n)
-  /// The controller's state, such as "followTrajectory".
+  Jacobian jacobian() const;              ///< J of the tool, (v, w) = J q' in the base frame (6 x n)
+  /// Returns the name of the controller's state, such as "followTrajectory".
   const char* state() const;
-  /// True in states whose reference is a joint motion: there is neither a path nor a gaze in them.
+  /// True in states whose reference is a joint motion. These states have neither a tool path nor a gaze.
   bool tracks_joints() const;
 
-  /// tau = M(q) a + C(q, q') v + g(q) + friction(q') of the arm as the controller knows it (n each).
-  /// Allocates nothing. Throws InputError if one has another size.
+  /// Computes tau = M(q) a + C(q, q') v + g(q) + friction(q') with the controller's model of the arm (n
+  /// each). Allocates nothing. Throws InputError if a vector does not have n entries.
   void model_torque(const Eigen::Ref<const Eigen::VectorXd>& v, const Eigen::Ref<const Eigen::VectorXd>& a,
                     Eigen::Ref<Eigen::VectorXd> tau) const;
 
@@ -49,6 +49,7 @@ class LawState {
   class LawInside& law_;
 };
 
+/// A control law: the base class to derive from.
 class Law {
  public:
   Law() = default;
@@ -56,67 +57,71 @@ class Law {
   Law& operator=(const Law&) = delete;
   virtual ~Law() = default;
 
-  /// Sets the torques (n) [N m, N] before repulsion, velocity barrier and effort limits. Called once in every
-  /// control period; nothing in it may allocate.
+  /// Sets the torques (n) [N m, N], to which armtune then applies the obstacles' repulsion, the velocity
+  /// barrier and the effort limits. It is called once in every control period and must not allocate.
   virtual void torque(const LawState& state, Eigen::Ref<Eigen::VectorXd> tau) = 0;
-  /// The period is over. learning: no joint was saturated, and adaptation is wanted.
+  /// Is called at the end of every control period. learning: true if no joint was saturated and adaptation is
+  /// wanted.
   virtual void conclude(bool /*learning*/) {}
   /// True if every torque contains -Kd S, with the Kd of LawState::damping.
   virtual bool contains_damping() const { return false; }
 };
 
-/// How many numbers a gain has.
+/// The number of values of a gain.
 enum class GainShape {
   kScalar,
   kTask,   ///< six: x y z rx ry rz
   kJoints  ///< one for each joint
 };
 
-/// A gain that a controller alone has. Files, help, search space, journal and report know it from here.
+/// A gain that belongs to one controller only. Gains files, help texts, search space, journal and report are
+/// built from this declaration.
 struct GainDeclaration {
   GainShape shape = GainShape::kScalar;
   std::string name = {};
   std::string unit = {};
-  std::string meaning = {};  ///< a few words
-  double otherwise = 0.0;    ///< each of its numbers where nothing else is said
-  bool positive = false;     ///< zero is refused
-  bool in_loop = true;  ///< a factor on it is one on the loop's gain: not so for a length, an angle, a scale
-  double lower_factor = 0.2;  ///< it is searched from here ...
-  double upper_factor = 5.0;  ///< ... to there times its start, unless a study says otherwise
+  std::string meaning = {};   ///< a few words
+  double otherwise = 0.0;     ///< default of each of its values
+  bool positive = false;      ///< zero is refused
+  bool in_loop = true;        ///< true if it scales the loop's gain: not a length, an angle or a scale
+  double lower_factor = 0.2;  ///< default lower bound of the search, as a factor on the start value
+  double upper_factor = 5.0;  ///< default upper bound, likewise; a study can set both
 };
 
-/// What a law is made from.
+/// The data that a law is constructed from.
 struct LawSetup {
-  Robot robot;  ///< as the controller knows it
+  Robot robot;  ///< the controller's model of the arm
   Gains gains;
-  double period;  ///< of control [s]
+  double period;  ///< control period [s]
   std::vector<double>
-      theta;  ///< what the controller takes the arm for: 13 numbers for each joint (docs/theory.md)
+      theta;  ///< parameters of the controller's model of the arm: 13 for each joint (docs/theory.md)
 };
 
-/// A kind of controller, as gains files name it: "controller: NAME".
+/// A kind of controller. A gains file selects it with "controller: NAME".
 struct ControllerKind {
   std::string name = {};
   std::string meaning = {};  ///< one line
-  /// Those of armtune's gains that the law has, such as "task_space_gains_p".
+  /// Names of armtune's own gains that the law uses, such as "task_space_gains_p".
   std::vector<std::string> uses = {};
   std::vector<GainDeclaration> own = {};
   std::function<std::unique_ptr<Law>(const LawSetup&)> make = {};
   bool learns = false;  ///< true if the law adapts its model of the arm online
-  /// Sets own gains to begin with, on an arm without any that is at q (n) on its task; empty: they are as
-  /// declared.
+  /// Sets start values of the kind's own gains for an arm that has no gains yet. q (n): joint positions at
+  /// which the arm is on its task. If empty, the gains get their declared defaults.
   std::function<void(const Robot&, std::span<const double> q, Gains&)> start = {};
 };
 
-/// Adds a kind, before anything is loaded and while nothing is simulated. Throws InputError if its name or
-/// that of a gain is taken, or `uses` names a gain that is none of a law.
+/// Adds a kind of controller. Call it before anything is loaded and while nothing is simulated. Throws
+/// InputError if the name of the kind or of a gain is taken or not allowed, if `make` is empty, if a gain's
+/// default or search factors are out of range, or if `uses` names a gain that does not belong to a law.
 void register_controller(const ControllerKind& kind);
 
-/// What each joint feels at q (n) with the others free, 1 / (M^-1)_ii [kg m^2, kg]: first gains follow it.
-/// Throws InputError if q has another size.
+/// Returns the inertia that each joint moves at q (n) while the others are free, 1 / (M^-1)_ii [kg m^2, kg].
+/// Start gains are usually proportional to it. Throws InputError if q has another size.
 std::vector<double> joint_inertia(const Robot& robot, std::span<const double> q);
 
-/// A rate [1/s] that an arm's controller can hold to begin with: first gains are it times an inertia.
+/// Returns a closed-loop rate [1/s] that an arm's controller can usually reach. Start gains are this rate
+/// times an inertia.
 double first_rate();
 
 }  // namespace armtune

@@ -1,5 +1,6 @@
 #pragma once
-// What less of one criterion costs in another: the gains that no others dominate.
+// A search for the Pareto front of two or three criteria: the gains that no other gains dominate. It shows
+// what a lower value of one criterion costs in another.
 
 #include <string>
 #include <vector>
@@ -10,12 +11,12 @@
 namespace armtune {
 
 struct FrontOptions {
-  std::string folder = {};   ///< new, for all files of the run; empty: nothing is written
-  bool resume = false;       ///< continue the run in that folder
+  std::string folder = {};   ///< new folder for all files of the run; empty: nothing is written
+  bool resume = false;       ///< resume the run in that folder
   int workers = 1;           ///< threads; results do not depend on it
-  std::size_t levels = 0;    ///< of each criterion but the first; 0: 12, with three criteria 4
+  std::size_t levels = 0;    ///< per criterion except the first; 0: 12, or 4 with three criteria
   long max_evaluations = 0;  ///< 0: four times the study's
-  double deadline = 0.0;     ///< of one rollout, wall clock [s]; 0: 20 s and twice the simulated duration
+  double deadline = 0.0;     ///< wall-clock limit of a rollout [s]; 0: 20 s plus twice its simulated duration
   Watch watch = {};
 };
 
@@ -25,14 +26,15 @@ struct FrontPoint {
 };
 
 struct Front {
-  std::vector<FrontPoint> points = {};  ///< feasible, ascending in the first criterion
-  FrontPoint start;
-  double hypervolume = 0.0;  ///< below the start
+  std::vector<FrontPoint> points = {};  ///< feasible points, ascending in the first criterion
+  FrontPoint start;                     ///< start gains and their values
+  double hypervolume = 0.0;             ///< that the points dominate, with the start as reference
   bool interrupted = false;
-  std::vector<std::string> files = {};  ///< names of those in the folder
+  std::vector<std::string> files = {};  ///< names of the files in the folder
 };
 
-/// criteria: two or three, each a metric's name or "objective"; the first is searched. Throws as tune does.
+/// Searches the front of a study. criteria: two or three, each the name of a metric or "objective". The first
+/// one is optimised while the others are limited to fixed levels. Throws as tune does.
 Front front(const Study& study, const std::vector<std::string>& criteria, const FrontOptions& options = {});
 
 }  // namespace armtune

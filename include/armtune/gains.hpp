@@ -1,5 +1,5 @@
 #pragma once
-// The gains of a controller, by the names of its gains file.
+// The gains of a controller, accessed by the names that its gains file uses.
 
 #include <memory>
 #include <span>
@@ -14,14 +14,14 @@ namespace internal {
 struct Gains;
 }
 
-/// The forms that robots read gains in.
+/// The file formats that gains can be written in.
 enum class GainsFormat {
-  kYaml,  ///< armtune's own, which is the published one
+  kYaml,  ///< armtune's own format, which is the published one
   kRos1,  ///< for rosparam load
   kRos2   ///< for --params-file
 };
 
-/// A value: copies are independent.
+/// The gains of one controller for one arm. It is a value: copies are independent.
 class Gains {
  public:
   /// Reads bundled gains by name, or a gains file by path, for that arm. Throws InputError.
@@ -35,29 +35,29 @@ class Gains {
 
   const std::string& controller() const;
   const std::vector<std::string>& joints() const { return joints_; }
-  /// Names of all gains that the controller has, switches and words included.
+  /// Returns the names of all gains of the controller, including switches and words.
   std::vector<std::string> names() const;
 
-  /// The numbers of a gain, to be read and written in place: one, six (x y z rx ry rz) or one for each joint.
-  /// They stay where they are until other gains are assigned to these. Throws InputError if there is no such
-  /// gain, or if it has no numbers.
+  /// Returns the values of a gain, to be read and written in place: one, six (x y z rx ry rz) or one for each
+  /// joint. The span stays valid until other gains are assigned to this object. Throws InputError if there is
+  /// no such gain, or if it has no numbers.
   std::span<double> numbers(const std::string& name);
   std::span<const double> numbers(const std::string& name) const;
-  /// Sets all numbers of a gain. One value stands for all of them. Throws InputError if their count does not
-  /// fit.
+  /// Sets all values of a gain. A single value is used for all of them. Throws InputError if the count does
+  /// not fit.
   void set(const std::string& name, const std::vector<double>& values);
   void set(const std::string& name, double value) { set(name, std::vector<double>{value}); }
-  /// A switch ("true", "false") or a word, as it stands in a gains file. Throws InputError if there is no
-  /// such gain, if it has numbers, or if the word is none of its own.
+  /// Reads or sets a switch ("true", "false") or a word, as written in a gains file. Throws InputError if
+  /// there is no such gain, if it has numbers, or if the word is not one of its words.
   std::string word(const std::string& name) const;
   void set_word(const std::string& name, const std::string& word);
 
-  /// The gains as a file. Throws InputError where a number is outside its limits.
+  /// Returns the text of a gains file. Throws InputError if a number is outside its limits.
   std::string text(GainsFormat format = GainsFormat::kYaml) const;
-  /// Writes that, whole or not at all. Throws InputError if it cannot be written.
+  /// Writes that text to a file, either completely or not at all. Throws InputError if it cannot be written.
   void save(const std::string& path, GainsFormat format = GainsFormat::kYaml) const;
 
-  /// For armtune itself.
+  /// For armtune's own code.
   Gains(const internal::Gains& gains, std::vector<std::string> joints);
   const internal::Gains& inside() const { return *inside_; }
   internal::Gains& inside() { return *inside_; }

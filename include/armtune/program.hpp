@@ -1,12 +1,12 @@
 #pragma once
-// The program `armtune`, to be called from a program of one's own that has more controllers. Link
-// armtune::cli.
+// The command line program `armtune` as a function, for a program of your own that adds controllers to it.
+// Link armtune::cli.
 
 namespace armtune {
 
-/// Runs the command line and returns the exit code. To be called first in main, before any thread is started:
-/// where the C library would compute with other variants of sin, exp, ... than those of every x86-64
-/// processor, it starts the process anew.
+/// Runs the command line and returns the exit code. Call it first in main, before any thread is started: it
+/// may restart the process. It does so if the C library would otherwise compute sin, exp, ... with variants
+/// that not every x86-64 processor has, since these differ in the last bit.
 int run_program(int argc, char** argv);
 
 }  // namespace armtune

@@ -1,5 +1,5 @@
 #pragma once
-// How long work is watched, and how it is ended early.
+// Progress reports of functions that run for a long time, and a way to stop them early.
 
 #include <atomic>
 #include <cmath>
@@ -8,21 +8,21 @@
 
 namespace armtune {
 
-/// How far a part of the work is.
+/// The progress of one part of the work.
 struct Progress {
-  std::string work;  ///< what is done, such as "margins of the start gains"
+  std::string work;  ///< name of the part, such as "margins of the start gains"
   long done = 0;
-  long all = 0;               ///< units of `done`; 0: not known
-  double seconds_left = NAN;  ///< about; NaN: not known
-  std::string detail = {};    ///< the best so far, or where the work stands, for a person
+  long all = 0;               ///< total, in the units of `done`; 0: not known
+  double seconds_left = NAN;  ///< estimate; NaN: not known
+  std::string detail = {};    ///< the best result so far or the current step, in words
 };
 
-/// What a function that works for long is given. Its functions are called from any thread, one call at a
-/// time.
+/// The callbacks and the stop flag of a long-running function. The callbacks are called from any thread, one
+/// call at a time.
 struct Watch {
   std::function<void(const Progress&)> progress = {};
   std::function<void(const std::string&)> warning = {};  ///< one sentence; the work continues
-  const std::atomic<bool>* stop = nullptr;  ///< true: end soon, with what is finished; outlives the work
+  const std::atomic<bool>* stop = nullptr;  ///< true: stop soon, keep what is finished; must outlive the work
 };
 
 }  // namespace armtune

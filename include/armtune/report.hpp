@@ -1,12 +1,12 @@
 #pragma once
-// A run folder as one page.
+// A report of a run folder as one page.
 
 #include <string>
 
 namespace armtune {
 
-/// Writes the page of a run folder to `path`, which must not exist. Throws InputError if the folder is not
-/// that of a run or the path cannot be written, FailedError where armtune was built without the page.
+/// Writes the page of a run folder to `path`, which must not exist. Throws InputError if the folder does not
+/// hold a run or the path cannot be written; FailedError if armtune was built without the page.
 void write_report(const std::string& folder, const std::string& path);
 
 }  // namespace armtune

@@ -1,5 +1,5 @@
 #pragma once
-// An arm: links, joints and limits.
+// A robot arm: its links, joints and limits.
 
 #include <memory>
 #include <string>
@@ -11,22 +11,22 @@ namespace internal {
 struct RobotModel;
 }
 
-/// A serial arm of n joints. Copies share one model that never changes.
+/// A serial arm of n joints. Copies share one immutable model.
 class Robot {
  public:
   /// Reads a bundled robot by name, or a robot file (YAML) or URDF by path. Throws InputError.
   static Robot load(const std::string& name_or_path);
 
   const std::string& name() const;
-  /// Names of the n joints, from the base to the tool: the order of every joint vector.
+  /// Returns the names of the n joints, from the base to the tool. Every joint vector has this order.
   std::vector<std::string> joints() const;
-  /// Limits of the n joints. Those of positions are infinite for joints that turn without end.
+  /// Returns the limits of the n joints. Position limits of joints that turn endlessly are infinite.
   std::vector<double> velocity_limits() const;        ///< [rad/s, m/s]
   std::vector<double> effort_limits() const;          ///< [N m, N]
   std::vector<double> lower_position_limits() const;  ///< [rad, m]
   std::vector<double> upper_position_limits() const;  ///< [rad, m]
 
-  /// For armtune itself.
+  /// For armtune's own code.
   explicit Robot(std::shared_ptr<const internal::RobotModel> model) : model_(std::move(model)) {}
   const std::shared_ptr<const internal::RobotModel>& model() const { return model_; }
 

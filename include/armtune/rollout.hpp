@@ -1,5 +1,5 @@
 #pragma once
-// Scenarios simulated under gains.
+// Simulation of scenarios under given gains. One simulated scenario is called a rollout.
 
 #include <map>
 #include <memory>
@@ -14,47 +14,48 @@
 
 namespace armtune {
 
-/// What computes an arm's motion.
+/// The physics engine that computes an arm's motion.
 enum class Engine {
   kSimbody,
-  kNative  ///< armtune's own dynamics, several arms at a time: an order of magnitude quicker
+  kNative  ///< armtune's own dynamics, several arms at a time: about ten times as fast
 };
 
 struct SimulateOptions {
   Engine engine = Engine::kSimbody;
   std::string stepper = "midpoint";  ///< midpoint, semi_implicit_euler, rk4 or reference
   int workers = 1;                   ///< threads; results do not depend on it
-  int record_every = 5;              ///< control periods per row of the recording; 0: nothing is recorded
-  double deadline = 0.0;  ///< of one rollout, wall clock [s]. 0: none; in simulate_sets 20 s and twice the
-                          ///< simulated duration
+  int record_every = 5;              ///< control periods per row of the recording; 0: no recording
+  double deadline = 0.0;  ///< wall-clock limit of a rollout [s]. 0: none; in simulate_sets 20 s plus twice
+                          ///< its simulated duration
   Watch watch = {};
 };
 
-/// A simulated scenario: what became of it, its metrics, and its time series. A value.
+/// The result of simulating one scenario: its status, metrics and time series. It is a value.
 class Rollout {
  public:
   const std::string& scenario() const { return scenario_; }
-  /// "completed", "diverged", "no_samples" (it ran to its end, but never tracked the task) or "interrupted".
+  /// Returns "completed", "diverged", "no_samples" (it ran to its end, but never tracked the task) or
+  /// "interrupted".
   const std::string& status() const { return status_; }
   bool completed() const { return status_ == "completed"; }
-  /// When, where and why it ended; empty if completed.
+  /// Returns when, where and why it did not complete; empty if it completed.
   const std::string& reason() const { return reason_; }
-  /// Every metric by name, in SI units; NaN where there was nothing to judge. `armtune metrics` says what
-  /// they mean.
+  /// Returns every metric by name, in SI units; NaN if there was nothing to measure. `armtune metrics`
+  /// explains them.
   const std::map<std::string, double>& metrics() const { return metrics_; }
-  /// Throws InputError if there is no such metric.
+  /// Returns one metric. Throws InputError if there is no such metric.
   double metric(const std::string& name) const;
-  /// The arm's own limits that were passed, each in one sentence, the earliest first. No value where nobody
-  /// looked: of simulate_sets, random arms, and objectives of one's own, where the metrics have the largest
-  /// ratios.
+  /// Returns the arm's own limits that were exceeded, each in one sentence, the earliest first. There is no
+  /// value if they were not observed: in simulate_sets, for random arms, and in objectives of your own. The
+  /// metrics then have the largest ratios.
   const std::optional<std::vector<std::string>>& broken_limits() const { return broken_limits_; }
 
-  /// Names of the recorded columns, `time` first; empty where nothing was recorded.
+  /// Returns the names of the recorded columns, `time` first; empty without a recording.
   const std::vector<std::string>& columns() const { return columns_; }
   std::size_t rows() const { return columns_.empty() ? 0 : values_.size() / columns_.size(); }
-  /// All recorded values, row by row (rows x columns).
+  /// Returns all recorded values, row by row (rows x columns).
   std::span<const double> values() const { return values_; }
-  /// A copy of one column (rows). Throws InputError if there is none of that name.
+  /// Returns a copy of one column (rows). Throws InputError if there is no column of that name.
   std::vector<double> column(const std::string& name) const;
 
  private:
@@ -64,22 +65,22 @@ class Rollout {
   std::optional<std::vector<std::string>> broken_limits_;
   std::vector<std::string> columns_;
   std::vector<double> values_;
-  std::shared_ptr<const void> result_;  ///< what errors_csv writes
+  std::shared_ptr<const void> result_;  ///< input of errors_csv
 };
 
-/// Simulates every scenario under these gains. Results are in the order of the scenarios; the same bits for
-/// any number of workers. Throws InputError if the gains are not valid for the arm of a scenario, or if two
-/// scenarios share a name.
+/// Simulates every scenario under these gains. The results are in the order of the scenarios, and
+/// bit-identical for any number of workers. Throws InputError if the gains are not valid for the arm of a
+/// scenario, or if two scenarios have the same name.
 std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gains& gains,
                               const SimulateOptions& options = {});
 
-/// Simulates every scenario under each of several gain sets, without recordings: result[set][scenario]. In
-/// the native engine several of these rollouts share a processor's vector registers.
+/// Simulates every scenario under each of several gain sets, without recordings: result[set][scenario]. The
+/// native engine computes several of these rollouts side by side in a processor's vector registers.
 std::vector<std::vector<Rollout>> simulate_sets(const std::vector<Scenario>& scenarios,
                                                 const std::vector<Gains>& sets,
                                                 const SimulateOptions& options = {});
 
-/// The text of errors.csv: one row for each rollout, every metric.
+/// Returns the text of errors.csv: one row for each rollout, with every metric.
 std::string errors_csv(const std::vector<Rollout>& rollouts);
 
 }  // namespace armtune

@@ -1,6 +1,6 @@
 #pragma once
-// A task for an arm: the tool's path, gaze targets, obstacles, and how the real arm differs from the
-// controller's model.
+// A scenario: a task for an arm (the tool's path, gaze targets, obstacles), and how the real arm differs from
+// the controller's model of it.
 
 #include <memory>
 #include <string>
@@ -15,10 +15,10 @@ namespace internal {
 struct Scenario;
 }
 
-/// Files that were read: path, and the hash of what was in it.
+/// The files that were read: the path of each, and the hash of its content.
 using InputFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// A value: a setter changes this object alone.
+/// A scenario. It is a value: a setter changes this object only.
 class Scenario {
  public:
   /// Reads a bundled scenario by name, or a scenario file by path. Throws InputError.
@@ -29,16 +29,16 @@ class Scenario {
   double duration() const;        ///< simulated time [s]
   double control_period() const;  ///< [s]
 
-  /// What its results are called by: letters, digits, '_', '-' and '.'. Two scenarios that are simulated
-  /// together need different names. Throws InputError.
+  /// Sets the name of its results: letters, digits, '_', '-' and '.', without '.' or '-' at the beginning.
+  /// Scenarios that are simulated together need different names. Throws InputError.
   void set_name(const std::string& name);
-  /// [s]; one control period at least. Throws InputError.
+  /// Sets the simulated time [s], at least one control period. Throws InputError.
   void set_duration(double seconds);
-  /// False once a setter was called: no file says what it is now, and it cannot be simulated into a run
-  /// folder.
+  /// True if files describe the scenario as it is, which ends when a setter is called. Only then can it be
+  /// simulated into a run folder.
   bool as_in_file() const { return files_ != nullptr; }
 
-  /// For armtune itself. files: null where no file says what it is.
+  /// For armtune's own code. files: null if no file matches the scenario.
   Scenario(internal::Scenario inside, std::shared_ptr<const InputFiles> files);
   const internal::Scenario& inside() const { return *inside_; }
   const std::shared_ptr<const InputFiles>& files() const { return files_; }

@@ -1,5 +1,5 @@
 #pragma once
-// What is tuned, over which scenarios, for what, and inside which limits.
+// A study: which gains are tuned, over which scenarios, for which objective, and within which limits.
 
 #include <cstdint>
 #include <functional>
@@ -18,40 +18,42 @@ namespace internal {
 struct Study;
 }
 
-/// Parts of a study in place of what its text says under `scenarios`, `gains` and `objective`, or of keys
-/// that it lacks.
+/// Parts of a study that replace the keys `scenarios`, `gains` and `objective` of its text, or stand in for
+/// keys that are missing there.
 struct StudyInputs {
   std::vector<Scenario> scenarios = {};
   std::optional<Gains> start = std::nullopt;
-  /// From one rollout for each scenario, all of them completed and without recordings: a number above zero,
-  /// less is better, and the same for the same rollouts. The search sees it relative to that of the start,
-  /// and up to ten times that. It is called from any thread, one call at a time; what it throws ends the
-  /// search. Where the study is `robust`, each rollout has the measure over the arms for its metrics.
+  /// Computes the objective from one rollout for each scenario, all completed and without recordings. It must
+  /// be above zero, lower is better, and the same rollouts must give the same value. The search divides it by
+  /// the start's value and cuts the ratio off at ten. It is called from any thread, one call at a time. An
+  /// exception from it ends the search. In a `robust` study, the metrics of each rollout are the measure over
+  /// all arms.
   std::function<double(const std::vector<Rollout>&)> objective = {};
 };
 
-/// A value: a setter changes this object alone.
+/// A tuning study. It is a value: a setter changes this object only.
 class Study {
  public:
-  /// Reads a bundled study by name, or a study file by path. controller: of another kind than the gains are
-  /// for; empty: as the study says. Throws InputError.
+  /// Reads a bundled study by name, or a study file by path. controller: kind of controller to tune, in place
+  /// of the one that the gains are for; empty: as the study specifies. Throws InputError.
   static Study load(const std::string& name_or_path, const std::string& controller = {});
-  /// Makes one of the text of a study file (docs/file_formats.md). Paths are relative to the current folder.
-  /// It leaves no run folder, since no file says what it is. Throws InputError.
+  /// Parses the text of a study file (docs/file_formats.md). Paths are relative to the current folder. The
+  /// study cannot be run into a folder, since no file matches it. Throws InputError.
   static Study parse(const std::string& yaml, const StudyInputs& inputs = {});
 
   const std::string& name() const;
   const std::vector<Scenario>& scenarios() const { return scenarios_; }
   Gains start() const;  ///< a copy
-  /// Names of the numbers that are tuned, such as "task_space_gains_p/x": the order of a point's coordinates.
+  /// Returns the names of the tuned numbers, such as "task_space_gains_p/x". The coordinates of a point have
+  /// this order.
   std::vector<std::string> parameters() const;
-  long max_evaluations() const;  ///< start and sweep included
+  long max_evaluations() const;  ///< including the start and the sweep
   std::uint64_t seed() const;    ///< of algorithms that draw random numbers
-  /// Throws InputError where a value is not positive.
+  /// Sets the largest number of evaluations. Throws InputError if it is not positive.
   void set_max_evaluations(long most);
   void set_seed(std::uint64_t seed);
 
-  /// For armtune itself. files: null where no file says what it is.
+  /// For armtune's own code. files: null if no file matches the study.
   Study(internal::Study inside, std::vector<Scenario> scenarios, std::shared_ptr<const InputFiles> files);
   const internal::Study& inside() const { return *inside_; }
   const std::shared_ptr<const InputFiles>& files() const { return files_; }

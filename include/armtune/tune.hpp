@@ -1,5 +1,5 @@
 #pragma once
-// The search for better gains, and what was found.
+// The search for better gains: its options and its result.
 
 #include <functional>
 #include <optional>
@@ -13,26 +13,26 @@
 namespace armtune {
 
 struct TuneOptions {
-  std::string folder = {};  ///< new, for all files of the run; empty: nothing is written
-  bool resume = false;      ///< continue the run in that folder
+  std::string folder = {};  ///< new folder for all files of the run; empty: nothing is written
+  bool resume = false;      ///< resume the run in that folder
   int workers = 1;          ///< threads; results do not depend on it
-  bool analysis = true;     ///< margins, sensitivity, and the checks that take long
-  double deadline = 0.0;    ///< of one rollout, wall clock [s]; 0: 20 s and twice the simulated duration
+  bool analysis = true;     ///< compute margins, sensitivity, and the checks that take long
+  double deadline = 0.0;    ///< wall-clock limit of a rollout [s]; 0: 20 s plus twice its simulated duration
   Watch watch = {};
 };
 
-/// One point of a search.
+/// One evaluated point of a search.
 struct TunePoint {
   std::vector<double>
       x;  ///< coordinates, one for each of Study::parameters: 0 at the lower, 1 at the upper bound
-  double objective = 0.0;            ///< the start scores 1
+  double objective = 0.0;            ///< relative to the start, which scores 1
   double violation = 0.0;            ///< sum of the relative violations of the constraints; 0: feasible
-  Engine engine = Engine::kSimbody;  ///< that gave them
+  Engine engine = Engine::kSimbody;  ///< engine that simulated the point
 };
 
 struct Tuned {
   Gains start;
-  Gains best;  ///< feasible, if any point was; the start where nothing was simulated
+  Gains best;  ///< feasible if any point was; the start gains if nothing was simulated
   double objective = NAN;
   bool feasible = false;
   bool interrupted = false;
@@ -40,13 +40,13 @@ struct Tuned {
   std::vector<std::string> parameters = {};      ///< names of the coordinates of a point
   std::vector<TunePoint> evaluations = {};       ///< in order
   std::vector<Rollout> before = {}, after = {};  ///< fresh rollouts of start and best, without recordings
-  Verdict verdict = {};                          ///< of the simulation checks; without checks if interrupted
-  std::vector<std::string> files = {};           ///< names of those in the folder
+  Verdict verdict = {};                          ///< on the simulation checks; without checks if interrupted
+  std::vector<std::string> files = {};           ///< names of the files in the folder
 };
 
-/// Runs a study: the same result for any number of workers. Throws InputError if the start gains give no
-/// reference or the folder is used; FailedError if a file cannot be written, with what was finished kept in
-/// the folder.
+/// Runs a study. The result does not depend on the number of workers. Throws InputError if the start gains
+/// give no reference to compare with, or if the folder is in use. Throws FailedError if a file cannot be
+/// written; what was finished remains in the folder.
 Tuned tune(const Study& study, const TuneOptions& options = {});
 
 }  // namespace armtune

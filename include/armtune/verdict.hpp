@@ -16,23 +16,24 @@ enum class CheckKind {
   kContact,      ///< tool and joints, or links, stay outside every obstacle's radius
   kSelf,         ///< links that are not neighbours do not touch each other
   kCell,         ///< the arm touches no part of its cell
-  kFloor,        ///< nor the floor
-  kConstraints,  ///< those of the study
-  kTorqueDelay,  ///< the margins
+  kFloor,        ///< the arm does not touch the floor
+  kConstraints,  ///< the constraints of the study
+  kTorqueDelay,  ///< the stability margins
   kGainFactor,
   kControlRate,
   kVelocityNoise,
   kRotorEstimate,   ///< estimated rotor inertia at a third and at three times the estimate
   kYield,           ///< random arms that keep their limits
   kEndurance,       ///< extended scenarios keep every limit
-  kErrorGrowth,     ///< and their errors do not grow
-  kBetterThanStart  ///< of a search
+  kErrorGrowth,     ///< errors do not grow in extended scenarios
+  kBetterThanStart  ///< the result of a search is better than its start
 };
 
-/// The name that is printed and written to files, such as "effort limit".
+/// Returns the name that is printed and written to files, such as "effort limit".
 const char* name(CheckKind kind);
 
-/// One check that was made, with its worst place. Fields that say nothing of a check are empty or NaN.
+/// One check that was made, with the place where it came out worst. Fields that do not apply are empty or
+/// NaN.
 struct Check {
   CheckKind kind = CheckKind::kCompleted;
   bool passed = true;
@@ -40,10 +41,10 @@ struct Check {
   std::string arm = {};  ///< which of several, such as "random arm 3 of 6"
   std::string joint = {};
   double time = NAN;        ///< [s]
-  double value = NAN;       ///< what was found
-  double threshold = NAN;   ///< what it is compared with
+  double value = NAN;       ///< the measured value
+  double threshold = NAN;   ///< the value that it is compared with
   std::string unit = {};    ///< of both
-  std::string detail = {};  ///< one clause for a person, such as the constraint's name
+  std::string detail = {};  ///< one clause in words, such as the constraint's name
 };
 
 struct Verdict {
@@ -52,14 +53,14 @@ struct Verdict {
   std::vector<std::string> assumes;
   std::vector<std::string> notes;  ///< loosened thresholds, gains on their bounds
 
-  /// True if every check that was made passed. A verdict without checks has passed nothing.
+  /// True if every check that was made passed. A verdict without checks has not passed.
   bool passed() const;
 };
 
 /// Returns, for example, "effort limit, wrist_1_joint, 527.300 s, in moving_target: 94.1, threshold 56".
 std::string to_text(const Check& check);
 
-/// Returns the lines that a run ends with: "Simulation checks: passed" or "... failed: ...", then "Not
+/// Returns the last lines of a run's output: "Simulation checks: passed" or "... failed: ...", then "Not
 /// checked:", "Assumes:" and one "Note:" for each note.
 std::string to_text(const Verdict& verdict);
 

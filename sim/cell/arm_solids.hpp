@@ -1,5 +1,5 @@
 #pragma once
-// The convex bodies that an arm consists of, for distances.
+// The convex bodies that an arm consists of, for the computation of distances.
 
 #include <string>
 #include <vector>
@@ -11,19 +11,20 @@ namespace armtune::internal {
 
 struct ArmSolid {
   int body = -1;     ///< index of the joint that moves it; -1: the base
-  std::string link;  ///< its name, or "tool"
+  std::string link;  ///< name of its link, or "tool"
   PlacedSolid placed;
 };
 
 struct ArmSolids {
   std::vector<ArmSolid> solids;
   std::vector<std::string> unknown;  ///< links with a shape that could not be read, and bodies without any
-  std::vector<std::string> unread;   ///< of these the shapes, each with why: "NAME: no such file ..."
+  std::vector<std::string> unread;   ///< shapes that could not be read, with why: "NAME: no such file ..."
 };
 
-/// Returns the solids of the arm, one for each shape: of each link its collision geometry, and where it has
-/// none what is to be seen of it. Meshes become their convex hulls: binary STL files that mesh_path() finds.
-/// Where the tool frame lies off the last body's shapes, a rod of 1 mm, "tool", leads from them to it.
+/// Returns the solids of the arm, one for each shape. The shapes of a link are its collision geometry, or its
+/// visual geometry if it has none. Meshes become their convex hulls; they must be binary STL files that
+/// mesh_path() finds. Where the tool frame lies off the last body's shapes, a rod of 1 mm, "tool", leads from
+/// them to it.
 ArmSolids arm_solids(const RobotModel& robot);
 
 }  // namespace armtune::internal

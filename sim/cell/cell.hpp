@@ -1,5 +1,5 @@
 #pragma once
-// What stands around the arm: a floor and convex parts, which rest or move without turning.
+// The surroundings of the arm: a floor and convex parts, which rest or move without turning.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ struct CellPart {
   Solid solid;
   Mat3 R_0S = Mat3::Identity();
   Path path;                 ///< of the origin of the solid's frame, base frame
-  bool is_obstacle = false;  ///< one of the scenario's obstacles, which have a place of their own in files
+  bool is_obstacle = false;  ///< one of the scenario's obstacles, which are listed apart in scenario files
 };
 
 struct Cell {

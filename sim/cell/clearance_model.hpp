@@ -1,5 +1,5 @@
 #pragma once
-// Which bodies of an arm and its cell must not meet, and how far apart they are.
+// The pairs of bodies of an arm and its cell that must not touch, and the distance of each pair.
 
 #include <array>
 #include <memory>
@@ -14,20 +14,21 @@
 
 namespace armtune::internal {
 
-/// What a body of the arm is to stay clear of.
+/// The kinds of things that a body of the arm must stay clear of.
 enum class Clearance : std::size_t { kSelf, kCell, kFloor, kCount };
 inline constexpr std::size_t kClearances = static_cast<std::size_t>(Clearance::kCount);
 
-/// A body of the arm, and what it must not meet.
+/// A body of the arm, and the body that it must not touch.
 struct ContactPair {
   Clearance of = Clearance::kSelf;
   std::size_t solid = 0;  ///< of the arm
   std::size_t other = 0;  ///< kSelf: another solid of the arm, on a body before it; kCell: a part of the cell
-  /// By how much a joint's motion can change the distance, at most, at any position (n) [m/rad, m/m].
+  /// Largest change of the distance per unit of each joint's motion, at any position within the joints'
+  /// limits (n) [m/rad, m/m].
   JointVector lever;
 };
 
-/// Names of two links, the one closer to the base first.
+/// The names of two links, the one closer to the base first.
 using LinkPair = std::array<std::string, 2>;
 
 class ClearanceModel {
@@ -40,29 +41,29 @@ class ClearanceModel {
   const Cell& cell() const { return cell_; }
   const ArmSolids& arm() const { return arm_; }
   const RobotModel& robot() const { return *robot_; }
-  /// Pairs of links of the arm between which nothing is looked for: neighbours, and those whose shapes meet
-  /// at nearly every position within the joints' limits.
+  /// Returns the pairs of links of the arm that are not checked: neighbours, and links whose shapes touch at
+  /// nearly every position within the joints' limits.
   const std::vector<LinkPair>& left_out() const { return left_out_; }
-  /// Of these, the pairs that are no neighbours, such as "link_5 and link_7".
+  /// Returns those of them that are not neighbours, such as "link_5 and link_7".
   std::vector<std::string> left_out_by_their_make() const;
 
   /// Returns a copy in which the parts that are obstacles move along these paths, one for each in their
   /// order.
   ClearanceModel with_obstacles_on(const std::vector<Path>& paths) const;
-  /// Returns a copy that looks at no obstacle.
+  /// Returns a copy without the pairs of obstacles.
   ClearanceModel without_obstacles() const;
 
-  /// The distance of a pair at the poses, and the part of the cell where `at` has it.
+  /// Returns the distance of a pair at the poses. at: position of the part of the cell.
   Closest distance(const ContactPair& pair, const Poses& poses, const Vec3& at) const;
 
-  /// Such as "forearm_link and table".
+  /// Returns the name of a pair, such as "forearm_link and table".
   std::string name(const ContactPair& pair) const;
 
  private:
   void add_self_pairs();
   void add_cell_pairs();
   void add_floor_pairs();
-  /// Whether the pair does not meet at so many of the positions that are looked at, at least.
+  /// True if the pair does not touch at `fewest` or more of the positions that are checked.
   bool is_free_at(unsigned fewest, const ContactPair& pair) const;
   ContactPair pair(Clearance of, std::size_t solid, std::size_t other) const;
 

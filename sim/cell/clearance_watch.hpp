@@ -1,5 +1,5 @@
 #pragma once
-// The smallest distances over a motion, and those of a moment.
+// The smallest distances between an arm, itself and its cell: over a whole motion, and at single moments.
 
 #include <array>
 #include <limits>
@@ -9,30 +9,30 @@
 
 namespace armtune::internal {
 
-/// The smallest distance of one kind, and where it was.
+/// The smallest distance of one kind, with its time and its pair.
 struct LeastClearance {
   double distance = std::numeric_limits<double>::infinity();  ///< [m]
   double time = 0.0;                                          ///< [s]
   const ContactPair* pair = nullptr;
 };
 
-/// By kind of clearance.
+/// The smallest distances by kind of clearance.
 using LeastClearances = std::array<LeastClearance, kClearances>;
 inline const LeastClearance& least_of(Clearance kind, const LeastClearances& least) {
   return least[static_cast<std::size_t>(kind)];
 }
 
-/// Finds the smallest distances over all moments that it sees: exactly, and no contact at any of them is
-/// missed.
+/// A watch for the smallest distances over all moments that it sees. They are exact, and no contact at any of
+/// these moments is missed.
 class ClearanceWatch {
  public:
   explicit ClearanceWatch(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}
 
-  /// The arm at joint positions q (n) [rad, m], at `time` [s]. Allocates nothing.
+  /// Checks the arm at joint positions q (n) [rad, m], at `time` [s]. Allocates nothing.
   void see(double time, const JointVector& q);
 
   const LeastClearances& least() const { return least_; }
-  /// How many distances were computed.
+  /// Returns the number of distances that were computed.
   long computed() const { return distances_.computed(); }
 
  private:
@@ -40,17 +40,18 @@ class ClearanceWatch {
   LeastClearances least_;
 };
 
-/// Finds the smallest distances at one moment after another, for recordings.
+/// A finder of the smallest distances at one moment after another, for recordings.
 class ClearanceNow {
  public:
   explicit ClearanceNow(std::shared_ptr<const ClearanceModel> model) : distances_(std::move(model)) {}
 
-  /// The arm at joint positions q (n) [rad, m], at `time` [s]. A second call for the same moment costs
+  /// Checks the arm at joint positions q (n) [rad, m], at `time` [s]. A second call for the same time does
   /// nothing.
   void see(double time, const JointVector& q);
 
   const LeastClearances& least() const { return least_; }
-  /// The two points that are closest to each other of all kinds; of an arm without pairs both are zero.
+  /// Returns the two points that are closest to each other among all kinds. For an arm without pairs both are
+  /// zero.
   const Closest& closest() const { return closest_; }
 
  private:

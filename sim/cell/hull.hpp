@@ -10,7 +10,7 @@
 namespace armtune::internal {
 
 /// Returns the hull of the points [m], with its corners and triangles; nothing if they lie in a plane, or
-/// close to one. It holds every point up to 1e-6 of their extent.
+/// close to one. It contains every point to within 1e-6 of their extent.
 std::optional<Solid> convex_hull(std::span<const Vec3> points);
 
 }  // namespace armtune::internal

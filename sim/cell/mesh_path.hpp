@@ -1,20 +1,23 @@
 #pragma once
-// Where a mesh lies that a URDF names, and whether it may be read.
+// The search for the file of a mesh that a URDF names, and the check that it may be read.
 
 #include <optional>
 #include <string>
 
 namespace armtune::internal {
 
-/// Folders beside the robot's own from which meshes may be read, as in PATH: `ARMTUNE_MESHES`. One that is
-/// written NAME=FOLDER is the package of that name.
+/// The environment variable ARMTUNE_MESHES: folders from which meshes may be read, beside the robot's own,
+/// separated as in PATH. An entry NAME=FOLDER is the package of that name.
 inline constexpr const char* kMeshFolders = "ARMTUNE_MESHES";
 
-/// The file that a URDF means by `package://NAME/x` (x below the folder that holds the URDF and is called
-/// NAME, or so named by its package.xml, or below one called NAME in an allowed folder), `file://x` or a path
-/// from the URDF's folder. A URDF may come from a stranger, and what it names is put into reports: nothing
-/// unless it is a file within the robot's folder (the nearest one above the URDF with a package.xml; where
-/// there is none the URDF's own, or the one that holds its `urdf`) or an allowed one, links followed.
+/// Returns the file that a URDF means by `package://NAME/x`, by `file://x` or by a path from the URDF's
+/// folder. For a package, x lies below a folder that holds the URDF and is called NAME, by its own name or in
+/// its package.xml, or below one called NAME in an allowed folder.
+///
+/// A URDF may come from a stranger, and the files that it names appear in reports. Therefore this returns
+/// nothing unless the file, with links followed, is within the robot's folder or an allowed one. The robot's
+/// folder is the nearest one above the URDF with a package.xml. Without any, it is the URDF's own folder, or
+/// the one above if the URDF's is called `urdf`. The folder of the package is allowed as well.
 std::optional<std::string> mesh_path(const std::string& named, const std::string& urdf);
 
 }  // namespace armtune::internal

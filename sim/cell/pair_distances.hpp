@@ -1,9 +1,9 @@
 #pragma once
-// The distances of all pairs of a clearance model along a motion, each computed only when it may matter.
+// The distances of all pairs of a clearance model along a motion. Each is computed only when it may matter.
 //
-// The distance of a pair cannot have fallen by more than its joints have turned since it was computed, each
-// times the lever of its joint, and its part of the cell has moved. So there is always a bound below it, and
-// a pair whose bound is above what is looked for need not be computed.
+// Since its last computation, the distance of a pair cannot have fallen by more than the sum of two motions:
+// that of each joint times the joint's lever, and that of the part of the cell. This gives a lower bound. A
+// pair whose bound is above the distance of interest need not be computed.
 
 #include <memory>
 #include <vector>
@@ -16,31 +16,32 @@ class PairDistances {
  public:
   explicit PairDistances(std::shared_ptr<const ClearanceModel> model);
 
-  /// The arm is at joint positions q (n) [rad, m], at `time` [s]; q stays as it is until the next call.
+  /// Moves the arm to joint positions q (n) [rad, m], at `time` [s]. q must stay unchanged until the next
+  /// call.
   void move_to(double time, const JointVector& q);
 
-  /// The distance of pair k is at least this [m].
+  /// Returns a lower bound of the distance of pair k [m].
   double at_least(std::size_t k) const;
-  /// Computes the distance of pair k, where arm and cell are now. Allocates nothing.
+  /// Computes the distance of pair k at the current places of arm and cell. Allocates nothing.
   const Closest& compute(std::size_t k);
 
   const ClearanceModel& model() const { return *model_; }
   std::size_t size() const { return known_.size(); }
-  /// How many distances were computed.
+  /// Returns the number of distances that were computed.
   long computed() const { return computed_; }
 
  private:
-  /// When a pair's distance was computed last.
+  /// The last distance of a pair that was computed, and the state at that time.
   struct Known {
     Closest closest;
-    JointVector q;           ///< empty: not yet
-    Vec3 at = Vec3::Zero();  ///< where the part of the cell was
+    JointVector q;           ///< empty: not yet computed
+    Vec3 at = Vec3::Zero();  ///< position of the part of the cell
   };
 
   std::shared_ptr<const ClearanceModel> model_;
   std::vector<Known> known_;  ///< one per pair
-  std::vector<Vec3> parts_;   ///< where the parts of the cell are
-  JointVector travel_;        ///< how far from 0 the levers let a joint slide [m]
+  std::vector<Vec3> parts_;   ///< current positions of the parts of the cell
+  JointVector travel_;        ///< largest joint displacement from 0 for which the levers hold [m]
   const JointVector* q_ = nullptr;
   bool beyond_ = false;  ///< a joint has slid farther than that
   bool placed_ = false;  ///< the poses are those of *q_

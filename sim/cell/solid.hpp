@@ -1,5 +1,5 @@
 #pragma once
-// A convex body, for distances: what a link, a tool or a part of the cell is made of.
+// A convex body for the computation of distances. Links, tools and the parts of a cell consist of them.
 
 #include <vector>
 
@@ -9,9 +9,9 @@ namespace armtune::internal {
 
 enum class SolidKind { kSphere, kCapsule, kBox, kCylinder, kHull };
 
-/// A convex body about the origin of its own frame S. All points of it lie within `radius` of its core: a
-/// capsule is a line with a radius, a sphere a point with one. A box, a cylinder and a hull have a radius
-/// of 0.
+/// A convex body about the origin of its own frame S. It consists of all points within `radius` of its core.
+/// The core of a capsule is a line and that of a sphere a point. A box, a cylinder and a hull are their own
+/// core and have a radius of 0.
 struct Solid {
   SolidKind kind = SolidKind::kSphere;
   double radius = 0.0;  ///< of the sphere or the capsule about its core [m]
@@ -21,33 +21,35 @@ struct Solid {
   std::vector<std::array<int, 3>> triangles;  ///< of a hull: corners, counter-clockwise from outside
 };
 
-/// All lengths are positive [m].
+/// Returns a sphere about the origin. Here and below, all lengths must be positive [m].
 Solid sphere(double radius);
-/// Along z; `length` is without its caps.
+/// Returns a capsule along z; `length` is without its caps.
 Solid capsule(double radius, double length);
 Solid box(const Vec3& edges);
-/// Along z.
+/// Returns a cylinder along z.
 Solid cylinder(double radius, double length);
 
 /// Returns a point of the solid's core that lies farthest along d, a vector in S of any length but zero.
 Vec3 extreme_of_core(const Solid& solid, const Vec3& d);
 
-/// Returns the largest of d . x over the points x of the solid. d: unit vector in S.
+/// Returns the largest d . x over the points x of the solid. d: unit vector in S.
 inline double support(const Solid& solid, const Vec3& d) {
   return d.dot(extreme_of_core(solid, d)) + solid.radius;
 }
 
-/// A solid at its place in some frame B.
+/// A solid with its pose in some frame B.
 struct PlacedSolid {
   Solid solid;
   Mat3 R_BS = Mat3::Identity();
   Vec3 p_BS = Vec3::Zero();  ///< [m]
 };
 
-/// Returns the largest distance of a point of the placed solid from `point`, a point of B [m].
+/// Returns the largest distance of a point of the placed solid from `point`, a point of B [m]. For a cylinder
+/// it is an upper bound, that of the enclosing box.
 double farthest(const PlacedSolid& placed, const Vec3& point);
 
-/// Returns the largest distance of a point of the placed solid from the z axis of B [m].
+/// Returns the largest distance of a point of the placed solid from the z axis of B [m]. For a cylinder it is
+/// an upper bound, as above.
 double farthest_from_z(const PlacedSolid& placed);
 
 }  // namespace armtune::internal

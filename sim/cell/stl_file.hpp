@@ -1,5 +1,5 @@
 #pragma once
-// The triangles of a binary STL file.
+// The reader of the triangles of a binary STL file.
 
 #include <optional>
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// Nine coordinates per triangle, as the file has them. Nothing if it cannot be read, is no binary STL (a
-/// text one, COLLADA), its size is not that of its triangles, a coordinate is not finite, or it has more than
-/// `most` triangles.
+/// Returns nine coordinates per triangle, as in the file. Returns nothing if the file cannot be read, is not
+/// a binary STL (a text one, COLLADA), has a size that does not match its triangles, has a coordinate that is
+/// not finite, has no triangles, or has more than `most`.
 std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::size_t most);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Where a joint trajectory controller's parameter file has what belongs to a joint.
+// Access to the parameters of each joint in the parameter file of a joint trajectory controller.
 
 #include <array>
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace armtune::internal {
 
-/// What a file calls the gains of a joint, within its map. Ours are jtc_name of these.
+/// The names of a joint's gains in a file, within the joint's map. armtune's names are jtc_name of these.
 inline constexpr std::array kGainNames = {"p", "i", "d"};
 
 class JointParameters {
  public:
-  /// Both outlive it.
+  /// Both arguments must outlive this object.
   JointParameters(const RosController& controller, const std::string& file)
       : controller_(controller), file_(file) {}
 
@@ -22,10 +22,10 @@ class JointParameters {
   /// Throws InputError "FILE:LINE: CONTROLLER: what".
   [[noreturn]] void fail(int line, const std::string& what) const;
 
-  /// What the file has of a joint, at `key`; null: nothing.
+  /// Returns the value of a joint at `key`, or null if the file has none.
   const yaml::PlacedValue* of_joint(const std::string& joint, const char* key) const;
 
-  /// The factor on the desired velocity, which ROS 1 has in a map of its own; null: none.
+  /// Returns the factor on the desired velocity, or null if there is none. ROS 1 keeps it in a separate map.
   const yaml::PlacedValue* feed_forward(const std::string& joint) const;
 
  private:

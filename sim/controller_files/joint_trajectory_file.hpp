@@ -1,5 +1,5 @@
 #pragma once
-// Gains of a joint_trajectory_controller out of its parameter file.
+// The reader of the gains of a joint_trajectory_controller in its parameter file.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,14 @@
 
 namespace armtune::internal {
 
-/// Its gains for an arm with these joints, in their order; all else is as if it were not there. Throws
-/// InputError "FILE:LINE: what" where a joint is missing or not the arm's, a number is not one, commands are
-/// neither efforts nor velocities alone, or a parameter asks for what is not simulated: clamps that differ in
-/// both directions, limits of the output, anti-windup that rests on them.
+/// Returns the gains for an arm with these joints, in their order. All other parameters are ignored. Throws
+/// InputError "FILE:LINE: what" if:
+///   - a joint is missing or not the arm's, or a value is not a number,
+///   - commands are neither efforts nor velocities alone,
+///   - a parameter requires something that is not simulated: clamps that differ in both directions, limits of
+///     the output and anti-windup that depends on them, anti-windup of some joints only, an error deadband,
+///     angle wraparound, or open-loop control by velocities,
+///   - a joint has an integral gain and no clamp, which ROS distributions treat differently.
 Gains joint_trajectory_gains(const RosController& controller, const std::string& file,
                              const std::vector<std::string>& joints);
 

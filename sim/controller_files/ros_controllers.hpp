@@ -1,5 +1,5 @@
 #pragma once
-// Controllers in a ROS parameter file, as it lies in a package: of ROS 1 or ROS 2, among other nodes, with
+// The controllers in a ROS parameter file of ROS 1 or ROS 2, as it is in a package: among other nodes, with
 // anchors and comments.
 
 #include <cstddef>
@@ -14,22 +14,21 @@ namespace armtune::internal {
 
 /// A controller with PID gains for each joint.
 struct RosController {
-  std::string name;  ///< as its node is called: "arm_controller", "/left/arm_controller"
-  std::string
-      type;  ///< "joint_trajectory_controller/JointTrajectoryController"; empty: the file does not say
+  std::string name;  ///< name of its node: "arm_controller", "/left/arm_controller"
+  std::string type;  ///< "joint_trajectory_controller/JointTrajectoryController"; empty: not in the file
   bool ros2 = false;
-  yaml::Placed parameters;  ///< the map that `gains` stands in
-  yaml::Placed all;         ///< of the file
+  yaml::Placed parameters;  ///< the map that contains `gains`
+  yaml::Placed all;         ///< the whole file
 };
 
-/// Whether a text may hold some: it has a key `gains`.
+/// Returns true if a text may contain controllers, because it has a key `gains`.
 bool may_hold_controllers(std::string_view text);
 
-/// Every one of the file, in its order. Throws InputError if the text is not YAML.
+/// Returns all controllers of the file, in its order. Throws InputError if the text is not YAML.
 std::vector<RosController> ros_controllers(const std::string& text, const std::string& file);
 
-/// The one of that name, or without a name the only joint trajectory controller of the file. Throws
-/// InputError that lists those there are.
+/// Returns the controller of that name. Without a name it returns the only joint trajectory controller of the
+/// file. Throws InputError that lists the file's controllers.
 RosController chosen_controller(const std::vector<RosController>& all, const std::string& file,
                                 const std::string& name = {});
 

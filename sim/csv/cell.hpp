@@ -5,11 +5,12 @@
 
 namespace armtune::internal {
 
-/// Reads back to the same bits; empty for NaN and infinity, which stand for a value that there is not.
+/// Returns the number as text that reads back to the same bits. NaN and infinity become an empty cell, which
+/// stands for a missing value.
 std::string cell(double value);
 
-/// The text, in quotes where a reader would else take part of it for the end of the cell, and behind an
-/// apostrophe where a spreadsheet would else take it for a formula.
+/// Returns the text as a cell. It is in quotes if a reader would otherwise end the cell within it. It begins
+/// with an apostrophe if a spreadsheet would otherwise take it for a formula.
 std::string cell(const std::string& text);
 
 }  // namespace armtune::internal

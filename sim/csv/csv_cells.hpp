@@ -1,5 +1,5 @@
 #pragma once
-// Private to sim/csv: the cells of a CSV text, one after another (RFC 4180, any line end).
+// A reader of the cells of a CSV text, one after another (RFC 4180, any line end). Private to sim/csv.
 
 #include <cstddef>
 #include <string>
@@ -13,12 +13,13 @@ struct CsvCell {
   bool has_line_end = false;  ///< false in the last row of a text that ends without one
 };
 
-/// A quoted cell is written back into the text without its quotes, doubled ones once.
+/// The cells of a text. A quoted cell is written back into the text without its quotes, and a doubled quote
+/// as a single one.
 class CsvCells {
  public:
   explicit CsvCells(std::string& text) : text_(text) {}
 
-  /// False at the end of the text.
+  /// Reads the next cell. Returns false at the end of the text.
   bool next(CsvCell& cell) {
     if (at_ >= text_.size() && !row_is_open_) return false;
     cell.begin = at_;
@@ -49,7 +50,7 @@ class CsvCells {
     return true;
   }
 
-  /// Line, counted from 1, of a quote that the text ends within; 0 where it does not.
+  /// Returns the line, counted from 1, of a quote that is still open at the end of the text; 0 if none is.
   std::size_t open_quote_line() const { return open_quote_line_; }
 
  private:

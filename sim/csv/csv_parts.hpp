@@ -1,5 +1,5 @@
 #pragma once
-// Private to sim/csv: what every reader of CSV files does with a header and with a cell.
+// The handling of headers and cells that all readers of CSV files share. Private to sim/csv.
 
 #include <cstddef>
 #include <optional>
@@ -11,30 +11,32 @@
 
 namespace armtune::internal {
 
-/// Reads the first row of `text`, whose cells are `cells`. Throws InputError naming `file` where there is
-/// none with a line end, for over 10,000 columns, for two of one name and for a quote that is never closed.
+/// Reads the first row of `text`, whose cells are `cells`. Throws InputError naming `file` if there is no
+/// first row with a line end, for over 10,000 columns, for two columns of one name and for a quote that is
+/// never closed.
 std::vector<std::string> read_csv_header(CsvCells& cells, const std::string& text, const std::string& file);
 
-/// Size of the byte order mark that the text begins with; 0 without one.
+/// Returns the size of the byte order mark that the text begins with; 0 without one.
 std::size_t byte_order_mark(std::string_view text);
 
-/// Returns the index of a column, or nothing.
+/// Returns the index of a column, or nothing if there is none of that name.
 std::optional<std::size_t> find_csv_column(const std::vector<std::string>& header, std::string_view name);
 
-/// Returns the same; throws InputError naming file and column, and a similar one, where there is none.
+/// Returns the index of a column. Throws InputError naming file and column, and a similar column, if there is
+/// none of that name.
 std::size_t csv_column(const std::vector<std::string>& header, const std::string& file,
                        std::string_view name);
 
-/// Returns a cell's number; NaN where it is empty. Throws InputError naming file, line and column where it
-/// holds none.
+/// Returns a cell's number; NaN if the cell is empty. Throws InputError naming file, line and column if it
+/// holds anything else.
 double csv_number(std::string_view cell, const std::string& file, std::size_t line,
                   const std::string& column);
 
-/// Throws InputError: a row has another number of cells than the header.
+/// Throws the InputError for a row that has another number of cells than the header.
 [[noreturn]] void refuse_csv_row(const std::string& file, std::size_t line, std::size_t cells,
                                  std::size_t header);
 
-/// Throws InputError naming the line of the quote that the text ends within.
+/// Throws InputError naming the line of the quote that is still open at the end of the text.
 [[noreturn]] void refuse_open_quote(const CsvCells& cells, const std::string& file);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// A CSV file read back, by the names of its columns.
+// A CSV file read into memory, with its columns found by name.
 
 #include <cstdint>
 #include <optional>
@@ -11,33 +11,34 @@ namespace armtune::internal {
 
 class CsvCells;
 
-/// Whose file it is, and so how much of it is read and what a last row without its line end means.
+/// The origin of a file. It decides how large the file may be and how a last row without a line end is taken.
 enum class CsvOrigin {
   kArmtune,  ///< up to 256 MB; such a row was being written when the run was killed, and is left out
-  kUser,     ///< up to 48 MB; such a row is a row
+  kUser,     ///< up to 48 MB; such a row counts
 };
 
 class CsvTable {
  public:
-  /// Throws InputError with file and line for a file that cannot be read or is too large, one without a
-  /// header row, two columns of one name, a row with another number of cells than the header, a quote that is
-  /// never closed. A byte order mark is skipped.
+  /// Reads a file. Throws InputError with file and line for a file that cannot be read or is too large, one
+  /// without a header row, two columns of one name, a row with another number of cells than the header, and a
+  /// quote that is never closed. A byte order mark is skipped.
   static CsvTable read(const std::string& path, CsvOrigin origin = CsvOrigin::kArmtune);
   static CsvTable parse(std::string text, std::string name, CsvOrigin origin = CsvOrigin::kArmtune);
 
-  /// The file, as messages name it.
+  /// Returns the name of the file for messages.
   const std::string& name() const { return name_; }
   std::size_t rows() const { return rows_; }
   const std::vector<std::string>& header() const { return header_; }
   std::optional<std::size_t> find(std::string_view column) const;
-  /// Throws InputError naming file and column where there is none.
+  /// Returns the index of a column. Throws InputError naming file and column if there is none.
   std::size_t column(std::string_view name) const;
 
-  /// The cell without its quotes.
+  /// Returns the cell without its quotes.
   std::string text(std::size_t row, std::size_t column) const;
-  /// NaN where the cell is empty. Throws InputError naming file, line and column where it holds no number.
+  /// Returns a number; NaN if the cell is empty. Throws InputError naming file, line and column if the cell
+  /// holds anything else.
   double number(std::size_t row, std::size_t column) const;
-  /// One per row.
+  /// Returns the numbers of a column, one per row.
   std::vector<double> numbers(std::size_t column) const;
 
  private:
@@ -45,9 +46,9 @@ class CsvTable {
   std::string_view cell(std::size_t row, std::size_t column) const;
 
   std::string name_;
-  std::string text_;  ///< quotes are taken out in place
+  std::string text_;  ///< quotes are removed in place
   std::vector<std::string> header_;
-  std::vector<std::uint32_t> begin_;  ///< of every cell in text_, row by row; its end is in end_
+  std::vector<std::uint32_t> begin_;  ///< begin of every cell in text_, row by row; its end is in end_
   std::vector<std::uint32_t> end_;
   std::size_t rows_ = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a line of a table that somebody else's program wrote: separated by commas, semicolons, tabs or
+// The cells of a line of a table from another program. They are separated by commas, semicolons, tabs or
 // blanks.
 
 #include <string_view>
@@ -7,10 +7,9 @@
 
 namespace armtune::internal {
 
-/// Returns what separates the cells of a table: a comma, a semicolon, a tab, or a blank for any number of
-/// blanks.
+/// Returns the separator of a table's cells: a comma, a semicolon, a tab, or a blank for one or more blanks.
 char find_separator(std::string_view first_line);
-/// "commas", "semicolons", "tabs" or "blanks".
+/// Returns "commas", "semicolons", "tabs" or "blanks".
 std::string_view separator_name(char separator);
 
 /// Splits a line into cells (views of it) without the blanks and quotes around them. A separator between

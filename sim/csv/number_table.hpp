@@ -1,6 +1,6 @@
 #pragma once
-// The numbers of a long CSV file that armtune wrote, such as the recording of an hour: read block by block,
-// of which the wanted columns alone are kept.
+// The numbers of a long CSV file that armtune wrote, such as the recording of an hour. The file is read block
+// by block, and only the wanted columns are kept.
 
 #include <functional>
 #include <optional>
@@ -14,26 +14,26 @@ namespace armtune::internal {
 
 class NumberTable {
  public:
-  /// Keeps the columns whose names `wanted` returns true for. A last row without its line end was being
-  /// written when the run was killed, and is left out. Throws InputError with file and line for a file that
-  /// cannot be read, as CsvTable does, and for a wanted cell that is neither empty nor a number; with the
-  /// file for more than 40 million wanted cells.
+  /// Reads a file and keeps the columns for whose names `wanted` returns true. A last row without its line
+  /// end was being written when the run was killed, and is left out. Throws InputError with file and line as
+  /// CsvTable does, and for a wanted cell that is neither empty nor a number. Throws InputError with the file
+  /// for more than 40 million wanted cells.
   static NumberTable read(const std::string& path, const std::function<bool(std::string_view)>& wanted);
-  /// All columns of a table that was read already. Throws InputError where a cell is neither empty nor a
+  /// Keeps all columns of a table that was read already. Throws InputError if a cell is neither empty nor a
   /// number.
   NumberTable(const CsvTable& table);  // NOLINT(google-explicit-constructor): a table of numbers is one
 
   std::size_t rows() const { return rows_; }
-  /// Names of the columns that were kept, in the file's order.
+  /// Returns the names of the columns that were kept, in the file's order.
   const std::vector<std::string>& header() const { return header_; }
-  /// Index of a column that was kept.
+  /// Returns the index of a column that was kept.
   std::optional<std::size_t> find(std::string_view column) const;
-  /// The same; throws InputError naming file and column where there is none.
+  /// Returns the same index. Throws InputError naming file and column if there is none.
   std::size_t column(std::string_view name) const;
-  /// One per row; NaN where the cell is empty.
+  /// Returns the numbers of a column, one per row; NaN where the cell is empty.
   const std::vector<double>& numbers(std::size_t column) const { return values_[column]; }
   double number(std::size_t row, std::size_t column) const { return values_[column][row]; }
-  /// The file.
+  /// Returns the name of the file.
   const std::string& name() const { return name_; }
 
  private:
@@ -43,7 +43,7 @@ class NumberTable {
   std::string name_;
   std::vector<std::string> header_;
   std::vector<std::vector<double>> values_;  ///< one per column that was kept
-  std::vector<long> place_;                  ///< of each of the file's columns in values_; -1: not kept
+  std::vector<long> place_;                  ///< index in values_ of each of the file's columns; -1: not kept
   std::size_t rows_ = 0;
 };
 

@@ -1,18 +1,19 @@
 #pragma once
-// The numbers of a chain, in one order for every scalar type.
+// The numbers of a chain, listed in one order for every scalar type.
 
 #include "core/robot/chain.hpp"
 
 namespace armtune::internal {
 
-/// Of n joints at most: per joint 9 + 3 of its place, 1 + 3 + 9 of its link, 3 of the joint and a radius;
-/// then 9 + 3 of the tool and 3 of gravity.
+/// Returns the largest count of numbers for n joints. Each joint has 9 + 3 of its place, 1 + 3 + 9 of its
+/// link, 3 of the joint and a radius. The tool has 9 + 3 and gravity 3.
 constexpr int chain_number_count(int n) {
   return 29 * n + 15;
 }
 inline constexpr int kMostChainNumbers = chain_number_count(kMaxJoints);
 
-/// f(number) for each, in order. The joint vectors must have chain.n entries, link_radius may have none.
+/// Calls f(number) for each number, in order. The joint vectors must have chain.n entries; link_radius may be
+/// empty.
 template <typename AnyChain, typename F>
 void for_each_number(AnyChain& chain, F f) {
   const auto each = [&f](auto& block) {

@@ -1,5 +1,5 @@
 #pragma once
-// One function per file of kernels.
+// The functions that make lanes, one per file of kernels.
 
 #include <memory>
 
@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-std::unique_ptr<ArmLanes> make_any_lanes(const LaneKind& kind);     ///< 2, on any processor
-std::unique_ptr<ArmLanes> make_avx2_lanes(const LaneKind& kind);    ///< 4
-std::unique_ptr<ArmLanes> make_avx512_lanes(const LaneKind& kind);  ///< 8
+std::unique_ptr<ArmLanes> make_any_lanes(const LaneKind& kind);     ///< 2 lanes, on any processor
+std::unique_ptr<ArmLanes> make_avx2_lanes(const LaneKind& kind);    ///< 4 lanes
+std::unique_ptr<ArmLanes> make_avx512_lanes(const LaneKind& kind);  ///< 8 lanes
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// What arms must have in common to be simulated side by side.
+// The properties that arms must have in common to be simulated side by side.
 
 #include <array>
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace armtune::internal {
 
 struct LaneKind {
   int n = 0;                                     ///< joints
-  std::array<JointMotion, kMaxJoints> motion{};  ///< of each
+  std::array<JointMotion, kMaxJoints> motion{};  ///< of each joint
   TaskMask mask = TaskMask::kPose;
   std::size_t most_obstacles = 0;
-  bool link_surfaces = false;   ///< obstacles are kept away from links, not from joint origins
+  bool link_surfaces = false;   ///< obstacle distances are those of links, not of joint origins
   double control_period = 0.0;  ///< [s]
   Stepper stepper = Stepper::kMidpoint;
   ArmLawKind law = ArmLawKind::kAdaptive;

@@ -1,7 +1,7 @@
 #pragma once
-// W arms in packs of W numbers. Each file that includes this is compiled for one kind of processor and is the
-// only one with its W, so that nothing compiled for that processor can be called on another
-// (scripts/check-lanes).
+// The lanes of W arms, computed in packs of W numbers. Each file that includes this header is compiled for
+// one kind of processor and is the only one with its W. Code compiled for that processor is then never called
+// on another (scripts/check-lanes).
 
 #include "core/common/pack.hpp"
 #include "core/control/laws/make_arm_law.hpp"
@@ -65,7 +65,7 @@ class PackedArm final : public ArmLanes {
     put(lane, sensed.qd, measured_qd_);
     const std::size_t count = sensed.obstacle_count;
     for (std::size_t i = 0; i < count; ++i) put_obstacle(lane, sensed.obstacles + 4 * i, obstacles_[i]);
-    // Those that only other arms have are infinitely far away.
+    // Obstacles that only other arms have are infinitely far away.
     for (std::size_t i = count; i < obstacle_count_; ++i) put_obstacle(lane, kNowhere, obstacles_[i]);
   }
   void measure() override {

@@ -1,6 +1,6 @@
 #pragma once
-// Rollouts side by side, one per lane, in armtune's own dynamics: each begins and ends on its own and is, to
-// the bit, what Rollout makes of it alone with Engine::kNative.
+// Rollouts side by side, one per lane, in armtune's own dynamics. Each begins and ends independently of the
+// others. Its result is bit-identical to that of Rollout for it alone with Engine::kNative.
 
 #include <functional>
 #include <memory>
@@ -16,12 +16,13 @@
 
 namespace armtune::internal {
 
-/// What may share lanes with a scenario. most_obstacles: at least its own. Throws InputError for
-/// the stepper kReference.
+/// Returns the kind of rollouts that may share lanes with a scenario. most_obstacles: at least the scenario's
+/// own number. Throws InputError for the stepper kReference.
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles,
                    ArmLawKind law = ArmLawKind::kAdaptive);
 
-/// The law of these gains, where it can be simulated here: those of armtune; others run alone.
+/// Returns the law of these gains if lanes can simulate it, otherwise nothing. A controller without one is
+/// simulated alone, by Rollout.
 std::optional<ArmLawKind> lane_law(const Gains& gains);
 
 struct LaneJob {
@@ -34,7 +35,7 @@ class RolloutLanes {
  public:
   using Finished = std::function<void(int lane, RolloutResult&& result)>;
 
-  /// lanes: how many are wanted, see make_arm_lanes.
+  /// lanes: the wanted number of lanes, see make_arm_lanes.
   RolloutLanes(const LaneKind& kind, int lanes, Processor processor = best_processor());
   ~RolloutLanes();
   RolloutLanes(const RolloutLanes&) = delete;
@@ -43,16 +44,16 @@ class RolloutLanes {
   int lanes() const { return static_cast<int>(lanes_.size()); }
   int busy() const { return busy_; }
   bool is_busy(int lane) const;
-  /// How far the rollout in a lane has come [s].
+  /// Returns the simulated time that the rollout in a busy lane has reached [s].
   double time(int lane) const;
-  /// A lane that is not busy; -1: none.
+  /// Returns a lane that is not busy, or -1 if all are.
   int free_lane() const;
 
-  /// In a lane that is not busy. Throws InputError if it is, if the job's scenario is not of
-  /// this kind, or if its controller has no lanes.
+  /// Starts a rollout in a lane that is not busy. Throws InputError if the lane is busy, if the job's
+  /// scenario is not of this kind, or if its controller has no lanes.
   void start(int lane, LaneJob job);
-  /// One control period of every lane that is busy. `finished` gets what ends with it; it may start another
-  /// rollout in that lane. Allocates nothing but for what ends.
+  /// Computes one control period of every busy lane. Each rollout that ends with it is passed to `finished`,
+  /// which may start another rollout in that lane. Allocates nothing except for rollouts that end.
   void step(const Finished& finished);
 
  private:

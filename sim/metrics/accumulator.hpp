@@ -1,5 +1,5 @@
 #pragma once
-// Metrics of a rollout, accumulated period by period.
+// The metrics of a rollout, accumulated period by period while it runs.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace armtune::internal {
 
-/// RMS and largest value of a series; both NaN while it is empty.
+/// The RMS and the largest absolute value of a series. Both are NaN while it is empty.
 class Spread {
  public:
   void add(double x) {
@@ -27,13 +27,13 @@ class Spread {
   long count_ = 0;
 };
 
-/// Longest time from an event until a value is below a threshold for good, over all events.
+/// The longest time, over all events, from an event until a value stays below a threshold.
 class Reacquisition {
  public:
-  /// A new event at t [s]; ends the last one's window.
+  /// Records a new event at t [s]. It ends the window of the event before.
   void start(double t);
   void add(double t, bool outside);
-  /// Ends the last window; NaN if there was no event.
+  /// Ends the last window and returns the longest time [s]; NaN if there was no event.
   double longest(double end);
 
  private:
@@ -50,20 +50,21 @@ class MetricAccumulator {
   /// threshold: slerpAngularErrorThreshold [rad]; period [s].
   MetricAccumulator(const RobotModel& model, double threshold, double period);
 
-  /// The target that was active before the first period, where that is not the start of all: a switch in the
-  /// first period counts.
+  /// Sets the target that was active before the first period, so that a target switch in the first period
+  /// counts. Needed if the rollout may begin at such a switch.
   void look_from(std::size_t target) {
     target_ = target;
     from_before_ = true;
   }
 
-  /// The tool is to look at nothing: there are no metrics of the gaze.
+  /// Leaves out the metrics of the gaze, because the tool is not to look at anything.
   void aim_at_nothing() { aims_ = false; }
 
   void add(const Observation& o);
-  /// Value so far of a metric that only worsens; NaN before it has one, and for all other metrics.
+  /// Returns the value so far of a metric that only worsens. It is NaN before the metric has a value, and for
+  /// all other metrics.
   double so_far(Metric m) const;
-  /// end: time of the last period's end [s].
+  /// Returns all metrics. end: time at which the last period ends [s].
   Metrics result(double end);
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// Frequency response at the harmonics of a base period, by one-bin Fourier sums of reference and response.
+// The frequency response of a loop at the harmonics of a base period. Each harmonic has its own Fourier sums
+// of reference and response.
 
 #include <complex>
 #include <vector>
@@ -11,17 +12,17 @@ class FrequencyResponse {
   /// orders: cycles per base period, increasing. base_period [s].
   FrequencyResponse(const std::vector<int>& orders, double base_period);
 
-  /// One sample at t [s]. Over whole base periods of evenly spaced samples no order leaks into another.
+  /// Adds one sample at t [s]. Over whole base periods of evenly spaced samples no order leaks into another.
   /// Allocates nothing.
   void add(double t, double reference, double response);
 
-  /// Response over reference at the i-th order: gain and phase.
+  /// Returns response over reference at the i-th order, as gain and phase.
   std::complex<double> at(std::size_t i) const { return bins_[i].response / bins_[i].reference; }
   double frequency(std::size_t i) const { return bins_[i].order / base_period_; }  ///< [Hz]
 
-  /// Where the gain first falls 3 dB (1/sqrt(2)) below 1, the lowest frequency being first [Hz]: on the
-  /// straight line in log-log between two orders. The highest order's frequency if it never falls so far,
-  /// the lowest's if it starts below; NaN without samples.
+  /// Returns the lowest frequency at which the gain falls 3 dB (1/sqrt(2)) below 1 [Hz], on the straight line
+  /// in log-log between two orders. Returns the highest order's frequency if the gain never falls so far, the
+  /// lowest order's if it starts below, and NaN without samples.
   double bandwidth() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The one declaration of every metric of a rollout: name, unit, short words for it, meaning.
+// The only declaration of the metrics of a rollout: name, unit, a short phrase for sentences, and meaning.
 
 #include <array>
 #include <cstddef>
@@ -56,20 +56,20 @@ enum class Metric : std::size_t {
 
 inline constexpr std::size_t kMetricCount = static_cast<std::size_t>(Metric::kCount);
 
-/// Distances from what an arm must not touch: below zero it does.
+/// The metrics that are distances from things that the arm must not touch. A negative value means contact.
 inline constexpr std::array kContactMetrics = {Metric::kObstacleMinClearance, Metric::kClearanceSelf,
                                                Metric::kClearanceCell, Metric::kClearanceFloor};
 
-/// Which values of a metric are the better ones.
+/// The direction in which a metric improves.
 enum class Better {
   kLess,
   kMore,
-  kNeither  ///< the metric says where or when something was, and is no goal
+  kNeither  ///< the metric tells where or when something happened, and is not a goal
 };
 
-/// What further periods of a rollout can do to a metric.
+/// The way in which further periods of a rollout can change a metric.
 enum class Course {
-  kOnlyWorsens,  ///< an extreme over the periods: a value that it has passed once stays passed
+  kOnlyWorsens,  ///< an extreme or a count over the periods, which never recovers
   kEitherWay
 };
 
@@ -78,11 +78,11 @@ struct MetricField {
   const char* unit;
   Better better;
   Course course;
-  const char* words;  ///< as a sentence has them: "largest position error"
+  const char* words;  ///< a phrase for use in a sentence: "largest position error"
   const char* meaning;
 };
 
-/// In the order of the enumeration, which is the order of errors.csv.
+/// Returns the fields of all metrics in the order of the enumeration, which is the order of errors.csv.
 const std::array<MetricField, kMetricCount>& metric_fields();
 inline const MetricField& field(Metric m) {
   return metric_fields()[static_cast<std::size_t>(m)];
@@ -90,19 +90,19 @@ inline const MetricField& field(Metric m) {
 inline const char* name(Metric m) {
   return field(m).name;
 }
-/// Every metric, in order.
+/// Returns every metric, in order.
 std::vector<Metric> all_metrics();
 std::optional<Metric> metric_from_name(std::string_view name);
-/// True if larger values are better; false if smaller ones are, or if the metric is no goal.
+/// True if larger values are better. False if smaller values are better, or if the metric is not a goal.
 inline bool larger_is_better(Metric m) {
   return field(m).better == Better::kMore;
 }
-/// True for the metrics that can be asked for while a rollout runs: further periods only make them worse.
+/// True for the metrics that further periods only make worse. They can be judged while a rollout runs.
 inline bool only_worsens(Metric m) {
   return field(m).course == Course::kOnlyWorsens;
 }
 
-/// Values of one rollout. A metric that had nothing to judge is NaN in memory and an empty cell in files.
+/// The metrics of one rollout. One that had nothing to judge is NaN in memory and an empty cell in files.
 struct Metrics {
   std::array<double, kMetricCount> value = filled();
   std::string max_ratio_joint;  ///< joint of joint_velocity/max_ratio
@@ -118,8 +118,8 @@ struct Metrics {
   }
 };
 
-/// Returns what the arm touched, as a clause: "comes at least 0.02 m into the floor"; empty where it touched
-/// nothing.
+/// Returns what the arm touched, as a clause: "comes at least 0.02 m into the floor". It is empty if the arm
+/// touched nothing.
 std::string contact_text(const Metrics& metrics);
 
 }  // namespace armtune::internal

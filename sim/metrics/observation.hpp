@@ -1,5 +1,5 @@
 #pragma once
-// What one control period of a rollout looks like from outside: the plant's true state beside what the
+// One control period of a rollout as an outside observer sees it: the plant's true state and what the
 // controller did.
 
 #include "core/control/laws/controller.hpp"
@@ -16,19 +16,19 @@ struct Observation {
   const ParameterVector* theta = nullptr;
 
   // From the true state, base frame.
-  const Poses* poses = nullptr;                   ///< of an arm among several side by side, the tool's alone
+  const Poses* poses = nullptr;                   ///< if arms run side by side (sim/lanes), the tool's alone
   Vec6 twist = Vec6::Zero();                      ///< (v_0T, w_0T)
   std::size_t target = 0;                         ///< index of the active target
   MotionPoint<Vec3> target_motion;                ///< of the active target; NaN without targets
-  const OrientationPoint* orientation = nullptr;  ///< wanted in place of a gaze at the target
+  const OrientationPoint* orientation = nullptr;  ///< desired in place of a gaze; null: there is a gaze
   TaskMask mask = TaskMask::kPose;
   Vec6 error = Vec6::Zero();  ///< pose error (position, rotation vector); zero in states that track joints
-  Vec6 error_rate = Vec6::Zero();        ///< (v - vd, w - wd); likewise
+  Vec6 error_rate = Vec6::Zero();        ///< (v - vd, w - wd); zero in states that track joints
   double gaze_angle = 0.0;               ///< [rad]
-  const ClearanceWatch* cell = nullptr;  ///< the smallest distances so far; null: the scenario has no cell
+  const ClearanceWatch* cell = nullptr;  ///< smallest distances so far; null: the scenario has no cell
   double clearance = 0.0;  ///< of joint origins and tool, or of links [m], infinite without obstacles
-  /// |Y (theta_hat - theta)| [N m]: theta_hat after this period's step of the adaptation, theta of the
-  /// simulated arm with payload and friction, Y along the true motion and the references.
+  /// |Y (theta_hat - theta)| [N m]. theta_hat: after this period's step of the adaptation. theta: that of the
+  /// simulated arm with payload and friction. Y: along the true motion and the references.
   double compensation_error = 0.0;
 
   ToolAim aim() const { return {target_motion, orientation, mask == TaskMask::kPositionAndAxis}; }

@@ -1,25 +1,27 @@
 #pragma once
 // Rise time, overshoot, settling time and steady-state error of a step response (Ogata, Modern Control
-// Engineering, 5.3), taken sample by sample.
+// Engineering, 5.3), computed sample by sample.
 
 namespace armtune::internal {
 
-/// Of a signal that is to go from 0 to 1. Times are between samples where the straight line crosses.
+/// The response of a signal that should go from 0 to 1. A crossing time lies between two samples, where the
+/// straight line through them crosses the level.
 class StepResponse {
  public:
-  /// span: time from the step to the end of what will be seen [s].
+  /// span: time from the step to the end of the samples to come [s].
   explicit StepResponse(double span) : span_(span) {}
 
-  /// t: time since the step [s], increasing from 0. y: the response over the step's size.
+  /// Adds a sample. t: time since the step [s], increasing from 0. y: the response over the step's size.
   void add(double t, double y);
 
-  /// From the first 10 % to the first 90 % [s]; NaN if it never came to 90 %.
+  /// Returns the time from the first 10 % to the first 90 % [s]; NaN if the response never reached 90 %.
   double rise_time() const;
-  /// By how much it was ever above 1; NaN before the first sample.
+  /// Returns how far the response ever rose above 1, at least 0; NaN before the first sample.
   double overshoot() const;
-  /// Until it is within 0.02 of 1 for good [s]; the last sample's t plus `period` if it is not.
+  /// Returns the time until the response stays within 0.02 of 1 [s]. If it does not, returns the last
+  /// sample's t plus `period`. Returns NaN before the first sample.
   double settling_time(double period) const;
-  /// |mean of 1 - y| over the last tenth of the span; NaN if that was not seen.
+  /// Returns |mean of 1 - y| over the last tenth of the span; NaN without samples in it.
   double steady_state_error() const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-// How the arm answers to its scenario's stimulus, as one scalar against another: of the tool's path the
-// displacement along the stimulus, of a gaze target the angle of the tool's z axis in the plane in which the
-// line from tool to target turns.
+// The response of the arm to its scenario's stimulus, as one scalar compared with another. For a tool path
+// it is the displacement along the stimulus. For a gaze target it is the angle of the tool's z axis in the
+// plane in which the line from tool to target turns.
 
 #include <optional>
 
@@ -13,28 +13,29 @@
 
 namespace armtune::internal {
 
-/// The stimulus as it is asked for, and how far the arm has gone: both zero where the arm does what it would
-/// do without [m, rad].
+/// The stimulus as the reference, and how far the arm has moved in response [m, rad]. The reference is zero
+/// without a stimulus. The response is zero where the arm follows the undisturbed task.
 struct StimulusSignals {
   double reference = 0.0;
   double response = 0.0;
 };
 
-/// From the undisturbed position of path or target [m] and the tool's true pose. Angles are from the line
-/// tool to undisturbed target towards the stimulus, both for the line to the shifted target and for tool z:
-/// a tool that turns too far has gone further than the reference. Where the stimulus is along that line, it
-/// does not turn: both zero.
+/// Returns the signals from the undisturbed position of the path or the target [m] and the tool's true pose.
+/// Angles are measured from the line between tool and undisturbed target towards the stimulus, both for the
+/// line to the shifted target and for the tool's z axis. A tool that turns too far has a larger response than
+/// reference. A stimulus along that line does not turn it: both signals are zero.
 StimulusSignals path_signals(const Stimulus& stimulus, double t, const Vec3& path, const Poses& poses);
 StimulusSignals target_signals(const Stimulus& stimulus, double t, const Vec3& target, const Poses& poses);
 
 class StimulusResponse {
  public:
-  /// A scenario with a stimulus, which must outlive this.
+  /// scenario: has a stimulus, and must outlive this object.
   explicit StimulusResponse(const Scenario& scenario);
 
   void add(const Observation& o);
-  /// Fills the metrics response/*. They stay empty if the arm was not in followTrajectory, outside a slerp,
-  /// when the step came, or left that while the sines were measured.
+  /// Fills the metrics response/*. Those of a step stay empty unless the arm was in followTrajectory, outside
+  /// a slerp, when the step came, and the step turned the line to its target. Those of sines stay empty
+  /// unless the arm was in followTrajectory, outside a slerp, throughout the measured window.
   void write(Metrics& m) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What computes the accelerations of the simulated arm.
+// The engines that compute the accelerations of the simulated arm.
 
 #include <array>
 #include <string>
@@ -7,8 +7,8 @@
 namespace armtune::internal {
 
 enum class Engine {
-  kSimbody,  ///< the judge: every figure that is reported comes from it
-  kNative    ///< core's articulated-body dynamics: the same arm several times faster, to search with
+  kSimbody,  ///< the engine of all reported figures
+  kNative    ///< core's articulated-body dynamics: the same arm several times faster, for searches
 };
 
 inline constexpr std::array kEngines = {Engine::kSimbody, Engine::kNative};
@@ -17,7 +17,7 @@ constexpr const char* name(Engine engine) {
   return engine == Engine::kSimbody ? "simbody" : "native";
 }
 
-/// Throws InputError that lists the names there are.
+/// Returns the engine of that name. Throws InputError that lists the valid names.
 Engine engine_from_name(const std::string& text);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Denormal numbers slow the processor down by up to a factor of two and mean nothing here.
+// Flushing of denormal numbers to zero. They slow the processor down by up to a factor of two and carry no
+// information here.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -7,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Flushes denormals to zero on this thread while it lives, so that a rollout gives the same bits on every
-/// thread.
+/// A guard that flushes denormals to zero on this thread while it lives. A rollout then gives the same bits
+/// on every thread.
 class FlushDenormals {
  public:
 #if defined(__x86_64__)

@@ -1,6 +1,6 @@
 #pragma once
-// The simulated arm behind one interface: no engine's types here, so that an engine is exchanged by writing
-// one file. One Plant per thread.
+// The simulated arm behind one interface. It contains no types of an engine, so that another engine takes
+// only one more file. Each thread needs its own Plant.
 
 #include <memory>
 
@@ -18,18 +18,18 @@ class Plant {
   Plant& operator=(const Plant&) = delete;
   virtual ~Plant() = default;
 
-  /// Starts anew at q [rad, m] and q' (n each).
+  /// Restarts the plant at q [rad, m] and q' (n each).
   virtual void set_state(const JointVector& q, const JointVector& qd) = 0;
   virtual const JointVector& q() const = 0;
   virtual const JointVector& qd() const = 0;
 
   /// Advances by dt [s] with the torque (n) [N m, N] held. Friction and rotor inertia follow from the model.
-  /// poses: of the model at q, if somebody has computed them already.
+  /// poses: those of the model at q if they have been computed already, else null.
   void step(const JointVector& torque, double dt, const Poses* poses = nullptr) {
     advance(torque, dt, poses);
   }
 
-  /// q'' at any state: (M + D) q'' + C q' + g = torque - Fv q' - Fc tanh(q'/0.05).
+  /// Computes q'' at any state, from (M + D) q'' + C q' + g = torque - Fv q' - Fc tanh(q'/0.05).
   virtual void accelerations(const JointVector& q, const JointVector& qd, const JointVector& torque,
                              JointVector& qdd) = 0;
 
@@ -37,13 +37,13 @@ class Plant {
   virtual void advance(const JointVector& torque, double dt, const Poses* poses) = 0;
 };
 
-/// The arm in Simbody. Throws InputError if Simbody refuses the model.
+/// Returns the arm in Simbody. Throws InputError if Simbody refuses the model.
 std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepper);
 
-/// The arm in core's dynamics. Throws InputError for the stepper `reference`, which is Simbody's.
+/// Returns the arm in core's dynamics. Throws InputError for the stepper `reference`, which only Simbody has.
 std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper stepper);
 
-/// Either of the two.
+/// Returns the arm in the given engine. Throws InputError as the two functions above do.
 std::unique_ptr<Plant> make_plant(const RobotModel& model, Stepper stepper, Engine engine);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Measurement noise: white, Gaussian, per period and joint, from a seed.
+// Sensors with measurement noise that is white and Gaussian, drawn for each period and joint from a seed.
 
 #include <cstdint>
 #include <random>
@@ -10,11 +10,11 @@ namespace armtune::internal {
 
 class Sensors {
  public:
-  /// Standard deviations in rad (m) and rad/s (m/s); zero draws nothing.
+  /// Noises: standard deviations in rad (m) and rad/s (m/s). For zero nothing is drawn.
   Sensors(double position_noise, double velocity_noise, std::uint64_t seed)
       : position_noise_(position_noise), velocity_noise_(velocity_noise), generator_(seed) {}
 
-  /// What is measured is what is.
+  /// True if the measured state is the true state.
   bool exact() const { return position_noise_ <= 0.0 && velocity_noise_ <= 0.0; }
 
   void measure(const JointVector& q, const JointVector& qd, JointState& measured) {

@@ -1,5 +1,6 @@
 #pragma once
-// A plant that is its accelerations: its state is advanced by one of our own fixed-step rules.
+// A plant that is defined by its accelerations alone. Its state is advanced by one of armtune's own
+// fixed-step rules.
 
 #include "core/robot/friction_step.hpp"
 #include "sim/plant/plant.hpp"
@@ -8,7 +9,7 @@ namespace armtune::internal {
 
 class SteppedPlant : public Plant {
  public:
-  /// n: joints. stepper: not Stepper::kReference, which is an engine's own.
+  /// n: number of joints. stepper: any but Stepper::kReference, which an engine itself implements.
   SteppedPlant(int n, Stepper stepper)
       : stepper_(stepper), q_(JointVector::Zero(n)), qd_(JointVector::Zero(n)) {}
 
@@ -32,7 +33,7 @@ class SteppedPlant : public Plant {
         q_, qd_, work_);
   }
 
-  /// Writes the accelerations (n) that a rule of integration needs within a step. poses: those at q, or null.
+  /// Computes the accelerations (n) that an integration rule needs within a step. poses: those at q, or null.
   virtual void evaluate(const Poses* poses, const JointVector& q, const JointVector& qd,
                         const JointVector& torque, const FrictionStep<double>& friction,
                         JointVector& qdd) = 0;

@@ -32,17 +32,18 @@ constexpr const char* name(Stepper stepper) {
   return "";
 }
 
-/// Throws InputError that lists the names there are.
+/// Returns the stepper of that name. Throws InputError that lists the valid names.
 Stepper stepper_from_name(const std::string& text);
 
-/// Work space of a step, so that no step allocates.
+/// The workspace of a step, so that no step allocates.
 template <typename T>
 struct StepWorkspaceT {
   JointVectorT<T> q, qd, k1, k2, k3, k4;
 };
 using StepWorkspace = StepWorkspaceT<double>;
 
-/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations; qd is written after its last call.
+/// Advances q and qd (n) by h [s]. f(q, qd, qdd) writes the accelerations. qd changes only after the last
+/// call of f.
 /// Plants let f integrate stiff friction implicitly (core/robot/friction_step.hpp). Not for
 /// Stepper::kReference.
 template <typename T, typename Accelerations>

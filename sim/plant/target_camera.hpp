@@ -1,6 +1,6 @@
 #pragma once
-// What the controller knows of the gaze targets: their motion as it is, or filtered from noisy positions as a
-// camera gives them.
+// The motion of the gaze targets as the controller receives it: the true motion, or an estimate filtered from
+// the noisy positions of a camera.
 
 #include <random>
 #include <vector>
@@ -12,15 +12,15 @@ namespace armtune::internal {
 
 class TargetCamera {
  public:
-  /// The scenario must outlive this.
+  /// The scenario must outlive this object.
   explicit TargetCamera(const Scenario& scenario)
       : scenario_(scenario), generator_(scenario.seed ^ kStream), normal_(0.0, 1.0) {
     if (!scenario.camera) return;
     filters_.assign(scenario.targets.size(), {scenario.camera->bandwidth, scenario.control_period});
   }
 
-  /// The motion of the target `active` at `time` [s], true motion given. To be called once per control
-  /// period: a camera sees all targets all the time.
+  /// Returns the motion of the target `active` at `time` [s] as the controller sees it. truth: its true
+  /// motion. Call it once per control period, because a camera sees all targets all the time.
   MotionPoint<Vec3> see(std::size_t active, const MotionPoint<Vec3>& truth, double time) {
     if (!scenario_.camera) return truth;
     MotionPoint<Vec3> seen = truth;

@@ -1,5 +1,5 @@
 #pragma once
-// A torque command that arrives a whole number of control periods late.
+// The delay of the torque commands by a whole number of control periods.
 
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace armtune::internal {
 
 class TorqueDelay {
  public:
-  /// Until the first command arrives the torque is zero. n: joints; periods >= 0.
+  /// n: number of joints; periods >= 0. The torque is zero until the first command arrives.
   TorqueDelay(int n, int periods) : line_(static_cast<std::size_t>(periods) + 1, JointVector::Zero(n)) {}
 
   /// Takes this period's command and returns the one of `periods` periods ago.

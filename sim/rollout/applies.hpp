@@ -1,15 +1,20 @@
 #pragma once
-// Which metrics a scenario asks for at all: a metric without a value where it applies is a failure, elsewhere
-// there was nothing to judge.
+// The decision which metrics apply to a scenario. A metric that applies and has no value is a failure. One
+// that does not apply had nothing to judge.
 
 #include "sim/metrics/metric.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune::internal {
 
-/// False for clearance without obstacles, position margins of joints without limits, reacquisition without a
-/// switch, responses without the stimulus they answer to, joint errors without a planned motion, and the
-/// tool's where nothing comes after that.
+/// Returns true if the metric applies to the scenario. It returns false for:
+///   - clearances without obstacles, or without pairs of bodies of that kind,
+///   - position margins of joints without limits,
+///   - the gaze if the scenario aims at nothing, and reacquisition without a target switch,
+///   - responses without the stimulus that they belong to,
+///   - joint errors without a planned motion,
+///   - the tool's errors if no task follows the planned motion, and its orientation errors if the task is the
+///     position alone.
 bool applies(Metric metric, const Scenario& scenario);
 
 }  // namespace armtune::internal

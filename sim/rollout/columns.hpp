@@ -1,5 +1,5 @@
 #pragma once
-// The one declaration of a rollout CSV's columns: name, unit, meaning, value.
+// The only declaration of the columns of a rollout CSV: name, unit, meaning and value.
 
 #include <functional>
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace armtune::internal {
 
-/// What a row says of the periods since the row before: a limit must not be broken unseen between two rows.
+/// The way in which a row summarizes the periods since the row before. A limit that is violated between two
+/// rows must show in the second one.
 enum class Over { kThisPeriod, kLargest, kSmallest };
 
 struct Column {
@@ -21,10 +22,10 @@ struct Column {
   Over over = Over::kThisPeriod;
 };
 
-/// Columns for a scenario's robot, `time` first. The scenario's robot must outlive them.
+/// Returns the columns for a scenario's robot, `time` first. The scenario's robot must outlive them.
 std::vector<Column> rollout_columns(const Scenario& scenario);
 
-/// Columns of any of the scenarios, each name once.
+/// Returns the columns of any of the scenarios, each name once.
 std::vector<Column> rollout_columns(const std::vector<Scenario>& scenarios);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Explains in words why the state of a rollout is beyond use: which joint shows it, and which of the causes
-// that can be computed from the scenario's numbers is there. No cause is named that was not computed.
+// Explanations of a diverged rollout in words: the joint that shows the divergence, and its cause where that
+// can be computed from the scenario's numbers. No cause is named that was not computed.
 
 #include <string>
 
@@ -9,22 +9,22 @@
 
 namespace armtune::internal {
 
-/// A joint this many times faster than its limit will not recover.
+/// The multiple of its velocity limit beyond which a joint will not recover.
 inline constexpr double kDivergedRatio = 20.0;
 
 /// Returns the first joint whose position q or velocity qd (n) [rad, m; /s] is not finite or that moves over
 /// kDivergedRatio times its velocity limit. Empty if no joint does.
 std::string diverged_joint(const RobotModel& model, const JointVector& q, const JointVector& qd);
 
-/// Returns the largest a for which v <- v - a v(d periods ago) decays, 2 cos(d pi / (2 d + 1)): a velocity
-/// that a held and late torque damps (Levin and May 1976).
+/// Returns the largest a for which v <- v - a v(d periods ago) decays, 2 cos(d pi / (2 d + 1)). There v is a
+/// velocity that is damped by a held and delayed torque (Levin and May 1976).
 double damping_limit(int delay_periods);
 
 /// Returns which joint the damping Kd (n) [N m s/rad, N s/m] makes unstable because the torque is held over a
 /// control period, and what to do about it. Empty if it makes none unstable.
 /// A joint is unstable if Kd h exceeds the limit above times the inertia that it moves with the other joints
-/// free. Its friction, which damps too and which the law may compensate, is allowed for. measured: of the
-/// last period.
+/// free. The friction of the joint is taken into account: it damps too, and the law may compensate it.
+/// measured: the joint state of the last period.
 std::string unstable_damping(const PreparedScenario& prepared, const JointState& measured,
                              const JointVector& Kd);
 

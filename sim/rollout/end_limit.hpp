@@ -1,5 +1,6 @@
 #pragma once
-// When a rollout need not go on: a metric that cannot recover has passed a value of no use any more.
+// Limits at which a rollout is abandoned early, because a metric that cannot recover has reached a value that
+// makes the rest of the rollout useless.
 
 #include <vector>
 
@@ -7,12 +8,13 @@
 
 namespace armtune::internal {
 
-/// A rollout ends in the first period in which the metric, one that only worsens, is at `value` or worse.
+/// A limit on a metric that only worsens. The rollout ends in the first period in which the metric is at
+/// `value` or worse.
 struct EndLimit {
   Metric metric = Metric::kJointVelocityMaxRatio;
   double value = 0.0;  ///< in the metric's unit
 
-  /// False for a metric without a value.
+  /// True if v, the metric's value so far, is at the limit or worse. False for NaN, a metric without a value.
   bool reached_by(double v) const { return larger_is_better(metric) ? v <= value : v >= value; }
 };
 using EndLimits = std::vector<EndLimit>;

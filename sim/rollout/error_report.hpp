@@ -1,5 +1,6 @@
 #pragma once
-// errors.csv: one row per scenario, every metric; columns.csv: what every column means.
+// The result files errors.csv, with one row per scenario and every metric, and columns.csv, with the meaning
+// of every column.
 
 #include <optional>
 #include <string>
@@ -15,23 +16,23 @@ namespace armtune::internal {
 struct ScenarioResult {
   std::string scenario;
   RolloutResult result;
-  std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were passed, the earliest first
-  LeastClearances nearest = {};          ///< of a scenario with a cell, whose clearance model it refers to
-  std::optional<Shake> shake = {};       ///< the first joint whose torque swings to and fro
+  std::vector<BrokenLimit> broken = {};  ///< limits of the arm that were exceeded, the earliest first
+  LeastClearances nearest = {};          ///< of a scenario with a cell; points into its clearance model
+  std::optional<Shake> shake = {};       ///< the first joint whose torque oscillates
 };
 
-/// A column of errors.csv that is no metric of the rollout itself.
+/// A column of errors.csv that is not a metric of the rollout itself.
 struct FurtherColumn {
   Column column;
-  std::vector<double> values;  ///< one per result; NaN where there is none
+  std::vector<double> values;  ///< one per result; NaN for a result without a value
 };
 
-/// Text of errors.csv. Numbers read back to the same bits; metrics without a value are empty cells. further:
-/// columns behind the metrics, in order.
+/// Returns the text of errors.csv. Numbers read back to the same bits. Metrics without a value are empty
+/// cells. further: columns to add after the metrics, in order.
 std::string errors_csv(const std::vector<ScenarioResult>& results,
                        const std::vector<FurtherColumn>& further = {});
 
-/// Name, unit and meaning of the columns of errors.csv.
+/// Returns name, unit and meaning of the columns of errors.csv.
 std::vector<Column> error_columns(const std::vector<FurtherColumn>& further = {});
 
 /// The columns of one CSV file of a run.
@@ -40,7 +41,7 @@ struct FileColumns {
   std::vector<Column> columns;
 };
 
-/// Text of columns.csv: file,name,unit,meaning.
+/// Returns the text of columns.csv: file,name,unit,meaning.
 std::string columns_csv(const std::vector<FileColumns>& files);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Watches the joints of a rollout and remembers when each of the arm's own limits was passed first.
+// A watch over the joints of a rollout. It records when each kind of limit of the arm was exceeded for the
+// first time.
 
 #include <array>
 #include <optional>
@@ -10,7 +11,7 @@
 
 namespace armtune::internal {
 
-/// The limits that a URDF gives a joint.
+/// The kinds of limits that a URDF gives a joint.
 enum class JointLimit : std::size_t { kVelocity, kPosition, kEffort };
 inline constexpr std::array kJointLimits = {JointLimit::kVelocity, JointLimit::kPosition,
                                             JointLimit::kEffort};
@@ -27,29 +28,29 @@ constexpr const char* name(JointLimit limit) {
   return "";
 }
 
-/// The first period in which a joint passed one of its limits.
+/// The first period in which a joint exceeded a limit of one kind.
 struct BrokenLimit {
   JointLimit limit = JointLimit::kVelocity;
   std::string joint;
-  double time = 0.0;   ///< [s]
-  double value = 0.0;  ///< what passed it: true velocity or position, commanded effort, in the URDF's units
-  double bound = 0.0;  ///< the limit, or its share, with the sign of the side that was passed
-  std::string unit = {};  ///< of both
-  double share = 1.0;     ///< of the limit, that was asked to be kept
+  double time = 0.0;      ///< [s]
+  double value = 0.0;     ///< true velocity or position, or commanded effort, in the URDF's units
+  double bound = 0.0;     ///< limit times share, with the sign of the side that was exceeded
+  std::string unit = {};  ///< of value and bound
+  double share = 1.0;     ///< share of the limit that was to be kept
 };
 
 class LimitWatch {
  public:
-  /// model: of the arm that is observed; it is not referred to afterwards. share: of the velocity and effort
-  /// limits, beyond which they count as passed; position limits count whole.
+  /// model: the arm that is observed; no reference to it is kept. share: the share of the velocity and effort
+  /// limits above which they count as exceeded. Position limits always count in full.
   explicit LimitWatch(const RobotModel& model, double share = 1.0);
 
-  /// To be called once per control period. Allocates nothing.
+  /// Checks one control period. Call it once per period. Allocates nothing.
   void look(const Observation& o);
 
-  /// True once any limit was passed.
+  /// True once any limit was exceeded.
   bool any() const { return found_[0].joint >= 0 || found_[1].joint >= 0 || found_[2].joint >= 0; }
-  /// Every limit that was passed, the earliest first.
+  /// Returns the limits that were exceeded, the earliest first.
   std::vector<BrokenLimit> broken() const;
 
  private:
@@ -62,7 +63,7 @@ class LimitWatch {
   void note(JointLimit limit, Eigen::Index joint, double time, double value, double bound);
 
   std::vector<std::string> joints_;
-  std::vector<bool> turning_;  ///< revolute joints, not prismatic ones
+  std::vector<bool> turning_;  ///< true for revolute joints, false for prismatic ones
   double share_;
   JointVector velocity_, lower_, upper_, effort_;
   std::array<Found, kJointLimits.size()> found_;

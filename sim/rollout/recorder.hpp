@@ -1,5 +1,5 @@
 #pragma once
-// Keeps every k-th period of a rollout and writes it as CSV.
+// A recorder that keeps every k-th period of a rollout and writes them as CSV.
 
 #include <string>
 
@@ -9,20 +9,20 @@ namespace armtune::internal {
 
 class Recorder {
  public:
-  /// Keeps every `stride`-th period (>= 1), the first one included; what columns say of the periods between
-  /// goes into the row after them.
+  /// Keeps every `stride`-th period (>= 1), the first one included. Columns that summarize periods (Over) put
+  /// the periods between two rows into the second one.
   Recorder(const Scenario& scenario, int stride);
 
   bool operator()(const Observation& o);
 
-  /// Row by row a value for each column, one row per kept period. What columns say of the periods behind the
-  /// last of them goes into its row. completed: otherwise the last period has a row of its own, since it is
-  /// where a rollout that failed shows why.
+  /// Returns the values row by row, one per column, with one row per kept period. Columns that summarize
+  /// periods put those after the last row into that row. completed: if false, the last period has a row of
+  /// its own instead, because that period shows why the rollout failed.
   std::vector<double> rows(bool completed = true) &&;
   std::vector<double> rows(bool completed = true) const& { return Recorder(*this).rows(completed); }
 
-  /// rollout_<scenario>.csv: a header row, then `rows`. Numbers read back to the same bits; what is not
-  /// finite is an empty cell. Throws InputError if it cannot be written.
+  /// Writes rollout_<scenario>.csv: a header row, then `rows`. Numbers read back to the same bits. A value
+  /// that is not finite is an empty cell. Throws InputError if the file cannot be written.
   void write_csv(const std::string& path, bool completed = true) const;
 
   const std::vector<Column>& columns() const { return columns_; }
@@ -31,7 +31,7 @@ class Recorder {
   std::vector<Column> columns_;
   int stride_;
   long seen_ = 0;
-  std::vector<double> row_;     ///< of the period seen last, and of those since the row before
+  std::vector<double> row_;     ///< the last period, summarized with those since the row before
   std::vector<double> values_;  ///< row by row
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// One closed-loop simulation of a scenario: a pure function of scenario, gains, stepper and engine.
+// One closed-loop simulation of a scenario. Its result is a pure function of scenario, gains, stepper and
+// engine.
 
 #include <memory>
 
@@ -11,16 +12,16 @@
 
 namespace armtune::internal {
 
-/// A scenario made ready to be run many times: model, plant, theta. One per thread.
+/// A scenario that is prepared for many runs: model, plant and theta. Each thread needs its own.
 class Rollout {
  public:
   Rollout(const Scenario& scenario, Stepper stepper, Engine engine = Engine::kSimbody);
   Rollout(std::shared_ptr<const PreparedScenario> prepared, Stepper stepper, Engine engine);
 
-  /// Runs the scenario from its start with these gains (valid for its robot). Nothing carries over from an
-  /// earlier run. Diverging is a status, not an exception.
-  /// limits: metrics, each one that only worsens, that end the rollout when they pass a value; none: it runs
-  /// whole. Up to its end a rollout with limits is the one without.
+  /// Simulates the scenario from its start with these gains (valid for its robot). Nothing carries over from
+  /// an earlier run. Divergence is a status, not an exception.
+  /// limits: metrics that only worsen, and the values at which they end the rollout. Without limits it runs
+  /// to the end. Limits change nothing in a rollout before it ends.
   RolloutResult run(const Gains& gains, const Observer& observer = {}, const EndLimits& limits = {});
 
   const Scenario& scenario() const { return prepared_->scenario; }

@@ -1,5 +1,5 @@
 #pragma once
-// What becomes of a rollout.
+// The outcome of a rollout: its status, when and why it ended, and its metrics.
 
 #include <functional>
 #include <string>
@@ -11,10 +11,10 @@ namespace armtune::internal {
 
 enum class RolloutStatus {
   kCompleted,
-  kDiverged,    ///< the state left every sensible range, or the engine gave up
-  kHopeless,    ///< abandoned: it passed one of its end limits
-  kNoSamples,   ///< it ran to the end without a planned motion, but no period counted as tracking
-  kInterrupted  ///< the caller asked it to stop
+  kDiverged,    ///< the state left every sensible range, or the engine failed
+  kHopeless,    ///< abandoned at one of its end limits
+  kNoSamples,   ///< ran to the end without a planned motion, but no period counted as tracking
+  kInterrupted  ///< stopped by the caller
 };
 
 constexpr const char* name(RolloutStatus status) {
@@ -35,12 +35,13 @@ constexpr const char* name(RolloutStatus status) {
 
 struct RolloutResult {
   RolloutStatus status = RolloutStatus::kCompleted;
-  double end_time = 0.0;  ///< [s] simulated
-  std::string reason;     ///< when, where and why; empty if completed
+  double end_time = 0.0;  ///< simulated time [s]
+  std::string reason;     ///< when, where and why it ended; empty if completed
   Metrics metrics;        ///< up to the end time
 };
 
-/// Called once per control period, after the controller and before the plant moves. Return false to stop.
+/// A function that is called once per control period, after the controller and before the plant moves. It
+/// returns false to stop the rollout.
 using Observer = std::function<bool(const Observation&)>;
 
 }  // namespace armtune::internal

@@ -1,8 +1,9 @@
 #pragma once
-// A rollout between its periods: what arm, controller and plant are given, and what is made of what they do.
-// Where their arithmetic happens, for one arm alone or for several side by side, is not its business.
+// The state of a rollout between its periods: the inputs of arm, controller and plant, and the evaluation of
+// their outputs. The arithmetic itself is done elsewhere, for one arm alone (Rollout) or for several side by
+// side (RolloutLanes).
 //
-// A period is: sense, control, act, true state, judge, plant, moved.
+// The steps of a period are: sense, control, act, true state, judge, plant, moved.
 
 #include <optional>
 #include <string>
@@ -21,37 +22,38 @@ namespace armtune::internal {
 
 class RunningRollout {
  public:
-  /// threshold: the gains' slerpAngularErrorThreshold [rad]. All arguments outlive this.
+  /// threshold: the gains' slerpAngularErrorThreshold [rad]. All arguments must outlive this object.
   RunningRollout(const PreparedScenario& prepared, double threshold, const EndLimits& limits);
   RunningRollout(const RunningRollout&) = delete;  // its parts refer to each other
   RunningRollout& operator=(const RunningRollout&) = delete;
 
-  /// q' (n) that it starts with.
+  /// Returns the joint velocities q' (n) at the start.
   JointVector start_velocity() const;
   bool goes_on() const { return !ended_ && k_ < periods_; }
 
   const Scenario& scenario() const { return scenario_; }
-  /// Number of the period that begins next, from 0 on.
+  /// Returns the number of the next period, counted from 0.
   int period() const { return k_; }
-  /// A period begins in the world as it is in this one, with the plant at q, q' (n); all three stay where
-  /// they are until it has moved.
+  /// Begins a period in this world, with the plant at q, q' (n). All three arguments must stay in place until
+  /// the plant has moved.
   void sense(const JointVector& q, const JointVector& qd, const World& world);
   double time() const { return observation_.time; }  ///< [s]
   const JointState& measured() const { return measured_; }
   bool measures_exactly() const { return sensors_.exact(); }
-  /// The controller knows target and arm as they are.
+  /// True if the controller sees both the arm and the target exactly.
   bool sees_exactly() const { return sensors_.exact() && !scenario_.camera; }
   const Scene& scene() const { return scene_; }
 
-  /// The controller's answer; the torque that acts now is in the observation, whose true state is still to
-  /// be filled in. Kd (n): if the torque contains -Kd S, else null; all three stay until the plant has moved.
+  /// Takes the controller's output and returns the observation with the torque that acts now. The caller then
+  /// fills in the true state. Kd (n): null unless the torque contains -Kd S. All three arguments must stay in
+  /// place until the plant has moved.
   Observation& act(const ControlOutput& control, const ParameterVector& theta, const JointVector* Kd);
-  /// The observation is whole. False: the rollout ends with it, before the plant moves.
+  /// Evaluates the complete observation. Returns false if the rollout ends with it, before the plant moves.
   bool judge(const Observer& observer);
-  /// The plant is at q, q' now, or it failed (not empty: why).
+  /// Ends the period with the plant at q, q'. failure: why the plant failed; empty if it did not.
   void moved(const JointVector& q, const JointVector& qd, const std::string& failure);
 
-  /// To be asked once, when it no longer goes on.
+  /// Returns the result. Call it once, after goes_on() has become false.
   RolloutResult result();
 
  private:
@@ -65,7 +67,7 @@ class RunningRollout {
   TargetCamera camera_;
   TorqueDelay delay_;
   MetricAccumulator metrics_;
-  JointVector diverged_velocity_;  ///< beyond which a joint will not come back
+  JointVector diverged_velocity_;  ///< joint speeds above which the rollout has diverged
   std::optional<StimulusResponse> response_;
   std::optional<ClearanceWatch> cell_;
   JointState measured_;

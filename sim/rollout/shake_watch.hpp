@@ -1,7 +1,7 @@
 #pragma once
-// Watches the torques of a rollout for joints that shake. A torque that swings to and fro by half of the
-// joint's effort limit and more, at 5 Hz and more, is hardly the motion of a task: the loop is near its
-// stability limit, or it amplifies noise.
+// A watch over the torques of a rollout for joints that shake. A torque that oscillates by half of the
+// joint's effort limit or more, at 5 Hz or more, is hardly part of a task: the loop is near its stability
+// limit, or it amplifies noise.
 
 #include <optional>
 #include <string>
@@ -16,37 +16,38 @@ struct Shake {
   std::string joint;
   double time = 0.0;       ///< when it began [s]
   double frequency = 0.0;  ///< mean [Hz]
-  double swing = 0.0;      ///< largest, from one turn to the next, over the effort limit; 2 at most
+  double swing = 0.0;      ///< largest, from one turning point to the next, over the effort limit; at most 2
 };
 
 class ShakeWatch {
  public:
-  /// model: of the arm that is observed; it is not referred to afterwards.
+  /// model: the arm that is observed; no reference to it is kept.
   explicit ShakeWatch(const RobotModel& model);
 
-  /// To be called once per control period. Looks at the commanded torque, cut off at the effort limit.
-  /// Allocates nothing.
+  /// Checks the commanded torque, cut off at the effort limit. Call it once per control period. Allocates
+  /// nothing.
   void look(const Observation& o);
 
-  /// Returns the joint that shook first, of several the one that shook fastest; nothing if none did.
+  /// Returns the joint that shook first, or nothing if none did. Among joints that began at about the same
+  /// time it is the one with the highest frequency.
   std::optional<Shake> first() const;
 
  private:
-  /// Turns that follow each other fast enough.
+  /// A series of turning points that follow each other fast enough.
   struct Run {
     int turns = 0;
-    double began = 0.0, ended = 0.0;  ///< first and last of them [s]
+    double began = 0.0, ended = 0.0;  ///< time of the first and the last turning point [s]
     double swing = 0.0;               ///< largest between two of them, as a share of the limit
     double frequency() const { return 0.5 * (turns - 1) / (ended - began); }
   };
-  /// Where a joint's torque turns, found with a hysteresis of the smallest swing that counts.
+  /// The turning points of a joint's torque, found with a hysteresis of the smallest swing that counts.
   struct Turning {
     int direction = 0;     ///< 1: the torque rises, -1: it falls, 0: not known yet
     double extreme = 0.0;  ///< farthest since the last turn, as a share of the limit; at first the highest
-    double at = 0.0;       ///< when [s]
-    double turned = 0.0;   ///< the last turn; at first the lowest
-    Run run;               ///< under way
-    Run first;             ///< of those that are long enough; no turns: there was none
+    double at = 0.0;       ///< time of the extreme [s]
+    double turned = 0.0;   ///< torque at the last turn, as a share of the limit; at first the lowest
+    Run run;               ///< the current run
+    Run first;             ///< the first run that is long enough; no turns: there was none
   };
   static void turn(Turning& joint);
 

@@ -1,23 +1,23 @@
 #pragma once
-// Fills an observation from the plant's true state.
+// Completion of an observation from the plant's true state.
 
 #include "sim/rollout/running_rollout.hpp"
 
 namespace armtune::internal {
 
-/// Errors and gaze of `o`, whose poses (of the tool), twist, control and target_motion are set. exact: the
-/// controller has looked from this pose at this target.
+/// Fills in the errors and the gaze of `o`, whose poses (of the tool), twist, control and target_motion are
+/// set. exact: true if the controller computed its gaze from this very pose and target.
 void see_errors(bool exact, Observation& o);
 
-/// Work space and constants of the observation of one rollout.
+/// The workspace and the constants of the observations of one rollout.
 class TrueState {
  public:
-  /// theta_true (13 n): parameters of the plant. Both arguments must outlive this.
+  /// theta_true (13 n): parameters of the plant. Both arguments must outlive this object.
   TrueState(const RobotModel& model, const ParameterVector& theta_true)
       : chain_(model.chain), theta_true_(theta_true) {}
 
-  /// Completes `o`, whose time, q, qd, control, theta, target and target_motion are set. What the controller
-  /// measured exactly, it has computed already.
+  /// Completes `o`, whose time, q, qd, control, theta, target and target_motion are set. If the controller
+  /// measured the arm exactly, its results are used again.
   void observe(const RunningRollout& running, const Controller& controller, Observation& o);
 
  private:

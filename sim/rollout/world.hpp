@@ -1,5 +1,5 @@
 #pragma once
-// What is around the arm in one control period. It waits for nobody: it is the same whatever the arm does.
+// The surroundings of the arm in one control period. They depend on time alone, not on what the arm does.
 
 #include <optional>
 #include <vector>
@@ -12,13 +12,13 @@ struct World {
   double time = 0.0;                ///< [s]
   std::size_t target = 0;           ///< index of the active target
   MotionPoint<Vec3> target_motion;  ///< of the active target, stimulus included; NaN without targets
-  std::optional<OrientationPoint> orientation;  ///< wanted in place of a gaze
+  std::optional<OrientationPoint> orientation;  ///< desired in place of a gaze; none: there is a gaze
   MotionPoint<Vec3> on_path;                    ///< of the tool's path, stimulus included
-  Vec3 path_shift = Vec3::Zero();               ///< by the stimulus
+  Vec3 path_shift = Vec3::Zero();               ///< shift of the path by the stimulus [m]
   std::vector<Obstacle> obstacles;
 };
 
-/// In the scenario's k-th period. Allocates nothing from the second call on.
+/// Computes the world of the scenario's k-th period. Allocates nothing from the second call on.
 void world_at(const Scenario& scenario, int k, World& world);
 
 }  // namespace armtune::internal

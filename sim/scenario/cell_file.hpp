@@ -1,5 +1,5 @@
 #pragma once
-// The key `cell` of scenario and robot files.
+// The reader of the key `cell` of scenario and robot files.
 
 #include <string>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace armtune::internal {
 
-/// {floor: HEIGHT, parts: [{name, a shape of solid_keys.hpp, rpy_deg, a path of path_file.hpp}, ...]}
+/// Reads {floor: HEIGHT, parts: [{name, a shape of solid_keys.hpp, rpy_deg, a path of path_file.hpp}, ...]}.
 ///
-/// The floor's height is above the base frame's origin, against gravity [m]. The path is that of a part's
-/// centre; one that rests has `center` alone. Files are added to `inputs`. Throws InputError with file, line
-/// and key.
+/// The floor's height is measured above the base frame's origin, against gravity [m]. The path is that of the
+/// part's centre; a part at rest has `center` alone. Files that are read are added to `inputs`. Throws
+/// InputError with file, line and key.
 Cell read_cell(const yaml::Node& node, std::vector<std::string>& inputs);
 
 }  // namespace armtune::internal

@@ -1,37 +1,40 @@
 #pragma once
-// Bundled robots, scenarios, gains and studies: found by name; the user's own files: found by path.
+// Lookup of data files. Bundled robots, scenarios, gains and studies are found by name, and the user's own
+// files by path.
 
 #include <string>
 #include <vector>
 
 namespace armtune::internal {
 
-/// Path of `name_or_path`: a path if it holds a '/' or the extension, else the bundled file of that name in
-/// `folder` ("robots", "scenarios", "gains", "studies"). `relative_to`: folder that relative paths are also
-/// tried in (that of the file which names it), may be empty. Throws InputError that lists what is bundled.
+/// Returns the path of `name_or_path`. With a '/' or the extension of a data or robot file it is a path,
+/// otherwise the name of a bundled file in `folder` ("robots", "scenarios", "gains", "studies"). relative_to:
+/// the folder of the file that names it, in which relative paths are tried first; may be empty. Throws
+/// InputError if there is no such file. For a name the message lists the bundled files.
 std::string find_data_file(const std::string& folder, const std::string& name_or_path,
                            const std::string& relative_to = {});
 
-/// Names of the bundled files of a folder, sorted.
+/// Returns the names of the bundled files of a folder, sorted.
 std::vector<std::string> bundled_names(const std::string& folder);
 
-/// Folder that holds the bundled data: $ARMTUNE_DATA, else share/armtune beside the program's bin/, else
-/// where it was installed. Throws InputError if none is there.
+/// Returns the folder that holds the bundled data: $ARMTUNE_DATA if it is set, else share/armtune beside the
+/// program's bin/, else the folder where the data was installed. Throws InputError if the data is not there.
 std::string data_folder();
 
-/// How another machine finds the same file: the bundled name where it is bundled, else the absolute path.
-/// Throws InputError where that is not UTF-8.
+/// Returns a reference by which another machine finds the same file: the name of a bundled file, or the
+/// absolute path of any other file. Throws InputError if that path is not UTF-8.
 std::string portable_reference(const std::string& path);
 
-/// The path for a person to read: bundled files without the folder they happen to be installed in.
+/// Returns the path for a person to read. Bundled files are shown without the folder of their installation.
 std::string shown_path(const std::string& path);
 
-/// A file's path, from the folder of the file that names it.
+/// Returns the path of a file that the file `named_in` names. A relative path starts in the folder of that
+/// file.
 std::string file_beside(const std::string& path, const std::string& named_in);
 
-/// File name without folder and extension.
+/// Returns the file name without folder and extension.
 std::string stem(const std::string& path);
-/// Folder part of a path, "." if it has none.
+/// Returns the folder part of a path, "." if it has none.
 std::string folder_of(const std::string& path);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// A first task as the text of a scenario file.
+// The text of the scenario file of a first task.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-/// The task as a scenario file. robot: what the file names it by. A cell that was given is not written: it is
-/// the robot file's.
+/// Returns the task as the text of a scenario file. robot: the name or path of the robot in that file. A cell
+/// that was given is not written, because it belongs to the robot file.
 std::string default_task_yaml(const DefaultTask& task, const std::string& robot);
 
 }  // namespace armtune::internal

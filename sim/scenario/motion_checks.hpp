@@ -1,5 +1,6 @@
 #pragma once
-// Whether a joint motion that a user's file gives is one of the robot: within its limits, and without jumps.
+// Checks that a joint motion from a user's file fits the robot: it stays within the joints' limits and has no
+// jumps.
 
 #include "core/robot/robot_model.hpp"
 #include "core/trajectory/joint_spline.hpp"
@@ -9,25 +10,28 @@ namespace armtune::internal {
 
 class MotionChecks {
  public:
-  /// Both outlive it. degrees: what to do where the file has degrees, for messages.
+  /// robot and points must outlive this object. degrees: advice in messages for a file that may be in
+  /// degrees.
   MotionChecks(const RobotModel& robot, const MotionPoints& points, const char* degrees)
       : robot_(robot), points_(points), degrees_(degrees) {}
 
   /// Throws InputError naming the first point whose position is outside a joint's limits.
   void at_points() const;
 
-  /// The same of the motion between points, whose acceleration is linear there: where each joint turns round.
+  /// Throws InputError if a joint leaves its limits between two points whose acceleration is linear between
+  /// them. The positions where each joint reverses are checked.
   void between_knots() const;
 
-  /// The same of any motion through the points: at 31 times between two of them.
+  /// Throws InputError if a joint leaves its limits between two points of any motion through the points. The
+  /// motion is checked at 31 times between two of them.
   void between_points(const JointSpline& motion) const;
 
-  /// Throws InputError naming the first point that is not where the one before leads, with acceleration that
-  /// is linear in between.
+  /// Throws InputError naming the first point that does not follow from the one before with an acceleration
+  /// that is linear in between.
   void steps() const;
 
  private:
-  /// between: on the way to the next point.
+  /// between: true if the position is on the way to the next point.
   void check_position(int joint, double q, std::size_t point, bool between) const;
 
   const RobotModel& robot_;

@@ -1,5 +1,5 @@
 #pragma once
-// Points of a joint motion as a user's file gives them, in the order of an arm's joints.
+// The points of a joint motion from a user's file, in the order of an arm's joints.
 
 #include <string>
 #include <vector>
@@ -13,9 +13,9 @@ namespace armtune::internal {
 struct MotionPoints {
   std::vector<double> time;                      ///< rising, from 0 s or later on
   std::vector<MotionPoint<JointVector>> points;  ///< n joints each [rad or m, and per s, per s^2]
-  PointsGive given = PointsGive::kPositions;     ///< what else is zero
-  std::string file;                              ///< what messages call it
-  std::vector<std::size_t> lines;                ///< of each point in it
+  PointsGive given = PointsGive::kPositions;     ///< what the file gives; all else is zero
+  std::string file;                              ///< name of the file in messages
+  std::vector<std::size_t> lines;                ///< line of each point in the file
 
   /// Returns "FILE:LINE" of a point.
   std::string where(std::size_t point) const { return file + ":" + std::to_string(lines[point]); }

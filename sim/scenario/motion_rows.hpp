@@ -1,5 +1,5 @@
 #pragma once
-// Rows of a motion in a CSV file of a user's: times that rise, numbers that are finite.
+// Rows of a motion in a user's CSV file: their times must rise and their numbers must be finite.
 
 #include <string>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace armtune::internal {
 
-/// Line of the file that a row of the table stands in.
+/// Returns the line of the file that holds a row of the table.
 std::size_t line_of(std::size_t row);
 
-/// Throws InputError naming file, line and column unless the cell is a finite number.
+/// Returns the number in a cell. Throws InputError naming file, line and column unless it is finite.
 double finite_cell(const CsvTable& table, std::size_t row, std::size_t column, const std::string& path);
 
-/// Returns column `time` [s], at least two times that rise from zero or later on. Throws InputError naming
-/// file and line, for Unix time stamps too.
+/// Returns column `time` [s]: at least two times that rise from zero or later on. Throws InputError naming
+/// file and line otherwise, and also for Unix time stamps.
 std::vector<double> rising_times(const CsvTable& table, const std::string& path);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// What has a name and a path in scenario files: targets, when the gaze turns to which, and obstacles.
+// Readers of the parts of a scenario file that have a name and a path: the gaze targets, with the schedule of
+// the gaze, and the obstacles.
 
 #include <string>
 #include <vector>
@@ -9,15 +10,15 @@
 
 namespace armtune::internal {
 
-/// A list of paths with names, each with the radius of its body: `radius` [m], 0 where it is left out.
+/// Reads a list of named paths, each with the radius of its body: `radius` [m], 0 where it is left out.
 std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<std::string>& inputs);
 
-/// A list of targets, or {random: {count, low, high, seed}}. One key for both, so that either stands whole
-/// over a base's.
+/// Reads a list of targets, or {random: {count, low, high, seed}}. Both forms share one key, so that either
+/// replaces the targets of a base file as a whole.
 std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::string>& inputs);
 
-/// [{at, target}, ...]: from `at` [s] on the gaze is at the target of that name. Times rise, and each turn is
-/// another target's; [] over a base's is none.
+/// Reads [{at, target}, ...]: from `at` [s] on, the gaze is at the target of that name. The times must rise,
+/// and each entry must name another target than the one before. [] removes the schedule of a base file.
 std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<NamedPath>& targets);
 
 }  // namespace armtune::internal

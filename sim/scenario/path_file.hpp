@@ -1,5 +1,5 @@
 #pragma once
-// Paths in scenario files: named curves, or a sum of harmonics as it is.
+// The reader of paths in scenario files: named curves, or a sum of harmonics given term by term.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace armtune::internal {
 
 // clang-format off
-/// One of these, in the base frame:
+/// Reads one of these, in the base frame:
 ///
 ///   circle: {center, radius, period, normal: [0, 0, 1], start_deg: 0}
 ///   ellipse: {center, axis_1, axis_2, period, start_deg: 0}       semi-axes as vectors, from the first to the second
@@ -22,8 +22,9 @@ namespace armtune::internal {
 ///   waypoints: {file: FILE.csv, units: {time: ms, length: mm}, columns: [time, x, y, z]}
 ///   center, frequency, phase, terms: [{order, cos, sin}]          a sum of harmonics (path.hpp)
 ///
-/// start_deg is where on the curve it begins, of 360. Files are named from the folder of the file that names them, and
-/// added to `inputs`. of_poses: a tool's whose orientation comes from waypoints, which may be in the same file. Throws InputError with file, line and key.
+/// start_deg is the point of the curve where it begins, out of 360. Files are named from the folder of the
+/// file that names them, and added to `inputs`. of_poses: true for the path of a tool whose orientation comes
+/// from waypoints, which may be in the same file. Throws InputError with file, line and key.
 // clang-format on
 Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_poses = false);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A planned trajectory as a file: the CSV that `armtune plan` writes, one of a user's with the same columns,
+// A planned trajectory from a file: the CSV that `armtune plan` writes, a user's CSV with the same columns,
 // or a trajectory message of ROS.
 
 #include <string>
@@ -10,24 +10,28 @@
 
 namespace armtune::internal {
 
-/// A file, and how its points are joined.
+/// A file of a planned motion, and how its points are joined.
 struct PlannedFile {
   UserTable table;
-  bool as_ros = false;  ///< as ROS's controllers do: see ros_segments.hpp
+  bool as_ros = false;  ///< as ROS's controllers join them: see ros_segments.hpp
 };
 
-/// Reads a path from the folder of the file that names it, or {file, units: {time, angle, length}, columns:
-/// [time, JOINT, ...], segments: as_ros}. Throws InputError with file, line and key.
+/// Reads a path, relative to the folder of the file that names it, or {file, units: {time, angle, length},
+/// columns: [time, JOINT, ...], segments: as_ros}. Throws InputError with file, line and key.
 PlannedFile read_planned_node(const yaml::Node& node);
 
-/// Reads a CSV file's `time` [s] and, for each joint of the robot, `joint/NAME/position` or simply `NAME`,
-/// and of all or none `joint/NAME/velocity` and `/acceleration` (rad or m; per second, whatever the unit of
-/// time); other columns do not count. Or a trajectory message, whose points are joined as ROS does, as are
-/// rows with velocities and without accelerations. Unless rows are to be joined so: with accelerations, these
-/// are linear between rows; positions alone are joined by the cubic spline, at rest at both ends. Throws
-/// InputError with file, line, column, value and limit if a column or a number is missing, times do not rise
-/// from 0 s on, a position is outside the joint's limits, or a row is not where the acceleration takes the
-/// row before it.
+/// Reads a planned motion from a CSV file or a trajectory message.
+///
+/// A CSV file has `time` [s] and, for each joint of the robot, `joint/NAME/position` or simply `NAME`. All or
+/// none of the joints have `joint/NAME/velocity` and `/acceleration` (rad or m; per second, whatever the unit
+/// of time). Other columns are ignored. Points are joined as follows:
+///   - as ROS does: a message, rows with velocities and no accelerations, and with `segments: as_ros`;
+///   - otherwise, with accelerations: linear acceleration between rows;
+///   - otherwise, positions alone: the cubic spline, at rest at both ends.
+///
+/// Throws InputError with file, line, column, value and limit if a column or a number is missing, times do
+/// not rise from 0 s on, a position is outside the joint's limits, or a row does not follow from the row
+/// before it by the acceleration.
 JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// What a scenario file says of the arm as it really is, and of the camera.
+// Readers of the parts of a scenario file that describe the real arm, as it differs from the controller's
+// model, and the camera.
 
 #include <string>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace armtune::internal {
 
-/// All throw InputError with file and line.
+/// Reads the key `plant`. This and the next two functions throw InputError with file and line.
 PlantConditions read_plant(const yaml::Node& node, const std::vector<std::string>& joints);
 Payload read_payload(const yaml::Node& node);
 Camera read_camera(const yaml::Node& node);

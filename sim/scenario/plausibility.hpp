@@ -1,6 +1,6 @@
 #pragma once
-// Figures of a robot file that are valid and still can hardly be those of an arm: placeholders, other units,
-// a gripper taken for a joint. They make a simulation quietly wrong.
+// Checks for figures of a robot file that are valid but hardly those of a real arm: placeholders, wrong
+// units, a gripper taken for a joint. Such figures make a simulation wrong without an error.
 
 #include <string>
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace armtune::internal {
 
-/// A value that a robot YAML could give in place of what is doubted.
+/// A value that a robot YAML could give in place of a doubtful one.
 struct ProposedValue {
   std::string key;    ///< of the robot YAML: limits, inertia, hold
   std::string name;   ///< joint or link
-  std::string field;  ///< of its map; empty: the value is the name's own
-  std::string value;  ///< empty: only the arm's maker knows it
+  std::string field;  ///< key in the map of that name; empty: the value belongs to the name itself
+  std::string value;  ///< empty: only the arm's maker has it
 };
 
 struct Doubt {
@@ -22,16 +22,17 @@ struct Doubt {
   std::vector<ProposedValue> proposed = {};
 };
 
-/// Returns what is doubtful; empty if nothing is. It doubts links too light for their joint's effort, inertia
-/// that no body of the mass can have, rotor inertia far from what the limits suggest, position limits and
-/// velocities that look like degrees, efforts that cannot hold the arm, and a last joint that moves like a
-/// gripper's finger.
+/// Returns what is doubtful; empty if nothing is. Doubtful are: links too light for their joint's effort,
+/// inertia that no body of that mass can have, rotor inertia far from what the limits suggest, position
+/// limits and velocities that look like degrees, efforts that cannot hold the arm, and a last joint that
+/// moves like a gripper's finger.
 std::vector<Doubt> doubts_with_proposals(const RobotModel& robot);
 
-/// The sentences alone.
+/// Returns the sentences alone.
 std::vector<std::string> doubts(const RobotModel& robot);
 
-/// The text of a robot YAML for the arm of `urdf` in which every doubt and what is proposed are comments.
+/// Returns the text of a robot YAML for the arm of `urdf` in which every doubt and every proposal is a
+/// comment.
 std::string proposals_yaml(const std::string& urdf, const std::vector<Doubt>& found);
 
 }  // namespace armtune::internal

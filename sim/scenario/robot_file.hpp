@@ -1,6 +1,6 @@
 #pragma once
-// A robot as a person gives it: a URDF alone, or a YAML file beside it that says which part of the URDF is
-// the arm and what a URDF cannot hold or this one does not.
+// The user's description of a robot: a URDF alone, or a YAML file beside it. The YAML file says which part of
+// the URDF is the arm, and adds what a URDF cannot contain or this one leaves out.
 
 #include <memory>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace armtune::internal {
 
-/// What is read of it before the URDF is.
+/// The contents of a robot file before its URDF is read.
 struct RobotFile {
   std::string path;
   std::string urdf;  ///< path
@@ -22,26 +22,28 @@ struct RobotFile {
   std::optional<yaml::Node> root;  ///< of a YAML file
 };
 
-/// A bundled robot by name, a robot YAML or a .urdf by path. Throws InputError.
+/// Reads a bundled robot by name, or a robot YAML or a .urdf by path. Throws InputError.
 RobotFile read_robot_file(const std::string& name_or_path, const std::string& relative_to = {});
 
-/// Reads it whole. Keys of the YAML: urdf, those of urdf_keys.hpp, and rotor_inertia, viscous_friction,
-/// coulomb_friction, link_radius [m], drive_velocity_gain and drive_velocity_integral (each a list in joint
-/// order, or a map by joint name), and payload:
-/// {mass, center}, a point mass in the tool frame that the controller knows of, and compensates_gravity
-/// (RobotModel). `rotor_inertia: estimated`
-/// estimates it for every joint that has none in the URDF (rotor_estimate.hpp); `{estimated: ...}` marks
-/// numbers as the file's own estimate. A link's radius is otherwise
-/// that of its shapes (link_radius.hpp). The model is validated. Throws InputError.
+/// Reads the whole robot and validates the model. Throws InputError. The keys of the YAML are:
+///   - urdf, and those of urdf_keys.hpp;
+///   - rotor_inertia, viscous_friction, coulomb_friction, link_radius [m], drive_velocity_gain and
+///     drive_velocity_integral: each a list in joint order, or a map by joint name;
+///   - payload: {mass, center}, a point mass in the tool frame that is part of the controller's model;
+///   - compensates_gravity (RobotModel);
+///   - cell (see cell_of).
+/// `rotor_inertia: estimated` estimates it for every joint that has none in the URDF (rotor_estimate.hpp).
+/// `{estimated: ...}` marks numbers as the file's own estimate. Without link_radius, a link's radius is that
+/// of its shapes (link_radius.hpp).
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 
-/// Returns the cell that a robot file says the arm stands in (cell_file.hpp); nothing if it says none. Files
-/// that it names are added to `inputs`. Throws InputError.
+/// Returns the cell that a robot file gives the arm (cell_file.hpp), or nothing if it gives none. Files that
+/// it names are added to `inputs`. Throws InputError.
 std::optional<Cell> cell_of(const RobotFile& file, std::vector<std::string>& inputs);
 
-/// Returns true if a robot is given by the ending of an XML file, rather than as a robot YAML or a bundled
-/// name. SDF and MJCF are among them, for the URDF's reader to name.
+/// Returns true if the name has the ending of an XML file, and so is neither a robot YAML nor a bundled name.
+/// SDF and MJCF count too, so that the URDF reader can name them in its error message.
 bool is_urdf(const std::string& name_or_path);
 
 }  // namespace armtune::internal

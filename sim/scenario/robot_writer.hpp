@@ -1,5 +1,5 @@
 #pragma once
-// A RobotModel as files: a URDF, and the robot YAML that says what a URDF cannot hold.
+// The text of a robot YAML for a RobotModel, with the data that its URDF cannot contain.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace armtune::internal {
 
-/// Returns the text of a robot YAML for the model whose URDF, as urdf_text() writes it, is called `urdf`.
-/// Reading it gives the same chain. comment: one line, for its top; may be empty.
+/// Returns the text of a robot YAML for the model. urdf: the name of the model's URDF, as urdf_text() writes
+/// it. Reading both gives the same chain. comment: one line for the top of the text; may be empty.
 std::string robot_yaml(const RobotModel& model, const std::string& urdf, const std::string& comment = {});
 
 }  // namespace armtune::internal

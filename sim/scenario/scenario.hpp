@@ -1,6 +1,6 @@
 #pragma once
-// A scenario: the robot, the tool's path, gaze targets with their schedule, obstacles, and how the real arm
-// differs from what the controller knows.
+// A scenario: the robot, the tool's path, the gaze targets with their schedule, the obstacles, and the
+// differences between the real arm and the controller's model of it.
 
 #include <cstdint>
 #include <memory>
@@ -25,21 +25,22 @@ struct NamedPath {
   Path path;
 };
 
-/// From `at` [s] on the gaze is at a target.
+/// An entry of the gaze schedule: from `at` [s] on, the gaze is at this target.
 struct TargetTurn {
   double at = 0.0;
   std::size_t target = 0;  ///< index
 };
 
-/// What theta starts from: scale * the controller's model (0: nothing known, 1: the model), or given values.
+/// The start value of theta: scale * the controller's model (0: nothing known, 1: the model), or values from
+/// a file.
 struct ThetaStart {
   double model_scale = 0.0;
   std::string file;         ///< theta by name in YAML, with its values in `given`; empty: model_scale counts
-  JointVector factors;      ///< then on each link's and its joint's parameters; n or empty (all 1)
+  JointVector factors;      ///< applied last, to each link's and its joint's parameters; n or empty (all 1)
   ParameterVector given{};  ///< 13 n, or empty
 };
 
-/// How the plant differs from the controller's model, and what lies between them.
+/// The differences between the plant and the controller's model, and the noise and delay between the two.
 struct PlantConditions {
   double position_noise = 0.0;   ///< standard deviation, white, per period [rad, m]
   double velocity_noise = 0.0;   ///< [rad/s, m/s]
@@ -53,7 +54,7 @@ struct PlantConditions {
   JointVector rotor_factors;        ///< on each joint's rotor inertia; n or empty
 };
 
-/// How the controller sees the targets when it does not know their motion.
+/// The camera by which the controller sees the targets if it does not know their motion.
 struct Camera {
   double noise = 0.0;       ///< standard deviation of each coordinate, white, per period [m]
   double bandwidth = 15.0;  ///< of the filter that estimates position, velocity, acceleration [rad/s]
@@ -65,19 +66,19 @@ struct Scenario {
   std::string source;               ///< file
   std::vector<std::string> inputs;  ///< every file it was read from: bases, robot, URDF
   std::shared_ptr<const RobotModel> robot;
-  double start_time = 0.0;      ///< what the clock begins with [s]: 0, or the planned motion's beginning
-  double duration = 0.0;        ///< from then on [s]
+  double start_time = 0.0;      ///< time at the start [s]: 0, or the beginning of the planned motion
+  double duration = 0.0;        ///< from start_time on [s]
   double control_period = 0.0;  ///< [s]
   JointVector start_position;   ///< [rad, m]
-  JointVector goal_position;    ///< on the task, of leaveSingularity where gains have none; empty: they must
+  JointVector goal_position;    ///< on the task, for gains without a joint_space_goal; empty: they need one
   JointVector start_velocity;   ///< the planned motion's; empty: at rest
-  std::shared_ptr<const JointSpline> planned;  ///< what the controller follows first; null: leaveSingularity
+  std::shared_ptr<const JointSpline> planned;  ///< the motion that is followed first; null: leaveSingularity
   Path path;                                   ///< of the tool, base frame
-  TaskMask mask = TaskMask::kPose;             ///< which part of path and gaze the arm is to hold
+  TaskMask mask = TaskMask::kPose;             ///< the part of path and gaze that the arm tracks
   bool holds_end = false;  ///< the task is to stay where the planned motion ended, and aims at nothing
-  std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` says how the tool is turned
+  std::vector<NamedPath> targets;  ///< of the gaze; empty: `orientation` gives the tool's orientation
   std::optional<ToolOrientation> orientation;
-  double switch_every = 0.0;         ///< targets take turns [s]; 0: always the first, or as `schedule` says
+  double switch_every = 0.0;         ///< time between target switches [s]; 0: none, or as `schedule` says
   std::vector<TargetTurn> schedule;  ///< rising; the first target before it; empty: `switch_every` counts
   std::optional<Camera> camera;      ///< none: the controller knows the targets' motion
   std::vector<MovingObstacle> obstacles;
@@ -86,36 +87,37 @@ struct Scenario {
   ThetaStart theta;
   PlantConditions plant;
   std::uint64_t seed = 1;  ///< of the noise
-  double loop_gain = 1.0;  ///< factor on the gains of the loop, as a gain margin pushes it
-  bool pushed = false;     ///< a margin pushes the scenario: it is judged by that margin alone
+  double loop_gain = 1.0;  ///< factor on the loop's gains, to test a gain margin
+  bool pushed = false;     ///< the scenario tests a stability margin, and only that margin is judged in it
 
   int periods() const;
-  /// Whether the controller comes to its own task: not where a planned motion lasts to the end.
+  /// Returns true if the controller reaches the scenario's task: false if a planned motion lasts to the end.
   bool has_task() const;
-  /// Whether the targets take turns in the course of it, its first period included.
+  /// Returns true if the active target changes during the scenario, its first period included.
   bool switches_target() const;
-  /// Index of the target that is active at t [s].
+  /// Returns the index of the target that is active at t [s].
   std::size_t active_target(double t) const;
-  /// When another target's turn comes after t [s]; infinite if none does.
+  /// Returns the time of the next target switch after t [s]; infinite if there is none.
   double next_switch(double t) const;
 };
 
 /// Reads a bundled scenario by name, or a file by path. `base: NAME` (or a list) takes every top-level key
-/// from other files first; the file's own keys replace them whole. Throws InputError.
+/// from other files first, and the file's own keys replace those as a whole. Throws InputError.
 Scenario load_scenario(const std::string& name_or_path);
 
-/// Returns the gains as a rollout of the scenario uses them: the loop's multiplied by its loop_gain, and
-/// joint_space_goal the scenario's where they have none. Throws InputError if neither has one.
+/// Returns the gains as a rollout of the scenario uses them. The gains of the loop are multiplied by
+/// loop_gain, and a missing joint_space_goal is taken from the scenario. Throws InputError if neither has
+/// one.
 Gains with_goal(Gains gains, const Scenario& scenario);
 
-/// The arm as it really is in the scenario: factors, then payload and friction included.
+/// Returns the real arm of the scenario: the factors applied, then payload and friction added.
 RobotModel plant_model(const Scenario& scenario);
 
-/// theta (13 n) that the controller starts from.
+/// Returns the theta (13 n) that the controller starts from.
 ParameterVector start_theta(const Scenario& scenario);
 
-/// Lets theta start from a file, in place of what the scenario says. Throws InputError if it does not fit the
-/// robot.
+/// Lets theta start from a file instead of the scenario's own setting. Throws InputError if the file does not
+/// fit the robot.
 void start_theta_from(const std::string& file, Scenario& scenario);
 
 }  // namespace armtune::internal

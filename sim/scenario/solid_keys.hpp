@@ -1,12 +1,12 @@
 #pragma once
-// Convex bodies in files: of a cell, and of a tool.
+// Readers of the convex bodies in files: those of a cell, and those of links and tools.
 
 #include "sim/cell/solid.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal {
 
-/// One of these [m]:
+/// Reads one of these [m]:
 ///
 ///   box: [x, y, z]                   edges
 ///   cylinder: {radius, length}       along z
@@ -16,11 +16,12 @@ namespace armtune::internal {
 /// Throws InputError with file, line and key.
 Solid read_solid(yaml::MapReader& map);
 
-/// The same with its place: `center` [m], zero unless given, and `rpy_deg`. A cylinder or a capsule may be
-/// {radius, from: [x, y, z], to: [x, y, z]} instead, from the one point to the other.
+/// Reads such a body with its place: `center` [m], zero by default, and `rpy_deg`. A cylinder or a capsule
+/// may be {radius, from: [x, y, z], to: [x, y, z]} instead, between two points.
 PlacedSolid read_placed_solid(yaml::MapReader& map);
 
-/// rpy_deg: [roll, pitch, yaw], turned about fixed axes in that order; none: not turned.
+/// Reads rpy_deg: [roll, pitch, yaw], a rotation about fixed axes in that order. Returns the identity without
+/// the key.
 Mat3 read_turn(yaml::MapReader& map);
 
 }  // namespace armtune::internal

@@ -1,21 +1,23 @@
 #pragma once
-// Where an arm stands when it begins: at its task, and for a simulation beside its goal.
+// Joint positions of the arm at the beginning: on its task, and beside it for the start of a simulation.
 
 #include "core/control/pose_search.hpp"
 #include "sim/scenario/scenario.hpp"
 
 namespace armtune::internal {
 
-/// Where the tool is to be at `time`, and how it is to be turned as far as the task asks for it.
+/// Returns the desired position of the tool at `time`, and its desired orientation as far as the task
+/// prescribes one.
 ToolGoal tool_goal_at(const Scenario& scenario, double time);
 
-/// The joint positions (n) to begin the task at: the tool on the path at scenario.start_time, looking at the
-/// target that is active then, from where the smallest manipulability of the walk is the largest, away from
-/// the limits. Throws InputError if there are none, naming the place.
+/// Returns the joint positions (n) for the beginning of the task. The tool is on the path at
+/// scenario.start_time and looks at the target that is active then. Among such positions it returns the one
+/// whose walk along the task has the largest minimum of manipulability, away from the joint limits. Throws
+/// InputError naming the place if there are none.
 JointVector best_start_of_task(const Scenario& scenario);
 
-/// A position (n) to begin a simulation with when none is given: off `goal` by 20 degrees or 0.1 m, a tenth
-/// of the joint's range at most, towards the middle of each joint's limits.
+/// Returns a position (n) in which a simulation begins if none is given. It is off `goal` by 20 degrees or
+/// 0.1 m, a tenth of the joint's range at most, towards the middle of each joint's limits.
 JointVector off_goal(const RobotModel& robot, const JointVector& goal);
 
 }  // namespace armtune::internal

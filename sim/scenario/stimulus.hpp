@@ -1,7 +1,7 @@
 #pragma once
-// What is added to a set point so that a loop's response to it can be measured: a step, or a sum of sines.
-// The controller sees the shifted positions and is not told that they move, as with a stream of set points
-// from elsewhere: feed-forward would hide the feedback loop.
+// A signal that is added to a set point to measure a loop's response to it: a step, or a sum of sines. The
+// controller receives the shifted positions without the velocity of the shift, as with a stream of set points
+// from elsewhere. Feed-forward would hide the feedback loop.
 
 #include <variant>
 #include <vector>
@@ -15,17 +15,17 @@ struct Step {
   double at = 0.0;    ///< [s]
 };
 
-/// Harmonics of one base period, all of one amplitude: a broadband signal whose Fourier sums over whole base
-/// periods do not leak into each other.
+/// Harmonics of one base period with equal amplitudes. They form a broadband signal whose Fourier sums over
+/// whole base periods do not leak into each other.
 struct Multisine {
   double amplitude = 0.0;      ///< of each sine [m]
   double base_period = 0.0;    ///< [s]
   std::vector<int> orders;     ///< cycles per base period, increasing
   std::vector<double> phases;  ///< one per order [rad]
-  double from = 0.0;           ///< zero before [s]
+  double from = 0.0;           ///< start; the signal is zero before it [s]
   int periods = 0;             ///< base periods that are measured, after one for the transients
 
-  /// Of the measured window [s].
+  /// Returns the start of the measured window [s]; window_end() returns its end.
   double window_start() const { return from + base_period; }
   double window_end() const { return window_start() + periods * base_period; }
 };
@@ -37,24 +37,25 @@ struct Stimulus {
   Vec3 direction = Vec3::Zero();  ///< unit vector, base frame
   std::variant<Step, Multisine> shape;
 
-  /// From when on it acts [s].
+  /// Returns the time from which the stimulus acts [s].
   double start() const;
-  /// Along the direction at t [s]: [m]. Allocates nothing.
+  /// Returns the displacement along the direction at t [s]: [m]. Allocates nothing.
   double value(double t) const;
-  /// Offset to the position, base frame [m].
+  /// Returns the offset to the position, base frame [m].
   Vec3 at(double t) const { return value(t) * direction; }
 };
 
-/// Whether t, a multiple of the control period, has come to `event`: rounding of k * dt does not decide.
+/// Returns true if t, a multiple of the control period, has reached `event`. A tolerance keeps rounding of
+/// k * dt from deciding.
 inline bool reached(double t, double event) {
   constexpr double kRounding = 1e-9;  // far below any control period, far above 1 ulp of hours
   return t >= event - kRounding;
 }
 
-/// Phases [rad] that keep the peak of equal sines low: those of Schroeder 1970 (Synthesis of low-peak-factor
-/// signals, IEEE Trans. Inf. Theory 16), where the group delay grows with the power of the lower sines. For
-/// orders 1 2 3 .. N: phase n = -pi n (n - 1) / N, crest below 2. Orders with wide gaps come to the 3 of
-/// random phases.
+/// Returns phases [rad] that keep the peak of equal sines low: those of Schroeder 1970 (Synthesis of
+/// low-peak-factor signals, IEEE Trans. Inf. Theory 16), where the group delay grows with the power of the
+/// lower sines. For orders 1 2 3 .. N, phase n is -pi n (n - 1) / N and the crest factor is below 2. Orders
+/// with wide gaps reach a crest factor of 3, that of random phases.
 std::vector<double> schroeder_phases(const std::vector<int>& orders);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// What keeps an arm from its task, whatever the gains: in one sentence, with place and figure.
+// Diagnosis of tasks that an arm cannot do with any gains, as one sentence with place and figure.
 
 #include <string>
 
@@ -7,20 +7,22 @@
 
 namespace armtune::internal {
 
-/// What is wrong with it in one sentence, with place and figure: it passes its own target, the path leaves
-/// the workspace, a joint its limits, or a singularity is passed. Empty: nothing, it is clear.
+/// Returns the problem of a walk as one sentence with place and figure; empty if the walk is clear. The
+/// problem is one of these: the tool passes its own target, the path leaves the workspace, the walk leaves
+/// the path or a joint its limits, a singularity is passed, or two bodies touch.
 std::string trouble(const PathWalk& walk, const Scenario& scenario);
 
-/// What is wrong with a task under given gains.
+/// The problem of a task under given gains.
 struct TaskTrouble {
-  std::string text;  ///< one sentence; empty: nothing is wrong
-  /// The path itself winds a joint up until it leaves its position limits, and no gain prevents it.
+  std::string text;  ///< one sentence; empty: there is no problem
+  /// True if the path itself winds a joint up until it leaves its position limits, whatever the gains.
   bool winds = false;
 };
 
-/// Returns the `trouble` on the way that begins closest to the joint_space_goal of `gains`, where there is
-/// one, as leaveSingularity leads there; or that there is no such way. A scenario that follows a plan has no
-/// trouble.
+/// Returns the `trouble` of the walk that begins closest to the joint_space_goal of the gains, to which
+/// leaveSingularity leads, or from the best start if none is found there. If there is no start at all, it
+/// returns that. A scenario that follows a plan has no trouble. Throws InputError if neither gains nor
+/// scenario have a goal.
 TaskTrouble find_task_trouble(const Scenario& scenario, const Gains& gains);
 inline std::string task_trouble(const Scenario& scenario, const Gains& gains) {
   return find_task_trouble(scenario, gains).text;

@@ -1,6 +1,6 @@
 #pragma once
-// A trajectory_msgs/JointTrajectory of ROS 1 or ROS 2 as YAML: alone, or within a RobotTrajectory, or within
-// the goal of a FollowJointTrajectory.
+// The reader of a trajectory_msgs/JointTrajectory of ROS 1 or ROS 2 as YAML. The message is alone, within a
+// RobotTrajectory, or within the goal of a FollowJointTrajectory.
 
 #include <string>
 
@@ -12,9 +12,10 @@ namespace armtune::internal {
 /// Returns true if a file of that name is read as a message: its name ends with .yaml or .yml.
 bool is_trajectory_message(const std::string& path);
 
-/// Reads its points, in the order of the joints of this robot. Other joints in the file are ignored. Time is
-/// time_from_start. Throws InputError with file, line and key if a joint of the robot is missing, points
-/// differ in what they give, a number is missing, or times do not rise.
+/// Reads the message's points, in the order of the joints of this robot. Other joints in the file are
+/// ignored. Time is time_from_start. Throws InputError with file, line and key if a joint of the robot is
+/// missing, there are fewer than two points, points differ in what they give, a number is missing, or times
+/// do not rise.
 MotionPoints load_trajectory_message(const std::string& path, const RobotModel& robot);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Names of columns with a unit behind them, as users' tables have them: "x [mm]", "time (s)".
+// Column names of users' tables that are followed by a unit: "x [mm]", "time (s)".
 
 #include <string>
 
@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// Returns the line of names of a table, with commas between them, as armtune calls its columns: without
-/// units, and time as `time`. path: for messages. Throws InputError for a unit that contradicts `units`, and
-/// for an unknown one beside known ones, whose column would otherwise be left out without a word.
+/// Returns the line of column names of a table, separated by commas, as armtune calls its columns: without
+/// units, and with time as `time`. path: for messages. Throws InputError for a unit that contradicts `units`.
+/// An unknown unit beside known ones is an error too, because its column would otherwise be ignored silently.
 std::string plain_names(const std::string& line, const std::string& path, const yaml::FileUnits& units);
 
 }  // namespace armtune::internal

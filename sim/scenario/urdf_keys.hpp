@@ -1,5 +1,5 @@
 #pragma once
-// The keys of a robot YAML that say what of a URDF is the arm and what the URDF does not say:
+// The keys of a robot YAML that select the arm within a URDF and add what the URDF leaves out:
 //   base_link, tip_link: NAME
 //   tool: {xyz: [m], rpy: [rad],                               the tool frame in the tip link
 //          mass:, center:, moments:,                           what is mounted there, as under inertia
@@ -9,19 +9,21 @@
 //                                                              lower and upper of held ones
 //   inertia: {LINK: {mass:, center: [x, y, z], moments: [ixx, ixy, ixz, iyy, iyz, izz]}}
 //   shapes: {LINK: [{capsule: {radius:, from:, to:}}, ...]}    in place of the link's collision geometry
-// Inertia is in the link's frame, a tool's in the tool frame: moments about the centre of mass along that
-// frame's axes; of links that move.
+// Inertia is given in the link's frame, and that of a tool in the tool frame. The moments are about the
+// centre of mass along that frame's axes. Inertia may be given for links that move.
 
 #include "core/robot/urdf_options.hpp"
 #include "sim/yaml/map_reader.hpp"
 
 namespace armtune::internal {
 
-/// Throws InputError with file and line. Whether the names are the URDF's is for its reader.
+/// Reads these keys. Throws InputError with file and line. Whether the names are those of the URDF is checked
+/// by the reader of the URDF.
 UrdfOptions read_urdf_options(yaml::MapReader& map);
 
-/// A robot YAML, or what is to be added to one, with an empty value for all that is missing, which its reader
-/// asks for by its line. urdf: named at the top if it is not empty.
+/// Returns a robot YAML, or lines to add to one, with an empty value for everything that is missing. Reading
+/// it reports each empty value with its line. An inertia that no rigid body can have is replaced by the
+/// nearest possible one. urdf: named at the top if it is not empty.
 std::string missing_yaml(const std::string& urdf, const MissingData& missing);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// A user's table as CSV: commas, semicolons, tabs or blanks separate its cells. Other units than SI, and the
-// columns of a file without a line of names or with others, are said where the file is named.
+// A user's table as CSV. Its cells are separated by commas, semicolons, tabs or blanks. Units other than SI
+// are declared where the file is named. So are the columns of a file with other column names, or with none.
 
 #include <string>
 #include <vector>
@@ -11,34 +11,34 @@
 
 namespace armtune::internal {
 
-/// A file, and what its numbers are.
+/// A file, and the meaning of its numbers.
 struct UserTable {
   std::string path;
   yaml::FileUnits units = {};
-  /// In place of the file's line of names, if it has one; empty: as that says.
+  /// Column names in place of the file's own line of names, if it has one. Empty: the file's own names.
   std::vector<std::string> columns = {};
   bool has_units = false;  ///< units were given
 
-  /// Returns true if anything was said of its numbers.
+  /// Returns true if units or columns were given.
   bool is_described() const { return has_units || !columns.empty(); }
 };
 
-/// Reads the keys file, units and columns of a map, whose other keys are the caller's. The path is from the
-/// folder of the file that names it. units: the kinds that may be given, as read_file_units has them. Throws
-/// InputError with file, line and key.
+/// Reads the keys file, units and columns of a map. The caller reads the map's other keys. The path is
+/// relative to the folder of the file that names it. units: the kinds that may be given, as in
+/// read_file_units. Throws InputError with file, line and key.
 UserTable read_user_table(yaml::MapReader& map, const char* units);
 
-/// What stands in the file, and what messages call it.
+/// The contents of the file, and its name in messages.
 struct ParsedTable {
   CsvTable table;
   std::string name;
 };
 
-/// How a line of names is read.
+/// The case in which a line of column names is read.
 enum class ColumnNames { kAsWritten, kInLowerCase };
 
-/// Reads the file. key, columns: how a scenario would name it and its columns ("waypoints", "time, x, y, z"),
-/// for the message about a file without a line of names. Throws InputError with file and line.
+/// Reads the file. key, columns: how a scenario would name the file and its columns ("waypoints", "time, x,
+/// y, z"), for the message about a file without column names. Throws InputError with file and line.
 ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std::string& key,
                              const std::string& columns);
 

@@ -1,6 +1,6 @@
 #pragma once
-// What is found on a walk along a task: where it comes closest to singularities, joint limits, the floor, the
-// arm itself, and what holding the arm still takes.
+// The extremes of a walk along a task: where it comes closest to singularities, joint limits, the floor and
+// the arm itself, and the effort of holding the arm still.
 
 #include <limits>
 #include <optional>
@@ -14,48 +14,51 @@ namespace armtune::internal {
 /// A moment of a walk.
 struct WalkPlace {
   double time = 0.0;         ///< [s]
-  Vec3 tool = Vec3::Zero();  ///< of the path, base frame [m]
+  Vec3 tool = Vec3::Zero();  ///< position on the path, base frame [m]
   double value = 0.0;
 };
 
 struct PathWalk {
-  /// The value of a smallest one before any was seen.
+  /// The initial value of a minimum.
   static constexpr double kUnseen = std::numeric_limits<double>::infinity();
 
   WalkPlace left;   ///< first time off the path by more than a millimetre; value 0: never
   WalkPlace error;  ///< largest distance of the tool from the path [m]
   WalkPlace manipulability{0.0, Vec3::Zero(), kUnseen};  ///< smallest, of the task's components (equation 4)
   WalkPlace margin{0.0, Vec3::Zero(),
-                   kUnseen};  ///< smallest share of a joint's range that is left to its limit
+                   kUnseen};  ///< smallest distance to a joint limit, as a share of the joint's range
   WalkPlace sight{0.0, Vec3::Zero(),
                   kUnseen};  ///< smallest distance from the path to the target looked at [m]
   WalkPlace low{0.0, Vec3::Zero(),
-                kUnseen};  ///< least height of the tool and of the third and later joints [m]
+                kUnseen};  ///< smallest height of the tool and of the third and later joints [m]
   WalkPlace fold{0.0, Vec3::Zero(),
-                 kUnseen};  ///< least distance of the tool from the arm's first n - 2 joints [m]
+                 kUnseen};  ///< smallest distance of the tool from the arm's first n - 2 joints [m]
   /// Smallest distances of the arm from itself and its cell; infinite in a scenario without a cell.
   LeastClearances nearest;
-  WalkPlace load;  ///< largest share of a joint's effort limit that holding the arm still takes
+  WalkPlace load;  ///< largest share of a joint's effort limit for holding the arm still
   double largest_manipulability = 0.0;
-  int joint = 0;       ///< whose margin it is
-  int loaded = 0;      ///< joint whose load it is
-  long steps = 0;      ///< that were gone
+  int joint = 0;       ///< joint with the smallest margin
+  int loaded = 0;      ///< joint with the largest load
+  long steps = 0;      ///< steps that were walked
   double ended = 0.0;  ///< [s]
 };
 
-/// Height of a point of the base frame above that frame's origin, against gravity [m].
+/// Returns the height of a point of the base frame above that frame's origin, against gravity [m].
 double height_of(const Vec3& point, const RobotModel& robot);
 
-/// Keeps `found` the smaller of both values. A value that is not a number is kept.
+/// Replaces `found` by `place` unless the value of `place` is at least as large. It is also replaced if
+/// either value is NaN.
 void take_smaller(const WalkPlace& place, WalkPlace& found);
 
-/// Finds the extremes of a walk, place by place.
+/// A collector of the extremes of a walk, place by place.
 class WalkExtremes {
  public:
-  /// Distances from the path that are larger than `off_path` [m] count as off it. The robot outlives it.
+  /// off_path: distance from the path [m] above which the tool counts as off it. The scenario's robot must
+  /// outlive this object.
   WalkExtremes(const Scenario& scenario, double off_path);
 
-  /// arm: measured at joint positions q (n) at `time` [s]; tool: where the path has it then [m].
+  /// Updates `walk`. arm: measured at joint positions q (n) at `time` [s]; tool: position on the path at that
+  /// time [m].
   void see(double time, const Vec3& tool, const MeasuredArm& arm, const JointVector& q, PathWalk& walk);
 
  private:

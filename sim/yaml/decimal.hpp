@@ -1,12 +1,12 @@
 #pragma once
-// Numbers as every reader of YAML takes them for numbers that need not be whole.
+// Decimal text of floating-point numbers that every reader of YAML takes for a floating-point number.
 
 #include <string>
 
 namespace armtune::internal::yaml {
 
-/// The shortest text that reads back to the same bits, with a point, and one before an exponent: 5 is a whole
-/// number to ROS 2, and 1e-05 a word to YAML 1.1.
+/// Returns the shortest text that reads back to the same bits. It always has a decimal point, also before an
+/// exponent, because ROS 2 takes 5 for an integer and YAML 1.1 takes 1e-05 for a string.
 std::string decimal(double value);
 
 }  // namespace armtune::internal::yaml

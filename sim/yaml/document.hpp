@@ -1,6 +1,6 @@
 #pragma once
-// One strict way to read YAML: every input file of armtune goes through here, and every mistake in one is a
-// single line that says where it is, what is wrong and what is expected.
+// The strict YAML reader through which every input file of armtune is read. An error in a file is reported in
+// one line that says where it is, what is wrong and what is expected.
 
 #include <cstddef>
 #include <memory>
@@ -13,52 +13,53 @@ namespace armtune::internal::yaml {
 
 inline constexpr std::size_t kMaxBytes = 4 * 1024 * 1024;  ///< largest text [byte]
 inline constexpr std::size_t kMaxItems =
-    200'000;  ///< most values in a text of kMaxBytes, containers included; in a larger one as many times more
+    200'000;  ///< most values, containers included, for a limit of kMaxBytes; grows with a higher limit
 inline constexpr std::size_t kMaxKeys = 100'000;    ///< most keys of one map
-inline constexpr std::size_t kMaxDepth = 64;        ///< most containers inside one another
+inline constexpr std::size_t kMaxDepth = 64;        ///< deepest nesting of lists and maps
 inline constexpr std::size_t kMaxKeyBytes = 4096;   ///< longest key [byte]; run.yaml has paths as keys
 inline constexpr std::size_t kMaxPathBytes = 8192;  ///< longest key path [byte]
 inline constexpr std::size_t kMaxAllPathBytes =
-    32 * 1024 * 1024;  ///< of all values, each of which holds its path
+    32 * 1024 * 1024;  ///< largest total length of all key paths [byte]; every value stores its own
 
-/// One value of a document: empty, a scalar, a list or a map, with the place it came from. Immutable.
+/// A value of a document: empty, a scalar, a list or a map, with its place in the file. It is immutable.
 ///
-/// Every typed read throws InputError "FILE:LINE: key 'a/b': <what is wrong>; <what is expected>" when the
-/// value is of another type. Types are exact: a quoted scalar (or block text) is a string and nothing else, a
-/// plain number, true or false is no string, and an empty value (nothing, ~, null) is none of them.
+/// Every typed read throws InputError "FILE:LINE: key 'a/b': <what is wrong>; <what is expected>" if the
+/// value is of another type. Types are exact. A quoted scalar (or block text) is a string only. A plain
+/// number, true or false is not a string. An empty value (nothing, ~, null) has none of these types.
 class Node {
  public:
   enum class Kind { kNull, kScalar, kSequence, kMap };
 
   Kind kind() const { return kind_; }
-  /// Counted from 1. The value of a map entry has the line of its key.
+  /// Returns the line of the value, counted from 1. The value of a map entry has the line of its key.
   int line() const { return line_; }
-  /// Name of the file, as given to parse_file or parse_text.
+  /// Returns the name of the file, as given to parse_file or parse_text.
   const std::string& file() const { return *file_; }
-  /// Keys from the top, list indices counted from 0: "targets/1/center". Empty at the top.
+  /// Returns the keys from the top down to this value, with list indices from 0: "targets/1/center". The path
+  /// of the top value is empty.
   const std::string& key_path() const { return key_path_; }
 
   std::string as_string() const;
-  /// Finite, decimal, with '.' whatever the locale. An integer with a leading zero (010) is refused: other
-  /// readers take it for octal.
+  /// Returns a finite decimal number. The decimal point is '.' in every locale. An integer with a leading
+  /// zero (010) is refused because other readers take it for octal.
   double as_number() const;
-  /// Decimal digits with an optional sign; neither 010 nor 3.0.
+  /// Returns an integer, written as decimal digits with an optional sign. Neither 010 nor 3.0 is accepted.
   long as_integer() const;
-  /// true or false, in lower case; not yes, no, on, off.
+  /// Returns the value of true or false in lower case. The words yes, no, on and off are not accepted.
   bool as_boolean() const;
   std::vector<double> as_numbers() const;
-  /// A list of exactly `count` numbers.
+  /// Returns a list of exactly `count` numbers.
   std::vector<double> as_numbers(std::size_t count) const;
   std::vector<std::string> as_strings() const;
 
-  /// Elements of a list; InputError for anything else.
+  /// Returns the elements of a list. Throws InputError for anything else.
   const std::vector<Node>& items() const;
-  /// Entries of a map in the order of the file; InputError for anything else.
+  /// Returns the entries of a map in the order of the file. Throws InputError for anything else.
   const std::vector<std::pair<std::string, Node>>& entries() const;
-  /// The value at `key`, or nullptr when there is none. InputError when this is not a map.
+  /// Returns the value at `key`, or nullptr if the key is absent. Throws InputError if this is not a map.
   const Node* find(std::string_view key) const;
 
-  /// Whether this is the scalar `text`; for keys that take a word or a number.
+  /// True if this is the scalar `text`. Meant for keys that take a word or a number.
   bool is_word(std::string_view text) const { return kind_ == Kind::kScalar && text_ == text; }
 
   /// Throws InputError "FILE:LINE: key 'a/b': what", on one line whatever `what` contains.
@@ -69,9 +70,9 @@ class Node {
   friend Node overlay(const std::vector<Node>& layers);
   Node() = default;
 
-  /// What this is, with its value, to begin a message with.
+  /// Returns the type and the value as the beginning of a message.
   std::string description() const;
-  /// Text of a scalar without quotes, else fails with "expected ...".
+  /// Returns the text of a scalar without quotes. Throws InputError "expected ..." for any other value.
   const std::string& plain_text(const std::string& expected) const;
 
   Kind kind_ = Kind::kNull;
@@ -91,15 +92,15 @@ class Node {
 /// cut off between two entries is still valid YAML and cannot be told from a complete one.
 Node parse_file(const std::string& path);
 
-/// The same for a file that armtune itself wrote, of at most so many bytes: read anew every time.
+/// Reads a file that armtune itself wrote, of at most `max_bytes`. The file is read again in every call.
 Node parse_file(const std::string& path, std::size_t max_bytes);
 
-/// The same for a text in memory; `file_name` is only used in messages.
+/// Reads one document from a text in memory. `file_name` is only used in messages.
 Node parse_text(const std::string& text, const std::string& file_name, std::size_t max_bytes = kMaxBytes);
 
-/// One map with the top-level keys of all `layers` (at least one, each a map); where several have a key, the
-/// last one's value stands whole. Values keep the file and line they came from. Throws InputError if a layer
-/// is not a map.
+/// Returns one map with the top-level keys of all `layers` (at least one, each a map). If several layers have
+/// a key, the value of the last one replaces the others as a whole. Values keep the file and line they came
+/// from. Throws InputError if a layer is not a map.
 Node overlay(const std::vector<Node>& layers);
 
 }  // namespace armtune::internal::yaml

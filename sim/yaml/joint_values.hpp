@@ -1,5 +1,5 @@
 #pragma once
-// One number per joint, as a list in joint order or as a map by joint name.
+// One number per joint as YAML: a list in joint order, or a map by joint name.
 
 #include "armtune/error.hpp"
 #include "core/common/types.hpp"
@@ -7,14 +7,14 @@
 
 namespace armtune::internal::yaml {
 
-/// Thrown for values of other joints than those asked for: the file may be of another arm.
+/// An error for values that belong to other joints than the expected ones. The file may describe another arm.
 class OtherJoints : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Returns n numbers. Throws OtherJoints if a joint is missing, unknown, or the count is wrong, and
-/// InputError for a value that is not a number.
+/// Returns n numbers in joint order. Throws OtherJoints if a joint is missing or unknown, or the count is
+/// wrong, and InputError for a value that is not a number.
 JointVector joint_values(const Node& node, const std::vector<std::string>& joints);
 
 }  // namespace armtune::internal::yaml

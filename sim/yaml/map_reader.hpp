@@ -1,5 +1,6 @@
 #pragma once
-// Reads a YAML map key by key and remembers what was asked for, so that a key nobody asked for is an error.
+// A reader of YAML maps that records every key that is requested, so that any other key in the map is
+// reported as unknown.
 
 #include <initializer_list>
 #include <string>
@@ -10,37 +11,38 @@
 
 namespace armtune::internal::yaml {
 
-/// Known keys are all keys ever asked for, by any member. Ask for every key, then call finish().
+/// A reader of one map. Request every key, then call finish(). A key counts as known once any member has
+/// requested it.
 ///
-/// The typed reads throw the InputErrors of Node; a default stands for a key that is absent, never for one
-/// that is there and empty or of another type.
+/// The typed reads throw the InputErrors of Node. A default replaces only a key that is absent, never one
+/// that is there with an empty value or one of another type.
 class MapReader {
  public:
-  /// InputError when `map` is not a map. `map` must outlive the reader.
+  /// Throws InputError if `map` is not a map. `map` must outlive the reader.
   explicit MapReader(const Node& map);
   explicit MapReader(const Node&& temporary) = delete;
 
-  /// The value, or nullptr when the key is absent.
+  /// Returns the value, or nullptr if the key is absent.
   const Node* optional(std::string_view key);
-  /// The value; InputError naming key and map when it is absent.
+  /// Returns the value. Throws InputError naming key and map if the key is absent.
   const Node& required(std::string_view key);
-  /// Throws the InputError of a map that has none of `keys`, one of which must be there.
+  /// Throws the InputError for a map that must have one of `keys` and has none.
   [[noreturn]] void none_of(std::initializer_list<std::string_view> keys) const;
   bool has(std::string_view key);
-  /// Accepts the key, absent or with whatever value: someone else reads it.
+  /// Accepts the key, absent or with any value, because other code reads it.
   void ignore(std::string_view key);
 
   double number(std::string_view key);
   double number(std::string_view key, double default_value);
-  /// InputError with value and limits when a value is there and outside [lower, upper]; a limit may be
-  /// infinite.
+  /// Returns the number. Throws InputError with value and limits if a given value is outside [lower, upper].
+  /// A limit may be infinite.
   double number_in(std::string_view key, double default_value, double lower, double upper);
   long integer(std::string_view key, long default_value);
   bool boolean(std::string_view key, bool default_value);
   std::string string(std::string_view key, const std::string& default_value);
 
-  /// InputError for the first key of the file that is not known, with the nearest known one and the list of
-  /// all.
+  /// Throws InputError for the first key of the file that is not known. The message names the nearest known
+  /// key and lists all known keys.
   void finish() const;
 
  private:
@@ -48,7 +50,7 @@ class MapReader {
   std::vector<std::string> unread() const;
 
   const Node& map_;
-  std::vector<std::string> known_;  // in the order asked for
+  std::vector<std::string> known_;  // in the order of the requests
 };
 
 }  // namespace armtune::internal::yaml

@@ -1,6 +1,7 @@
 #pragma once
-// A YAML file of other people's, with the place of each of its numbers in the text: so that a number can be
-// changed and all else stays. Anchors, aliases and merge keys are understood; what is not YAML is refused.
+// A YAML file that was not written for armtune, read with the position of each number in its text. A number
+// can then be changed while the rest of the file stays as it is. Anchors, aliases and merge keys are
+// resolved.
 
 #include <cstddef>
 #include <memory>
@@ -11,14 +12,14 @@
 namespace armtune::internal::yaml {
 
 struct PlacedValue;
-/// What an anchor names is shared by all of its aliases.
+/// A shared value: all aliases of an anchor refer to the same one.
 using Placed = std::shared_ptr<const PlacedValue>;
 
 /// A value in a list or a map.
 struct PlacedEntry {
   std::string key;  ///< in a map
   Placed value;
-  bool alias = false;  ///< it stands elsewhere, and here by an alias or a merge key
+  bool alias = false;  ///< true if an alias or a merge key put it here, and it is written elsewhere
 };
 
 struct PlacedValue {
@@ -27,18 +28,21 @@ struct PlacedValue {
   Kind kind = Kind::kNull;
   int line = 1;                      ///< counted from 1
   std::string text;                  ///< of a scalar
-  std::size_t begin = 0;             ///< of a plain scalar in the file [byte]
-  std::size_t end = 0;               ///< behind it; no larger than begin: it has no place, as it is quoted
+  std::size_t begin = 0;             ///< offset of a plain scalar in the file [byte]
+  std::size_t end = 0;               ///< offset behind it; not above begin if it has no place
   std::vector<PlacedEntry> items;    ///< of a list
   std::vector<PlacedEntry> entries;  ///< of a map, in the order of the file
 
+  /// True for a scalar that is written exactly as it reads: neither quoted nor tagged, folded or empty.
   bool has_place() const { return end > begin; }
-  /// The value at `key` of a map; null: there is none, or this is no map.
+  /// Returns the value at `key` of a map, or null if the key is absent or this is not a map.
   const PlacedValue* find(std::string_view key) const;
 };
 
-/// Reads one document. Throws InputError "FILE:LINE: what" for what document.hpp refuses, but for anchors,
-/// aliases, merge keys and tags.
+/// Reads one document. Throws InputError "FILE:LINE: what" for: text that is too large, has too many values
+/// or is nested too deeply (document.hpp), invalid YAML, control characters, text that is not UTF-8, a quote
+/// that is never closed, duplicate keys, keys that are lists or maps, an alias inside its own value, an empty
+/// document, and a second document.
 Placed read_placed(const std::string& text, const std::string& file);
 
 }  // namespace armtune::internal::yaml

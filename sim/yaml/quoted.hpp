@@ -1,26 +1,28 @@
 #pragma once
-// Texts as YAML that armtune's reader and every other one read back as the same text, whatever they hold.
+// Texts written as YAML so that armtune's reader and every other reader return the same text, whatever it
+// contains.
 
 #include <string>
 #include <string_view>
 
 namespace armtune::internal::yaml {
 
-/// The text in double quotes, escaped where it holds quotes, backslashes, or characters that are not
-/// printable (see is_printable): some of them end a line for some readers. A byte that is not UTF-8, for
-/// which YAML has no word, becomes the character of that number.
+/// Returns the text in double quotes. Quotes, backslashes and characters that are not printable (see
+/// is_printable) are escaped, because some of the latter end a line for some readers. YAML cannot express a
+/// byte that is not UTF-8; it becomes the character with that number.
 std::string quoted(const std::string& text);
 
-/// The text as it is where no reader can take it for anything else, in lists and as a key too: it begins with
-/// a letter or '_', continues with letters, digits, '_', '-', '.' and '/', and is no word for a truth value
-/// or nothing. Else quoted.
+/// Returns the text unchanged if no reader can take it for anything else, in a list or as a key. It then
+/// begins with a letter or '_', continues with letters, digits, '_', '-', '.' and '/', and is not a word for
+/// a truth value or null. Returns any other text quoted.
 std::string word(const std::string& text);
 
-/// A line "KEY: VALUE" of a map, indented. The key is written as a word, and as an explicit key ("? KEY")
-/// where it is longer than readers take it to be in one line. The value is YAML already.
+/// Returns a line "KEY: VALUE" of a map, indented. The key is written as a word. If it is longer than readers
+/// accept in one line, it becomes an explicit key ("? KEY"). The value must be YAML already.
 std::string entry(std::string_view indent, const std::string& key, std::string_view value);
 
-/// A line "# TEXT" that no reader takes to end earlier: what is not printable is escaped.
+/// Returns a line "# TEXT". Characters that are not printable are escaped so that no reader ends the comment
+/// earlier.
 std::string comment(std::string_view text);
 
 }  // namespace armtune::internal::yaml

@@ -1,5 +1,6 @@
 #pragma once
-// The program's commands: each adds itself to the command line and leaves its exit code in `exit_code`.
+// The program's commands. Each function adds its command to the command line; when the command runs, it
+// writes its exit code into `exit_code`.
 
 namespace CLI {
 class App;
@@ -11,7 +12,7 @@ namespace armtune::internal::cli {
 inline constexpr int kDone = 0;
 inline constexpr int kFailed = 1;
 inline constexpr int kBadInput = 2;
-/// The command is done, but a simulation check failed, or a search found nothing feasible.
+/// The command is complete, but a simulation check failed, or a search found nothing feasible.
 inline constexpr int kChecksFailed = 3;
 inline constexpr int kInterrupted = 130;
 

@@ -1,5 +1,5 @@
 #pragma once
-// `armtune compare --gains`: what differs between gain sets.
+// The command `armtune compare --gains`, which shows the differences between gain sets.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace armtune::internal::cli {
 
-/// Prints the gains that differ, side by side. robot: that the sets are for; guessed: the user has not named
-/// it. Throws InputError unless there are two sets or more, and each is for that robot.
+/// Prints the gains that differ, side by side. robot: the arm that the sets are for; guessed: true if the
+/// user did not name it. Throws InputError if there are fewer than two sets, or if one is for another arm.
 void say_gains_difference(const std::vector<std::string>& sets, const RobotModel& robot, bool guessed);
 
 }  // namespace armtune::internal::cli

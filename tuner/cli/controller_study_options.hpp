@@ -1,5 +1,6 @@
 #pragma once
-// --robot, --controllers, --trajectory: a study out of files that a robot's user has already.
+// The options --robot, --controllers and --trajectory, which make a study from files that a robot's user
+// already has.
 
 #include "tuner/controller_study/controller_study.hpp"
 
@@ -9,10 +10,10 @@ class App;
 
 namespace armtune::internal::cli {
 
-/// Adds the options. required: the command can do nothing without them.
+/// Adds the options. required: true if the command cannot do anything without them.
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required);
 
-/// Writes the study and says what was assumed; see write_controller_study. Returns its path.
+/// Writes the study and prints the assumptions made; see write_controller_study. Returns the study's path.
 std::string make_controller_study(const ControllerStudyInputs& inputs, const std::string& folder);
 
 }  // namespace armtune::internal::cli

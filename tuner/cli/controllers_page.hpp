@@ -1,12 +1,12 @@
 #pragma once
-// What there is to know of every controller and its gains, as its declaration says it.
+// The text of `armtune controllers`, which lists every controller and its gains from their declarations.
 
 #include <string>
 
 namespace armtune::internal::cli {
 
-/// Every gain with its shape, default search range, meaning and unit: first those that every controller has,
-/// then each controller's.
+/// Returns a list of every gain with its shape, default search range, meaning and unit: first the gains that
+/// every controller has, then those of each controller.
 std::string controllers_text();
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,5 @@
 #pragma once
-// "--endurance [MINUTES]": what simulate and compare do with it.
+// The option "--endurance [MINUTES]" of simulate and compare, and the output about extended scenarios.
 
 #include <string>
 #include <vector>
@@ -13,13 +13,13 @@ class Option;
 
 namespace armtune::internal::cli {
 
-/// Declares the option and returns it. minutes: 0 unless it is given, 30 without a value.
+/// Declares the option and returns it. minutes: 0 if the option is not given, 30 if it has no value.
 CLI::Option* add_endurance_option(CLI::App& command, double& minutes);
 
-/// Prints how what the scenarios ask for is extended.
+/// Prints for each scenario how its task continues when the scenario is extended.
 void say_how_extended(const std::vector<Scenario>& scenarios);
 
-/// One line per scenario: how long it held, or what broke first.
+/// Returns one line per scenario: how long it kept every limit, or which limit broke first.
 std::string endurance_table(const std::vector<EnduranceResult>& results);
 
 }  // namespace armtune::internal::cli

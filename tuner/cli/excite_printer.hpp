@@ -1,5 +1,5 @@
 #pragma once
-// What armtune excite tells.
+// The output of `armtune excite` about its session, during the work and at its end.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/identification/session/excite_session.hpp"

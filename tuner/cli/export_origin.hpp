@@ -1,5 +1,5 @@
 #pragma once
-// Which arm exported gains are for, and where they came from.
+// The arm that exported gains are for, and the origin of the gains.
 
 #include <memory>
 #include <string>
@@ -12,16 +12,16 @@ namespace armtune::internal::cli {
 
 struct GainsToExport {
   std::string set;    ///< run folder, gains file or bundled gains
-  std::string robot;  ///< as it was asked for; empty: it was not
+  std::string robot;  ///< the robot that the user named; empty: none
 };
 
-/// The arm that the gains are for: the one asked for; else that of the run's study; else the UR10. run: the
-/// folder that they are in, or empty. Throws InputError for a run without a study, which does not say which
-/// arm it is of.
+/// Returns the arm that the gains are for: the arm that the user named, else the arm of the run's study, else
+/// the UR10. run: the folder that the gains are in, or empty. Throws InputError for a run without a study,
+/// because nothing in it names the arm.
 std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std::string& run);
 
-/// Where the gains at `path` came from, as (what, that in words); figures only where they are these gains' on
-/// this arm. robot: its file.
+/// Returns the origin of the gains at `path`, as pairs (what, its value in words). It contains figures of the
+/// run only if they apply to these gains on this arm. robot: path of the arm's file.
 std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& what, const std::string& path,
                                                            const std::string& run, const std::string& robot);
 

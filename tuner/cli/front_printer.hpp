@@ -1,5 +1,5 @@
 #pragma once
-// What `armtune pareto` prints of its session, while it works and at its end.
+// The output of `armtune pareto` about its session, during the work and at its end.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/front_session.hpp"
@@ -8,7 +8,7 @@ namespace armtune::internal::cli {
 
 class FrontPrinter : public SessionPrinter<FrontObserver> {
  public:
-  /// The settings outlive it.
+  /// The settings must outlive the printer.
   explicit FrontPrinter(const FrontSettings& settings) : settings_(settings) {}
 
   void began(const Study& study, const ParetoOptions& options, std::size_t recalled) override;
@@ -17,7 +17,7 @@ class FrontPrinter : public SessionPrinter<FrontObserver> {
   const FrontSettings& settings_;
 };
 
-/// Prints how it all ended.
+/// Prints the front, or why there is none.
 void print_front(const FrontOutcome& outcome, const Study& study, const std::string& folder);
 
 }  // namespace armtune::internal::cli

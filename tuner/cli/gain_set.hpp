@@ -1,5 +1,6 @@
 #pragma once
-// RUN_OR_GAINS on the command line: a run folder stands for the gains in it and for its study's scenarios.
+// The argument RUN_OR_GAINS of the command line. A run folder stands for the gains in it and for the
+// scenarios of its study.
 
 #include <string>
 #include <vector>
@@ -8,25 +9,25 @@
 
 namespace armtune::internal::cli {
 
-/// The gains file of a run folder; any other name as it is.
+/// Returns the path of the gains file of a run folder. Any other name is returned unchanged.
 std::string gains_name(const std::string& set);
 
-/// Those named; else those of the run folder's study; else `otherwise`. Throws InputError if two share a
-/// name.
+/// Returns the scenarios called `names`. If there are none, returns those of the run folder's study, else the
+/// scenarios called `otherwise`. Throws InputError if two share a name.
 std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std::string>& names,
                                    const std::vector<std::string>& otherwise);
 
 struct GainSet {
-  std::string path;  ///< of the file
+  std::string path;  ///< of the gains file
   Gains gains;
 };
 
-/// The gains of a set. Throws InputError unless they fit the robot of every scenario (at least one), and
-/// where a path winds a joint up.
+/// Reads the gains of a set. scenarios: at least one. Throws InputError if they do not fit the robot of every
+/// scenario, or if a path winds a joint up beyond its limits.
 GainSet load_gain_set(const std::string& set, const std::vector<Scenario>& scenarios);
 
-/// The gains of a file, to be read for each scenario's robot. name: of the set, for tables. Throws InputError
-/// if there is no such file.
+/// Returns the gains of a file, which is read for each scenario's robot. name: name of the set in tables.
+/// Throws InputError if there is no such file.
 GainsToSimulate gains_to_simulate(const std::string& name, const std::string& file);
 
 }  // namespace armtune::internal::cli

@@ -1,6 +1,6 @@
 #pragma once
-// What `armtune identify` prints: base parameters, what is left unexplained joint by joint, what to look at,
-// and which files there are.
+// The output of `armtune identify`: the base parameters, the torque of each joint that the model does not
+// explain, warnings, and the files written.
 
 #include "tuner/identification/session/identify_session.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-// SIGINT, SIGTERM and SIGHUP as a flag that long work looks at. Signal handlers leave no other way than a
-// global.
+// A flag that is set by SIGINT, SIGTERM and SIGHUP and that long work polls, with other global data of the
+// program. Signal handlers can only reach globals.
 
 #include <atomic>
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace armtune::internal::cli {
 
-/// True once the user asked to stop. The first signal is polite; another, half a second later
-/// or more, ends the program at once.
+/// Returns the flag that is true once the user asked to stop. The first signal sets it. Another signal, half
+/// a second later or more, ends the program at once.
 std::atomic<bool>& stop_requested();
 void catch_interrupts();
-/// Of a process that another one tells when to stop.
+/// Ignores the signals, in a process that another process tells when to stop.
 void ignore_interrupts();
 
-/// The words of the command line, for provenance; of a resumed run those it was begun with.
+/// Returns the words of the command line, for provenance. A resumed run has the words it was begun with.
 std::vector<std::string>& command_words();
-/// What makes the run again, for provenance (see repeating_command).
+/// Returns the command that makes the run again, for provenance (see repeating_command).
 std::string& command_line();
-/// The program as typed, to name it in advice.
+/// Returns the program's name as the user typed it, for advice in messages.
 std::string& program_name();
 
-/// Threads to use when the user says nothing: one per processor; one among ranks.
+/// Returns the number of threads to use by default: one per processor, or one among ranks.
 int default_workers();
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,5 @@
 #pragma once
-// What `armtune robustness` prints of its session, while it works and at its end.
+// The output of `armtune robustness` about its session, during the work and at its end.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/monte_carlo_session.hpp"
@@ -8,11 +8,11 @@ namespace armtune::internal::cli {
 
 class MonteCarloPrinter : public SessionPrinter<MonteCarloObserver> {
  public:
-  /// The settings outlive it.
+  /// The settings must outlive the printer.
   explicit MonteCarloPrinter(const MonteCarloSettings& settings) : settings_(settings) {}
 
   void resumed(std::size_t recalled) override;
-  /// Prints how it all ended. Returns the exit code.
+  /// Prints the result of the session. Returns the exit code.
   int ended(const MonteCarloOutcome& outcome) const;
 
  private:

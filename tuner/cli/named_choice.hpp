@@ -1,5 +1,5 @@
 #pragma once
-// Options that take one of a few names, the same in every command that has them.
+// Options that take one of a few names. They are the same in every command that has them.
 
 #include <string>
 
@@ -10,13 +10,13 @@ class Option;
 
 namespace armtune::internal::cli {
 
-/// "--stepper": how a period is stepped.
+/// Adds "--stepper", which selects how the dynamics of a control period are integrated.
 CLI::Option* add_stepper_option(CLI::App& command, std::string& stepper);
 
-/// "--engine": what computes the arm's accelerations.
+/// Adds "--engine", which selects what computes the arm's accelerations.
 CLI::Option* add_engine_option(CLI::App& command, std::string& engine);
 
-/// "--controller": another controller than the study's gains are for.
+/// Adds "--controller", which selects another controller than the one of the study's gains.
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller);
 
 }  // namespace armtune::internal::cli

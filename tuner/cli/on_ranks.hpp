@@ -1,5 +1,6 @@
 #pragma once
-// Commands whose rollouts may be done by several processes, and those that may not.
+// Functions that run a command in one process or among several ranks, and that refuse ranks for commands that
+// do not use them.
 
 #include <exception>
 #include <functional>
@@ -9,32 +10,32 @@
 
 namespace armtune::internal::cli {
 
-/// Runs the program in this process alone, or among the ranks that mpirun or srun started, and gives its exit
-/// code, the same in every rank. Ranks that were started with different command lines end before they call
-/// `program`. A command that uses ranks calls team().begin and returns kDone where that is false. Only rank 0
-/// prints.
+/// Runs the program in this process alone, or among the ranks that mpirun or srun started. Returns its exit
+/// code, which is the same in every rank. If ranks were started with different command lines, they end before
+/// they call `program`. A command that uses ranks calls team().begin and returns kDone if that is false. Only
+/// rank 0 prints.
 int on_ranks(const std::string& command_line, const std::function<int()>& program);
 
-/// The processes of this run, for the command that on_ranks has called.
+/// Returns the processes of this run, for the command that on_ranks has called.
 RankGroup& team();
 
-/// Throws InputError if several ranks were started for a command that does not use them, or several tasks
-/// that are no ranks.
+/// Throws InputError if several ranks were started for a command that does not use them, or if several tasks
+/// were started that are not ranks.
 void refuse_ranks(const std::string& command);
 
-/// Prints what went wrong and gives the exit code. Ranks but 0 are silent: before they could speak to rank 0,
-/// all of them see the same.
+/// Prints an error and returns the exit code. Ranks other than 0 print nothing: an error before they can
+/// reach rank 0 occurs in all ranks alike.
 int report(const std::exception_ptr& failure);
 
-/// What --help says of --workers and --rollout-deadline.
+/// Help texts of --workers and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
     "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
-/// Its default as --help says it: not this machine's number.
+/// Default of --workers as --help shows it. It does not depend on this machine.
 inline constexpr const char* kWorkersDefault = "one per processor";
 inline constexpr const char* kDeadlineHelp =
     "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
     "simulated second)";
-/// Of commands whose scenarios stand each for itself.
+/// Help text of --rollout-deadline in commands that simulate each scenario independently.
 inline constexpr const char* kScenarioDeadlineHelp =
     "wall clock seconds one scenario may take before it is called interrupted (default: 20, and 2 per "
     "simulated "

@@ -1,5 +1,5 @@
 #pragma once
-// What `armtune plan` prints of its session's outcome.
+// The output of `armtune plan` about the outcome of its session.
 
 #include "tuner/planning/session/plan_session.hpp"
 

@@ -1,11 +1,12 @@
 #pragma once
-// The program, for mains that add to it (core/control/laws/controller_kind.hpp).
+// The program as a function, for a main() that adds controllers to it (see
+// core/control/laws/controller_kind.hpp).
 
 namespace armtune::internal::cli {
 
-/// armtune with these arguments, to its exit code (tuner/cli/commands.hpp). Starts the process anew where its
-/// mathematical functions are to be those of every processor, so to be called first, after
-/// register_controller. Throws nothing.
+/// Runs armtune with these arguments and returns its exit code (tuner/cli/commands.hpp). It may restart the
+/// process so that mathematical functions give the same results on every processor. Therefore call it first
+/// in main, after register_controller. Does not throw.
 int run(int argc, char** argv);
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,6 @@
 #pragma once
-// One line that is written over and over on a terminal; silent when stderr is none.
+// One line of progress that is rewritten in place on a terminal. Nothing is printed if stderr is not a
+// terminal.
 
 #include <string>
 
@@ -13,7 +14,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const std::string& text);
-  /// Takes the line away, before something else is printed.
+  /// Removes the line. Call it before other text is printed.
   void clear();
 
  private:

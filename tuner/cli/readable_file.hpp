@@ -1,5 +1,5 @@
 #pragma once
-// A check for options that name a file to be read.
+// A validator for options that name a file to be read.
 
 namespace CLI {
 class Validator;
@@ -7,8 +7,8 @@ class Validator;
 
 namespace armtune::internal::cli {
 
-/// Returns a validator that refuses a path with the system's own reason why it cannot be read. CLI11's
-/// ExistingFile calls a file in a folder that may not be searched missing.
+/// Returns a validator that refuses a path that cannot be read, with the system's own reason. CLI11's
+/// ExistingFile reports a file as missing when its folder may not be searched.
 CLI::Validator readable_file();
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,6 @@
 #pragma once
-// --resume FOLDER: resumes a run where it was killed, with the arguments that it was begun with.
+// The option --resume FOLDER, which continues a run that was killed or interrupted, with the arguments that
+// it was begun with. Also the functions that restore a command line and quote it for a shell.
 
 #include <string>
 #include <vector>
@@ -14,32 +15,35 @@ class App;
 
 namespace armtune::internal::cli {
 
-/// Adds --out, --resume, --workers and --rollout-deadline, of a run that can be resumed. out_help: what
-/// --help says of --out.
+/// Adds --out, --resume, --workers and --rollout-deadline to a command whose runs can be resumed. out_help:
+/// help text of --out.
 void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& place, int& workers,
                      double& deadline);
 
-/// The words of a command line, the program's name first. With --resume: the words that the folder's run was
-/// begun with, then --resume with that folder, then what may differ between the two (--workers); the working
-/// folder becomes the one that run was begun in, or stays, with a warning, if that is gone. Throws InputError
-/// if the folder holds no journal or one of another command, or if further words were given.
+/// Returns the words of the command line to run, beginning with the program's name. Without --resume they are
+/// `words`. With --resume they are the words that the folder's run was begun with, then --resume and the
+/// folder, then the options that may change (--workers, --rollout-deadline, --live). The current folder
+/// becomes the one that the run was begun in; if that is gone, it stays, with a warning. Throws InputError if
+/// the folder holds no journal, if its run was begun by another command or through the library, or if `words`
+/// holds further words.
 std::vector<std::string> resumed_arguments(std::vector<std::string> words);
 
-/// Returns a word as a shell takes it for one.
+/// Returns the word in a form that a shell reads as one word.
 std::string shell_word(const std::string& word);
 
-/// The words of a command line as a shell takes them, with armtune in place of the program's path.
+/// Returns the command line, quoted for a shell, with armtune in place of the program's path.
 std::string quoted_command(const std::vector<std::string>& words);
 
-/// The command that makes a run again where its --out folder is not there yet, quoted for a shell: the words
-/// of its command line, of a resumed run those it was begun with.
+/// Returns the command that makes a run again if its --out folder does not exist yet, quoted for a shell.
+/// words: of the command line; for a resumed run, those that it was begun with.
 std::string repeating_command(std::vector<std::string> words);
 
-/// What a session is given: this program's stop flag, and its command line without what may differ.
+/// Returns the context for a session: this program's stop flag, and its command line without the options that
+/// may change.
 SessionContext session_context();
 
-/// Calls `load`, which reads the inputs of a run, and returns what it gives. If a resumed run cannot read
-/// them, the error says where their copies are.
+/// Calls `load`, which reads the inputs of a run, and returns its result. If a resumed run cannot read them,
+/// the error message also names where their copies are.
 template <class Load>
 auto load_inputs(const RunPlace& place, const Load& load) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// The scenarios of the rollouts that lie in a folder.
+// The scenarios of the rollouts in a folder, found from the folder's files.
 
 #include <string>
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace armtune::internal::cli {
 
-/// The folder of the run that a folder with rollouts belongs to: itself, or the one above where a run keeps
-/// one of its gain sets in it.
+/// Returns the run folder that a folder with rollouts belongs to. This is the folder itself, or its parent if
+/// the run keeps one of its gain sets in the folder.
 std::string run_of(const std::string& folder);
 
-/// Those of `names`; unless given, of every rollout_<scenario>.csv in the folder: from the run's study, from
-/// the files that its run.yaml names, or bundled. Throws InputError that says what to give where there is no
-/// rollout, where a scenario is not found, and where a file is no longer what it was when the run was made.
+/// Returns the scenarios called `names`, or, if there are none, those of every rollout_<scenario>.csv in the
+/// folder. They come from the run's study, from the files that its run.yaml names, or are bundled. Throws
+/// InputError if there is no rollout, if a scenario is not found, or if a file has changed since the run was
+/// made. The message tells the user what to give instead.
 std::vector<Scenario> rollout_scenarios(const std::string& folder, const std::vector<std::string>& names);
 
 }  // namespace armtune::internal::cli

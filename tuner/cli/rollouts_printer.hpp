@@ -1,5 +1,5 @@
 #pragma once
-// What `armtune simulate` and `armtune compare` print of their sessions' outcomes.
+// The output of `armtune simulate` and `armtune compare` about the outcomes of their sessions.
 
 #include <string>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace armtune::internal::cli {
 
-/// gains: as the command line names them.
+/// Prints the outcome of `armtune simulate`. gains: name of the gains on the command line.
 void print_simulated(const SimulateOutcome& outcome, const RolloutSettings& settings,
                      const std::string& gains);
-/// metrics: those that the table has.
+/// Prints the outcome of `armtune compare`. metrics: those in the table.
 void print_compared(const CompareOutcome& outcome, const RolloutSettings& settings,
                     const std::vector<Metric>& metrics);
 

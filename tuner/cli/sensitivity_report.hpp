@@ -1,14 +1,14 @@
 #pragma once
-// What a finished run says of its gains: shared by `tune` and `sensitivity`.
+// The output of `tune` and `sensitivity` about the importance of the gains of a finished run.
 
 #include "tuner/sensitivity/sensitivity.hpp"
 
 namespace armtune::internal::cli {
 
-/// The gains from the most to the least important, `most` of them, with what each does.
+/// Prints the `most` most important gains, most important first, with the effect of each.
 void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::size_t most);
 
-/// Bounds that were hit and gains without effect, in plain words.
+/// Prints, in plain words, bounds that were hit and gains without effect.
 void print_advice(const Study& study, const Sensitivity& sensitivity);
 
 }  // namespace armtune::internal::cli

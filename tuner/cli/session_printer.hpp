@@ -1,5 +1,5 @@
 #pragma once
-// How the program tells what any session tells: a progress line, and warnings on stderr.
+// An observer that prints the reports of any session: a progress line, and warnings on stderr.
 
 #include <string>
 
@@ -8,13 +8,14 @@
 
 namespace armtune::internal::cli {
 
-/// "margins of the start gains: 3 of 8, 12 s left"
+/// Returns, for example, "margins of the start gains: 3 of 8, 12 s left".
 std::string to_text(const Progress& progress);
 void print_warning(const std::string& sentence);
-/// Says on stderr that a run which failed can be resumed, and how.
+/// Prints on stderr that a run that failed can be resumed, and how.
 void print_can_resume(const std::string& folder);
 
-/// Observer: SessionObserver, or one that is derived from it; its other functions are left to be overridden.
+/// A printer for sessions of one kind. Observer: SessionObserver or a class derived from it, whose other
+/// functions can be overridden.
 template <class Observer = SessionObserver>
 class SessionPrinter : public Observer {
  public:

@@ -1,16 +1,16 @@
 #pragma once
-// What compared gain sets are called: in tables, in columns, and in names of files.
+// Labels of compared gain sets, used in tables, columns and file names.
 
 #include <string>
 #include <vector>
 
 namespace armtune::internal::cli {
 
-/// One label for each set, all different: the folder's or the file's name, and "_2", "_3", ... behind it
-/// where one before has it already.
+/// Returns one label for each set, all different: the name of its folder or file, followed by "_2", "_3", ...
+/// if an earlier set or another column of the results has that name.
 std::vector<std::string> set_labels(const std::vector<std::string>& sets);
 
-/// Throws InputError, naming the set, for a label that files and columns of results cannot be called after.
+/// Throws InputError, naming the set, if a label cannot be used in names of files and columns of results.
 void check_labels(const std::vector<std::string>& labels, const std::vector<std::string>& sets);
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,5 @@
 #pragma once
-// What `armtune tune` prints of its session, while it works and at its end.
+// The output of `armtune tune` about its session, during the work and at its end.
 
 #include "tuner/cli/session_printer.hpp"
 #include "tuner/session/tune_session.hpp"
@@ -8,7 +8,7 @@ namespace armtune::internal::cli {
 
 class TunePrinter : public SessionPrinter<TuneObserver> {
  public:
-  /// Study and settings outlive it. study_name: as the command line names the study.
+  /// Study and settings must outlive the printer. study_name: name of the study on the command line.
   TunePrinter(const Study& study, const TuneSettings& settings, std::string study_name)
       : study_(study), settings_(settings), study_name_(std::move(study_name)) {}
 
@@ -18,7 +18,7 @@ class TunePrinter : public SessionPrinter<TuneObserver> {
   void found_sensitivity(const Sensitivity& sensitivity) override;
   void searched(const TuneOutcome& so_far) override;
   void extended(const std::vector<EnduranceResult>& results) override;
-  /// Prints how it all ended.
+  /// Prints the result of the session.
   void ended(const TuneOutcome& outcome) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Warm starts on the command line.
+// The command line options for warm starts.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ class App;
 
 namespace armtune::internal::cli {
 
-/// As given; zero or empty: the study's own.
+/// The options as given. A zero or empty member leaves the study's own value.
 struct WarmArguments {
   std::string from;
   std::vector<std::string> parameters;
@@ -22,7 +22,8 @@ struct WarmArguments {
 
 void add_warm_options(CLI::App& command, WarmArguments& args);
 
-/// Lets the options stand over the study's warm_start. Throws InputError if there is none to refine.
+/// Replaces values of the study's warm_start by the options. Throws InputError if options refine a warm start
+/// and there is none, or if the warm start is not valid.
 void apply(const WarmArguments& args, Study& study);
 
 }  // namespace armtune::internal::cli

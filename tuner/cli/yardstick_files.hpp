@@ -1,5 +1,5 @@
 #pragma once
-// What armtune yardstick writes.
+// The files that `armtune yardstick` writes.
 
 #include <string>
 #include <vector>
@@ -9,17 +9,17 @@
 namespace armtune::internal::cli {
 
 struct YardstickRequest {
-  std::string folder;                  ///< of a run, or of one of its gain sets
+  std::string folder;                  ///< folder of a run, or of one of its gain sets
   std::vector<std::string> scenarios;  ///< names or files; empty: the run's own
-  std::string out;                     ///< file in place of FOLDER/yardstick.csv; empty: that
+  std::string out;                     ///< file to write instead of FOLDER/yardstick.csv; empty: none
   YardstickOptions options;
 };
 
-/// Throws InputError if a file that is asked for in place of the run's own is there already.
+/// Throws InputError if `out` is given and already exists.
 void refuse_used_output(const YardstickRequest& request);
 
-/// Writes yardstick.csv and where it came from, and makes the run's own report anew. Returns their names, as
-/// "a, b". seconds: that measuring took. Throws InputError if a file cannot be written.
+/// Writes yardstick.csv and its provenance, and rewrites the run's report. Returns their names, as "a, b".
+/// seconds: wall time that measuring took. Throws InputError if a file cannot be written.
 std::string write_yardstick(const YardstickRequest& request, const std::vector<Scenario>& scenarios,
                             const RolloutMeasures& found, double seconds);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The yardstick of a folder's rollouts: measured with progress, told, written.
+// The yardstick of the rollouts in a folder. It is measured with a progress line and printed event by event.
 
 #include <functional>
 #include <string>
@@ -11,19 +11,20 @@
 
 namespace armtune::internal::cli {
 
-/// Gains that a scenario was simulated with.
+/// Returns the gains that a scenario was simulated with.
 using GainsOf = std::function<Gains(const Scenario&)>;
 
 struct RolloutMeasures {
   std::vector<Measure> measures;
-  /// Recordings that were read, and the hash of what was read of each.
+  /// Recordings that were read, each with the hash of the bytes read.
   std::vector<std::pair<std::string, std::string>> recordings;
 };
 
-/// Every event of rollout_<scenario>.csv in the folder beside its limit, each told on stdout as it is found.
-/// The gaze threshold and the clearance are the gains'. Interrupted, it ends with what is finished. A
-/// scenario with a stimulus is left out, and that is told: no plan knows it. Throws InputError if a rollout
-/// cannot be read.
+/// Compares every event of rollout_<scenario>.csv in the folder with the best that the arm's limits allow,
+/// and prints each on stdout as it is found. The gaze threshold and the clearance come from the gains. If
+/// interrupted, it returns what is finished. Scenarios that plans do not model are left out, with a message:
+/// those with a stimulus, with a given orientation of the tool, or with the position as their only task.
+/// Throws InputError if a rollout cannot be read.
 RolloutMeasures measure_rollouts(const std::string& folder, const std::vector<Scenario>& scenarios,
                                  const GainsOf& gains, YardstickOptions options);
 

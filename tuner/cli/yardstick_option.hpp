@@ -1,5 +1,5 @@
 #pragma once
-// --yardstick: what the arm's limits would allow, at the end of a run.
+// The option --yardstick, which compares a run at its end with the best that the arm's limits allow.
 
 #include "tuner/session/yardstick_files.hpp"
 
@@ -9,12 +9,12 @@ class App;
 
 namespace armtune::internal::cli {
 
-/// Adds --yardstick where armtune was built with the planner; elsewhere nothing, and `wanted` stays false.
+/// Adds --yardstick if armtune is built with the planner. Otherwise adds nothing, and `wanted` stays false.
 void add_yardstick_option(CLI::App& command, bool& wanted);
 
-/// Returns what measures the rollouts of a run (see Yardstick), if it is wanted, and prints what it finds.
-/// What goes wrong is told on stderr. Nothing is left of an interrupted one but yardstick.csv with what is
-/// finished.
+/// Returns the function that measures the rollouts of a run and prints its findings (see Yardstick), or an
+/// empty one if it is not wanted. Errors are printed on stderr. If interrupted, it writes only yardstick.csv,
+/// with the events that are finished.
 Yardstick yardstick_if(bool wanted);
 
 }  // namespace armtune::internal::cli

@@ -1,5 +1,5 @@
 #pragma once
-// A joint_trajectory_controller as its parameter file has it, and which of its gains a study tunes.
+// A joint_trajectory_controller read from its ROS parameter file, and the gains of it that a study tunes.
 
 #include <string>
 #include <vector>
@@ -11,22 +11,23 @@
 namespace armtune::internal {
 
 struct ControllerInFile {
-  std::string file;  ///< its name
-  std::string text;  ///< and what stands in it
+  std::string file;  ///< name of the file
+  std::string text;  ///< contents of the file
   RosController controller;
   std::vector<std::string> joints;  ///< of the arm, in its order
   Gains gains;
 };
 
-/// Reads the controller that `node` names, or the only one of the file where it is empty. Throws InputError
-/// if there is no such controller for these joints, if all of its p, i and d are 0, or if the file could not
-/// hold other numbers than it has.
+/// Reads the controller called `node`, or the only one of the file if `node` is empty. Throws InputError if
+/// there is no such controller for these joints, if all of its p, i and d are 0, or if other gains could not
+/// be written into the file.
 ControllerInFile read_controller(const std::string& file, const std::string& node,
                                  const std::vector<std::string>& joints);
 
-/// Which gains a study tunes, as lines of its `parameters`: every p, i and d that is not 0, and of effort
-/// commands every d of 0 that the file has a number for and whose p is not 0, from none to five times what
-/// the arm's inertia asks for at q (n). undamped: gets the joints of the latter.
+/// Returns the gains that a study tunes, as lines of its `parameters`: all p, i and d that are not 0. For
+/// effort commands they also include every d of 0 that has a place in the file and whose p is not 0; its
+/// range is from 0 to five times the damping that fits the arm's inertia at q (n). undamped: receives the
+/// joints of these d.
 std::string tuned_parameters(const ControllerInFile& from, const RobotModel& arm, const JointVector& q,
                              std::vector<std::string>& undamped);
 

@@ -1,5 +1,5 @@
 #pragma once
-// How often a ROS controller runs, out of its parameter file.
+// Reads the control rate of a ROS controller from its parameter file.
 
 #include <optional>
 
@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// Returns the controller's own `update_rate`, or that of the controller manager where it has none or 0 [Hz];
-/// nothing if neither is in the file. file: its name. Throws InputError with the line for a rate that is not
-/// within 10 .. 10,000 Hz.
+/// Returns the controller's own `update_rate` [Hz], or that of the controller manager if the controller has
+/// none or 0. Returns nothing if neither is in the file. file: its name. Throws InputError with the line if
+/// the rate is not within 10 .. 10,000 Hz.
 std::optional<double> controller_rate(const RosController& controller, const std::string& file);
 
 }  // namespace armtune::internal

@@ -1,34 +1,34 @@
 #pragma once
-// A study made of what a robot's user has already: the arm, the parameter file of its controller, and
-// motions.
+// Makes a study from files that a robot's user already has: the arm, the parameter file of its controller,
+// and motions.
 
 #include <string>
 #include <vector>
 
 namespace armtune::internal {
 
-/// Files of a user's. Paths are from the current folder.
+/// Files of the user. Relative paths begin at the current folder.
 struct ControllerStudyInputs {
   std::string robot;                      ///< bundled name, robot YAML or URDF
   std::string controllers;                ///< ROS parameter file with a joint_trajectory_controller
-  std::string node;                       ///< which controller of it; empty: the only one
-  std::vector<std::string> trajectories;  ///< CSV files or ROS messages, one at least
-  double rate = 0.0;                      ///< of the controller [Hz]; 0: the file's update_rate
-  bool degrees = false;                   ///< angles in CSV files are in degrees, not in radians
+  std::string node;                       ///< name of the controller in the file; empty: the only one
+  std::vector<std::string> trajectories;  ///< CSV files or ROS messages, at least one
+  double rate = 0.0;                      ///< rate of the controller [Hz]; 0: the file's update_rate
+  bool degrees = false;                   ///< true: angles in CSV files are in degrees, not in radians
 };
 
-/// What was written, and what is to be said of it.
+/// The files that were written, with notes for the user.
 struct ControllerStudyFiles {
   std::string study;                 ///< path of study.yaml
   std::vector<std::string> written;  ///< names in the folder
-  std::vector<std::string> notes;    ///< what was assumed, a sentence each
+  std::vector<std::string> notes;    ///< assumptions that were made, one sentence each
 };
 
 /// Writes a study of the controller's gains into a new folder: study.yaml, a scenario for each motion, and,
-/// where nobody gives the arm's rotor inertia, robot.yaml with an estimate. Files that are there already with
-/// the same text stay. All of it is read before anything is written. Throws InputError that says what stands
-/// in the way: also where the parameter file could not hold other gains, and if the folder holds anything
-/// else.
+/// if no file gives the arm's rotor inertia, robot.yaml with an estimate. If the folder already holds exactly
+/// these files, they are kept. Reads all inputs before it writes anything. Throws InputError with the reason
+/// if the study cannot be made, if other gains could not be written into the parameter file, or if the folder
+/// holds anything else.
 ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs, const std::string& folder);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// Tracking errors at the beginning and at the end of a long rollout: whether they grow with time.
+// Compares the tracking errors at the beginning and at the end of a long rollout, to find errors that grow
+// with time.
 
 #include <array>
 
@@ -13,8 +14,9 @@ struct TimeWindow {
   double to = 0.0;
 };
 
-/// Two windows of equal length in a rollout of `duration` seconds: one after the first minute, one at its
-/// end. They are ten minutes long, or shorter where there is less time: the whole rest is then halved.
+/// Returns two windows of equal length in a rollout of `duration` seconds: one after the first minute, one at
+/// its end. They are ten minutes long; if there is less time, the rest is halved. Of a rollout under five
+/// minutes, only the first fifth is skipped.
 std::array<TimeWindow, 2> compared_windows(double duration);
 
 class ErrorWindows {
@@ -22,20 +24,21 @@ class ErrorWindows {
   /// start_time, duration: of the scenario [s]; period: of control [s].
   ErrorWindows(double start_time, double duration, double period);
 
-  /// To be called once per control period. Counts what the metrics count as tracking, followTrajectory from
-  /// 1 s after it was entered, outside a slerp, but for the second after a change of the target: how far the
-  /// next one is away is no error that grows.
+  /// Takes in one control period; must be called once per period. It counts what the metrics count as
+  /// tracking: followTrajectory from 1 s after it was entered, outside a slerp. The second after a change of
+  /// the target is left out, since the distance to the next target is no error that grows.
   void look(const Observation& o);
 
-  /// The errors of one quantity in the first window (0) and in the last (1).
+  /// The errors of one window.
   struct Errors {
     Spread position;     ///< [m]
     Spread orientation;  ///< [rad]
   };
+  /// Returns the errors of the first window (0) or the last (1).
   const Errors& errors(std::size_t window) const { return errors_[window]; }
 
-  /// The larger of the position's and the orientation's growth: RMS (peak) of the last window over that of
-  /// the first. NaN if a window saw no tracking.
+  /// Returns the larger of the position's and the orientation's growth. Growth is the RMS (peak) of the last
+  /// window over that of the first. NaN if a window saw no tracking.
   double rms_growth() const;
   double peak_growth() const;
 
@@ -46,7 +49,7 @@ class ErrorWindows {
   std::array<Errors, 2> errors_;
   ControlState state_ = ControlState::kLeaveSingularity;
   std::size_t target_ = 0;
-  double entered_ = 0.0;  ///< when state or target changed last [s]
+  double entered_ = 0.0;  ///< time of the last change of state or target [s]
 };
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// evaluations.csv read back.
+// Reads evaluations.csv back.
 
 #include <string>
 #include <vector>
@@ -15,9 +15,10 @@ struct EvaluationRow {
   double violation = 0.0;
 };
 
-/// Every whole row of a study's journal: a last one without its line end, of a run that was killed, is left
-/// out, and those of candidates that were given up. Throws InputError naming file, line and column if it is
-/// none of this study's or a number cannot be read.
+/// Returns every whole row of a study's evaluations.csv. Rows of candidates that an earlier version abandoned
+/// are left out. The table itself leaves out a last row without its line end, which a killed run leaves.
+/// Throws InputError naming file, line and column if the table is not of this study or a number cannot be
+/// read.
 std::vector<EvaluationRow> read_evaluations(const CsvTable& table, const Study& study);
 
 }  // namespace armtune::internal

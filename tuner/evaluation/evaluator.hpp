@@ -1,5 +1,6 @@
 #pragma once
-// The evaluations of a run, one after the other: from its journal as far as it goes, from rollouts beyond.
+// Makes the evaluations of a run, one after the other. Those that its journal holds are recalled; all further
+// ones come from rollouts.
 
 #include <atomic>
 #include <chrono>
@@ -13,7 +14,7 @@
 
 namespace armtune::internal {
 
-/// A point to simulate, and what for.
+/// A point to simulate, and the phase of the search that needs it.
 struct Candidate {
   const char* phase = "";
   std::vector<double> x;
@@ -21,37 +22,37 @@ struct Candidate {
 
 class Evaluator {
  public:
-  /// journal: may be null, then nothing is recorded or recalled.
+  /// journal: may be null; then nothing is recorded or recalled.
   Evaluator(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop, Journal* journal);
 
   using TakeIn = std::function<void(const char* phase, Evaluation e)>;
 
-  /// The next evaluations of the run, simulated but not judged. Each goes to the journal as soon as it is
-  /// finished, whatever becomes of the others, and to `take_in` as soon as all before it are: in order, one
-  /// call at a time, from any thread. False if `stop` became true before all were done; of those that were,
-  /// the first without a gap have been taken in. Where the study's minutes are over before the last of them
-  /// is begun, the rest is left out. Throws InputError if the journal holds another point at that place than
-  /// the search now asks for.
+  /// Makes the next evaluations of the run, simulated but not judged. Each is written to the journal as
+  /// soon as it is finished, whatever becomes of the others. Each is passed to `take_in` as soon as all
+  /// before it are: in order, one call at a time, from any thread. False if `stop` became true before all
+  /// were done; of the finished ones, those before the first gap have then been taken in. If the study's
+  /// minutes are over before the last candidate is started, the rest is left out. Throws InputError if the
+  /// journal has another point at that place than the search now requests.
   bool next(const std::vector<Candidate>& candidates, const Conditions& conditions, const TakeIn& take_in);
 
-  /// True once the run was asked to stop and nothing is left to recall: a resumed run comes at least to
-  /// where it was before.
+  /// True if the run was stopped from outside and nothing is left to recall. A resumed run thus gets at least
+  /// as far as it was before.
   bool stopped() const { return stop_ && !recalls(count_); }
 
-  /// From here on minutes are over `kept` [s] before the study's max_minutes are: a search's, for what has to
-  /// follow it; the run's with nothing kept. At first they are the run's.
+  /// Sets whose minutes count from here on: they are over `kept` [s] before the study's max_minutes are. A
+  /// search keeps time for what has to follow it; the run itself keeps none. At first they are the run's.
   void use(Minutes minutes, double kept = 0.0);
 
-  /// False once the minutes are over. A resumed run takes them to be over where they were before, and
-  /// counts its minutes on.
+  /// False once the minutes are over. In a resumed run they are over where they were before, and the time
+  /// before the interruption counts.
   bool time_left();
-  /// Whether they were over when they were looked at last.
+  /// True if they were over at the last call of time_left().
   bool time_was_up() const { return time_was_up_; }
 
  private:
   bool next_portion(const std::vector<Candidate>& candidates, const Conditions& conditions,
                     const TakeIn& take_in);
-  /// Evaluations to begin before time is looked at again.
+  /// Returns the number of evaluations to start before the time is checked again.
   std::size_t portion() const;
   bool is_time_up();
   double seconds() const;
@@ -62,7 +63,7 @@ class Evaluator {
   CandidateRunner& workers_;
   const std::atomic<bool>& stop_;
   Journal* journal_;
-  std::uint64_t count_ = 0;  ///< given out so far
+  std::uint64_t count_ = 0;  ///< number of evaluations so far
   Minutes minutes_ = Minutes::kRun;
   double kept_ = 0.0;  ///< [s]
   bool time_was_up_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Search points of a study, simulated.
+// Simulates search points of a study.
 
 #include <atomic>
 #include <functional>
@@ -11,13 +11,14 @@
 
 namespace armtune::internal {
 
-/// What workers of a study have to know. deadline: of one rollout [s], 0 for the default.
+/// Returns the plan that workers of a study need. deadline: of one rollout [s], 0 for the default.
 RolloutPlan plan_of(const Study& study, double deadline);
 
-/// One evaluation per point, in order, with x, gains and results; still to be judged by an Objective. Nothing
-/// if `stop` became true before all were done.
+/// Returns one evaluation per point, in order, with x, gains and results. An Objective must still judge them.
+/// No value if `stop` became true before all were done.
 /// conditions: with limits per scenario (Objective::end_limits), or without, as for the start gains.
-/// finished: once per point, as soon as it is whole: in any order, one call at a time, from any thread.
+/// finished: called once per point, as soon as it is whole. Calls come in any order, one at a time, from any
+/// thread.
 std::optional<std::vector<Evaluation>> simulate_points(
     const Study& study, const std::vector<std::vector<double>>& points, CandidateRunner& workers,
     const std::atomic<bool>& stop, const Conditions& conditions = {},

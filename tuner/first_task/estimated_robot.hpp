@@ -1,5 +1,5 @@
 #pragma once
-// A robot file for an arm whose rotor inertia nobody gives.
+// Makes a robot file with estimated rotor inertia for an arm whose files do not give it.
 
 #include <string>
 
@@ -8,12 +8,12 @@
 
 namespace armtune::internal {
 
-/// Returns true if some joint has no rotor inertia and the robot file does not say so itself.
+/// True if some joint has no rotor inertia and the robot file does not set `rotor_inertia` itself.
 bool lacks_rotors(const RobotFile& file, const RobotModel& robot);
 
-/// Returns the text of a robot YAML that says what `file` says, and `rotor_inertia: estimated`. `estimated`:
-/// the arm with it, whose figures the comment shows. Throws InputError if the file is written in a way that
-/// cannot be added to.
+/// Returns the text of a robot YAML with the contents of `file` and `rotor_inertia: estimated`. estimated:
+/// the arm with the estimate; a comment in the text shows its values. Throws InputError if the file is
+/// written in a way that cannot be extended.
 std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estimated);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// The study of a first task, and whether gains keep what it demands: its search can then only end with gains
-// that do.
+// The study of a first task, and a test of gains against its demands. First gains that pass this test are
+// feasible at the start of the study's search, so the search can only end with feasible gains.
 
 #include <string>
 
@@ -9,16 +9,16 @@
 
 namespace armtune::internal {
 
-/// The text of study.yaml, beside which lie gains.yaml and task.yaml. `scenario`: the task.
+/// Returns the text of study.yaml, which refers to gains.yaml and task.yaml beside it. scenario: the task.
 std::string first_study_yaml(const Scenario& scenario);
 
-/// The demands of that study: on the arm, on arms at random, and at the corners of its margins.
+/// The demands of that study: on the arm, on random arms, and at the corners of its margins.
 class FirstDemands {
  public:
-  /// start: gains for the arm, of the kind that is asked about. workers: threads (>= 1).
+  /// start: gains for the arm, for the same controller as the gains to be tested. workers: threads (>= 1).
   FirstDemands(const Scenario& scenario, const Gains& start, int workers);
 
-  /// Returns which demand `gains` break in armtune's own dynamics, as a clause; empty: none.
+  /// Returns which demand `gains` break in armtune's own dynamics, as a clause; empty if none.
   std::string broken(const Gains& gains);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// A first task for an arm, and gains under which the arm was seen to complete it: what `armtune robot --task`
-// writes.
+// Finds a first task for an arm, and gains with which the arm completes it. `armtune robot --task` writes the
+// result.
 
 #include <functional>
 #include <string>
@@ -15,22 +15,24 @@ namespace armtune::internal {
 struct FirstTask {
   DefaultTask task;
   Gains gains;
-  Metrics metrics;  ///< of the task under these gains, simulated in Simbody
+  Metrics metrics;  ///< of the task with these gains, simulated in Simbody
   std::string
       robot_yaml;  ///< text of a robot file with estimated rotor inertia; empty: the given file has its own
-  std::string robot_file;  ///< how task.yaml names the robot
+  std::string robot_file;  ///< the robot's file or name as task.yaml gives it
 };
 
-/// Finds a task, and gains with which the arm completes it in Simbody within its limits: positions whole,
-/// velocities and efforts to kFirstTaskRatio. Where rotor inertia is estimated, the arm completes it as well
-/// with a third of the estimate and with three times the estimate. In armtune's own dynamics the gains keep
-/// every demand of the study that is written with them, nearly all of 60 other arms at random keep their
-/// limits, and the arm passes the endurance check of a verdict. Gains begin with
-/// starting_gains; Kp and Kd, the adaptation and the duration gains are changed, then other places and slower
-/// tasks are tried, then places among ten times as many positions, then a task of position alone, and last,
-/// where no floor was given, all of that without a floor. `robot`: a bundled name or a
-/// file. workers: threads (>= 1). progress: told which task is tried next. Throws InputError that says what
-/// stands in the way.
+/// Finds a task, and gains that pass all of these tests:
+/// - The arm completes the task in Simbody inside its position limits, with at most kFirstTaskRatio of its
+///   velocity and effort limits.
+/// - If rotor inertia is estimated, it does so also with a third of the estimate and with three times it.
+/// - In armtune's own dynamics the gains keep every demand of the study that is written with them.
+/// - There also nearly all of 60 other random arms keep their limits, and the arm passes the endurance check
+///   of a verdict.
+/// It begins with starting_gains, and changes Kp and Kd, the adaptation and the duration gains. Then it
+/// tries, in this order: other places and slower tasks, places among ten times as many positions, a task of
+/// position alone, and, if no floor was given, all of that without a floor.
+/// robot: a bundled name or a file. workers: threads (>= 1). progress: called with the task tried next.
+/// Throws InputError with the reason if it finds none.
 FirstTask find_first_task(const std::string& robot, const TaskOptions& options, int workers = 1,
                           const std::function<void(const std::string&)>& progress = {});
 

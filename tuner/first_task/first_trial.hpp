@@ -1,5 +1,5 @@
 #pragma once
-// One task, and gain sets until the arm completes it.
+// Tries gain sets on one task until the arm completes it.
 
 #include <optional>
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace armtune::internal {
 
-/// Gains that were seen to do a task.
+/// Gains with which the arm completed a task.
 struct TriedGains {
   Gains gains;
-  Metrics metrics;  ///< of the task under them, simulated in Simbody
+  Metrics metrics;  ///< of the task with these gains, simulated in Simbody
 };
 
 class FirstTrial {
@@ -23,10 +23,10 @@ class FirstTrial {
   /// workers: threads (>= 1).
   FirstTrial(const DefaultTask& task, int workers);
 
-  /// The first of the gain sets (first_gain_sets.hpp) with which all that find_first_task promises holds.
+  /// Returns the first of the gain sets (first_gain_sets.hpp) that passes all tests of find_first_task.
   std::optional<TriedGains> find();
 
-  /// How the last gain set failed, as a clause.
+  /// Returns how the last gain set failed, as a clause.
   const std::string& failed() const { return failed_; }
 
  private:
@@ -40,7 +40,7 @@ class FirstTrial {
   CandidateRunner native_;
   FirstDemands demands_;
   std::optional<Rollout> simbody_;
-  std::vector<Scenario> other_rotors_;  ///< a third and three times what was estimated
+  std::vector<Scenario> other_rotors_;  ///< with a third of the estimate and three times it
   std::string failed_;
 };
 

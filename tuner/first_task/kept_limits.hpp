@@ -1,5 +1,5 @@
 #pragma once
-// Whether a rollout keeps to a share of its arm's limits, and how it fails to.
+// Tests whether a rollout stays within a share of its arm's limits, and describes how it fails to.
 
 #include <string>
 
@@ -9,17 +9,17 @@
 
 namespace armtune::internal {
 
-/// The most of a joint's velocity and effort limits that a first task takes: what its study demands.
+/// Largest share of a joint's velocity and effort limits in a first task. Its study demands the same.
 inline constexpr double kFirstTaskRatio = 0.9;
 
-/// Whether it is completed, with at most `share` of the limits of velocity and effort, inside the position
-/// limits, and without touching anything.
+/// True if the rollout completed with at most `share` of the velocity and effort limits, inside the position
+/// limits, and without contact.
 bool keeps_limits(const RolloutResult& result, double share);
 
-/// Where keeps_limits is lost, and a rollout need not go on.
+/// Returns the limits at which keeps_limits becomes false, so that a rollout can be abandoned there.
 EndLimits ends_of_kept_limits(const Scenario& scenario, double share);
 
-/// How a rollout for which keeps_limits is false fails, as a clause.
+/// Returns how a rollout for which keeps_limits is false fails, as a clause.
 std::string lost_limits(const RolloutResult& result, double share);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Whether gains also do for arms that differ from the model, before they are anyone's first gains.
+// Tests first gains on random arms that differ from the model.
 
 #include "core/control/gains.hpp"
 #include "sim/scenario/scenario.hpp"
@@ -8,13 +8,13 @@ namespace armtune::internal {
 
 inline constexpr int kOtherArms = 60;
 
-/// How many of them may lose a limit: half the share that a verdict allows, as a search comes closer to the
-/// limits.
+/// Returns how many of these arms may break a limit. It is half the share that a verdict allows, because a
+/// search brings the arm closer to its limits.
 int most_lost_arms();
 
-/// Whether all of kOtherArms arms at random keep their limits in the scenario, but for most_lost_arms();
-/// torque may saturate in 1 % of the periods, as in a verdict. They are none of those that the study or its
-/// verdict simulates. In armtune's own dynamics; workers: threads (>= 1).
+/// True if all but most_lost_arms() of kOtherArms random arms keep their limits in the scenario. Torque may
+/// saturate in 1 % of the periods, as in a verdict. The arms are others than those that the study or its
+/// verdict simulates. They are simulated in armtune's own dynamics. workers: threads (>= 1).
 bool nearly_all_hold(const Scenario& scenario, const Gains& gains, int workers);
 
 }  // namespace armtune::internal

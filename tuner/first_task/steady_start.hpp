@@ -1,6 +1,6 @@
 #pragma once
-// Studies whose own start gains cannot be a reference, since the arm does not complete a scenario with them,
-// or shakes.
+// Loads studies. If the arm does not complete a scenario with a study's own start gains, or shakes, these
+// gains cannot serve as a reference, and others replace them.
 
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace armtune::internal {
 
-/// Reads a study as load_study does. Where the arm does not complete every scenario with the file's start
-/// gains, in armtune's own dynamics, or shakes (shake_watch.hpp), but completes them without shaking with
-/// first gains of armtune's, the study begins with these, and its `given` has the file's. Else the study is
-/// as its file says. workers: threads (>= 1). Throws InputError as load_study does, and if the file's gains
-/// do not complete it and first gains would, which the study's bounds do not allow.
+/// Reads a study like load_study, and simulates it with the file's start gains in armtune's own dynamics. If
+/// the arm does not complete every scenario, or shakes (shake_watch.hpp), it tries armtune's first gains. If
+/// the arm completes all scenarios with these and does not shake, the study begins with them, and its
+/// `given` has the file's gains. Otherwise the study is as its file says. workers: threads (>= 1). Throws
+/// InputError like load_study, and if only first gains complete the study, but its bounds exclude them.
 Study load_steady_study(const std::string& name_or_path, const std::string& controller, int workers);
 
 }  // namespace armtune::internal

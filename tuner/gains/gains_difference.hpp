@@ -1,5 +1,5 @@
 #pragma once
-// Gain sets side by side: what differs.
+// Compares gain sets side by side and shows what differs.
 
 #include <string>
 #include <vector>
@@ -13,10 +13,9 @@ struct NamedGains {
   Gains gains;
 };
 
-/// A table of every number and switch in which the sets are not the same, with its unit and each set's ratio
-/// to the first;
-/// '-' where a set's controller has no such gain, and below it how many are the same in all. At least one
-/// set. `joints`: the names of the arm's, which all sets are for.
+/// Returns a table of every number and switch that is not the same in all sets, with its unit and the ratio
+/// to the first set. '-' marks a gain that a set's controller does not have. A last line gives how many are
+/// the same in all sets. sets: at least one. joints: names of the joints of the arm that all sets are for.
 std::string gains_difference(const std::vector<NamedGains>& sets, const std::vector<std::string>& joints);
 
 }  // namespace armtune::internal

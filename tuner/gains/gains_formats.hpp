@@ -1,5 +1,5 @@
 #pragma once
-// Gains in the forms that robots read.
+// Writes gains in the file formats that robots read.
 
 #include <string>
 #include <utility>
@@ -10,30 +10,30 @@
 namespace armtune::internal {
 
 enum class GainsFormat {
-  kYaml,  ///< armtune's own, which is the published form
-  kRos1,  ///< a parameter file for rosparam load
-  kRos2   ///< a parameter file for --params-file: NODE: ros__parameters:
+  kYaml,  ///< armtune's own, the published format
+  kRos1,  ///< parameter file for rosparam load
+  kRos2   ///< parameter file for --params-file: NODE: ros__parameters:
 };
 
-/// The names on the command line, in the order above.
+/// Returns the formats' names on the command line, in the order above.
 const std::vector<std::string>& gains_format_names();
-/// Throws InputError naming those there are.
+/// Throws InputError naming the formats that exist if the name is unknown.
 GainsFormat gains_format_from_name(const std::string& name);
 
 struct GainsFile {
   Gains gains;
   std::vector<std::string> joints;  ///< names, in the order of joint vectors
-  /// Where they came from: what, and that in words.
+  /// Origin of the gains: pairs of a key and its value in words.
   std::vector<std::pair<std::string, std::string>> origin;
-  /// Keys with values in YAML that are no gains, and that a robot's parameter file has too.
+  /// Further keys of a robot's parameter file that are not gains, with their values in YAML.
   std::vector<std::pair<std::string, std::string>> others;
-  /// The controller's name space or node; empty: the published one, of ROS 2 every node.
+  /// Name space or node of the controller. Empty: the published one, or for ROS 2 every node.
   std::string node;
 };
 
-/// The file's text. The origin and the order of six-vectors stand in comments at the top, unit and meaning
-/// above each field. Numbers read back to the same bits. Throws InputError if the node's name is none that
-/// ROS takes.
+/// Returns the text of the file. Comments at its top give the origin and the order of six-vectors; comments
+/// above each field give its unit and meaning. Numbers read back bit-identical. Throws InputError if the name
+/// of the node is not valid in ROS.
 std::string gains_text(const GainsFile& file, GainsFormat format);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Where gains came from and how near to the limits they were simulated, for whoever meets them on a robot.
+// The origin of gains and how near to the limits they were simulated, for users who find them on a robot.
 
 #include <string>
 #include <utility>
@@ -7,19 +7,22 @@
 
 namespace armtune::internal {
 
-/// Rows (what, words). Of a run folder: armtune's version, the command, study, seed, date, what the search
-/// found, from errors.csv the largest use of velocity and torque limits and the least way to a position
-/// limit, from margins.csv the delays and factors its loops stand, and every input with its hash; what the
-/// run has not is left out, and so are figures where gains.yaml was changed since, or `with_figures` is
-/// false. Throws InputError for files of it that cannot be read.
+/// Returns the origin of the gains of a run folder, as rows (key, words). The rows are:
+/// - armtune's version, the command, study, seed, date and what the search found;
+/// - from errors.csv the largest use of velocity and torque limits, and the smallest distance to a position
+///   limit;
+/// - from margins.csv the stability margins, such as delays and gain factors;
+/// - every input with its hash.
+/// Leaves out what the run does not have. Leaves out figures if gains.yaml was changed since, or if
+/// `with_figures` is false. Throws InputError if a file of the run cannot be read.
 std::vector<std::pair<std::string, std::string>> origin_of_run(const std::string& folder,
                                                                bool with_figures = true);
 
-/// The folder of the run that a gain set belongs to: it is a run's own, or a file or folder of it (RUN/start,
-/// RUN/points/01.yaml). Empty: of none that has a study.
+/// Returns the folder of the run that a gain set belongs to: the set is the folder of the run, or a file or
+/// folder in it (RUN/start, RUN/points/01.yaml). Empty if there is no such run, or if it has no study.
 std::string run_above(const std::string& path);
 
-/// Of a gains file: armtune's version, and the files with their hashes.
+/// Returns the origin of a gains file: armtune's version, and the files with their hashes.
 std::vector<std::pair<std::string, std::string>> origin_of_files(const std::vector<std::string>& files);
 
 }  // namespace armtune::internal

@@ -1,7 +1,7 @@
 #pragma once
-// How well some arm near the robot file's explains logged torques, whatever its friction: the measure by
-// which possible mistakes in a log are compared. Torques may be permuted, turned in sign or scaled after the
-// regressor has been formed; what changes the motion needs new moments.
+// Measures how well some arm near the robot file's explains logged torques, whatever its friction. Possible
+// mistakes in a log are compared by this measure. Torques may be permuted, scaled or changed in sign after
+// the regressor has been formed; a change of the motion needs new moments.
 
 #include <vector>
 
@@ -11,16 +11,16 @@
 
 namespace armtune::internal {
 
-/// Second moments of the regressor's rows and of all logged torques, of one reading of the motion.
+/// The second moments of the regressor's rows and of all logged torques, for one reading of the motion.
 struct ArmMoments {
   std::vector<Eigen::MatrixXd> YtY;               ///< [joint]: 13 n x 13 n, mean over the instants
   std::vector<std::vector<Eigen::VectorXd>> YtT;  ///< [joint][torque column]: 13 n
-  Eigen::VectorXd torque_squares;                 ///< of every torque column (n), mean [N^2 m^2, N^2]
+  Eigen::VectorXd torque_squares;                 ///< mean square of every torque column (n) [N^2 m^2, N^2]
 };
 
 ArmMoments arm_moments(const Chain& chain, const std::vector<LogInstant>& instants);
 
-/// How the logged torques are read: joint j's is sign[j] scale torque column column[j].
+/// A way to read the logged torques: that of joint j is sign[j] * scale * torque column column[j].
 struct TorqueReading {
   std::vector<int> column;
   JointVector sign;
@@ -30,12 +30,12 @@ struct TorqueReading {
 };
 
 struct ArmFit {
-  JointVector residual;  ///< of every joint (n): RMS of what is left of the torque beyond its noise [N m, N]
-  /// Of every joint (n): RMS of what is left over the RMS of the torque, of what the robot file expects, or
-  /// half a percent of the effort limit, whichever is largest; 0 to about 1.
+  JointVector residual;  ///< RMS of every joint's unexplained torque beyond its noise (n) [N m, N]
+  /// Residual of every joint (n), relative to the largest of these: the RMS of the torque, the RMS of the
+  /// torque that the robot file predicts, half a percent of the effort limit. 0 to about 1.
   JointVector unexplained;
-  double distance = 0.0;  ///< RMS over the links of how far each is from the robot file's, relative
-  double cost = 0.0;      ///< sum of both squares, weighted: the smaller the more likely
+  double distance = 0.0;  ///< not set by ArmFitter: always 0
+  double cost = 0.0;      ///< weighted squares of `unexplained` and of the links' change; small: likely
 };
 
 /// Fits physically valid arms to moments.
@@ -45,7 +45,7 @@ class ArmFitter {
   ArmFitter(const RobotModel& model, const JointVector& noise);
 
   ArmFit fit(const ArmMoments& moments, const TorqueReading& reading) const;
-  /// The same for the robot file's own links: only rotor inertia and friction are fitted.
+  /// Fits rotor inertia and friction only, with the robot file's own links.
   ArmFit fit_joints_only(const ArmMoments& moments, const TorqueReading& reading) const;
 
  private:

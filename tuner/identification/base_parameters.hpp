@@ -1,7 +1,7 @@
 #pragma once
 // Base parameters: the combinations of theta that an arm's motion can tell apart, and no more. Gautier,
-// Numerical calculation of the base inertial parameters of robots, 1991: a column of the regressor that
-// depends on those before it, at every state, regroups its parameter into theirs.
+// Numerical calculation of the base inertial parameters of robots, 1991: if a column of the regressor depends
+// on the columns before it in every state, its parameter is regrouped into theirs.
 
 #include <Eigen/Core>
 #include <string>
@@ -19,18 +19,20 @@ struct BaseParameters {
   int rank() const { return static_cast<int>(independent.size()); }
 };
 
-/// How large the parameters of such an arm are (13 n), above zero, whatever the robot file leaves at zero:
-/// first moments and inertias by the links' masses and widths; rotor inertia and friction as in the file, and
-/// at least what a hundredth or two of the effort limit is at 1 rad/s^2, the velocity limit, and at rest.
+/// Returns the typical size of every parameter of such an arm (13 n), above zero even where the robot file
+/// has zero. First moments and inertias follow from the links' masses and widths. Rotor inertia and friction
+/// are the file's, but at least so large that they take a part of the effort limit: rotor inertia 1 % at
+/// 1 rad/s^2, viscous friction 2 % at the velocity limit, Coulomb friction 2 %.
 Eigen::VectorXd parameter_sizes(const RobotModel& model);
 
-/// Size of every group (rank), above zero: what the sizes of its members in theta (13 n) add up to.
+/// Returns the size of every group (rank), above zero: the sum of its members' sizes in theta (13 n).
 Eigen::VectorXd group_sizes(const BaseParameters& base, const Eigen::VectorXd& theta);
 
-/// Found from the regressor at random states inside the position limits; deterministic.
+/// Computes the base parameters from the regressor at random states inside the position limits;
+/// deterministic.
 BaseParameters base_parameters(const RobotModel& model);
 
-/// The regressor's rows at `states` random states (n rows each), by which the groups are found.
+/// Returns the regressor's rows at `states` random states (n rows each), by which the groups are found.
 Eigen::MatrixXd random_regressor(const RobotModel& model, int states, unsigned seed);
 
 }  // namespace armtune::internal

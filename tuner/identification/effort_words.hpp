@@ -1,5 +1,5 @@
 #pragma once
-// What a joint's effort is called, and its units: a sliding joint has a force.
+// The name and the units of a joint's effort: a revolute joint has a torque, a sliding joint a force.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace armtune::internal {
 struct EffortWords {
   const char* name = "torque";
   const char* unit = "N m";
-  const char* thousandth = "N mm";  ///< of the unit
+  const char* thousandth = "N mm";  ///< a thousandth of the unit
   const char* thousandfold = "kN m";
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// An exciting trajectory: per joint a finite Fourier series around a centre, faded in and out by quintics.
-// Swevers et al., Optimal robot excitation and identification, 1997.
+// An exciting trajectory: a finite Fourier series for each joint around a centre, faded in and out by
+// quintics. Swevers et al., Optimal robot excitation and identification, 1997.
 
 #include <string>
 #include <vector>
@@ -18,20 +18,21 @@ struct Excitation {
   Eigen::MatrixXd sine;    ///< n x harmonics [rad, m]
   Eigen::MatrixXd cosine;
 
-  /// q, q', q'' at t in 0 .. duration [s]; before and after, at rest in the centre.
+  /// Returns q, q', q'' at t in 0 .. duration [s]. Before and after, the arm is at rest in the centre.
   MotionPoint<JointVector> at(double t) const;
 };
 
-/// Longest trajectory [s] and fastest harmonic [Hz]: what an arm can do in one log, and memory can hold.
+/// Longest trajectory [s] and fastest harmonic [Hz]: limits of what an arm can do in one log, and of memory.
 inline constexpr double kLongestExcitation = 1000.0;
 inline constexpr double kFastestHarmonic = 20.0;
 
-/// Text of excitation.yaml, and back. Throws InputError if the file does not fit the joints.
+/// Returns the text of excitation.yaml, and reads it back. Throws InputError if the file does not fit the
+/// joints.
 std::string excitation_yaml(const Excitation& excitation, const std::vector<std::string>& joints);
 Excitation load_excitation(const std::string& path, const std::vector<std::string>& joints);
 
-/// Text of trajectory.csv: time and every joint's position, velocity and acceleration, each period [s] from 0
-/// to the end. Numbers read back to the same bits.
+/// Returns the text of trajectory.csv: time, and position, velocity and acceleration of every joint. There is
+/// one row per period [s] from 0 to the end. Numbers read back to the same bits.
 std::string excitation_csv(const Excitation& excitation, const std::vector<std::string>& joints,
                            double period);
 

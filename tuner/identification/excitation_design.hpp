@@ -1,5 +1,5 @@
 #pragma once
-// The exciting trajectory whose regressor has the smallest condition number inside the arm's limits.
+// Designs the exciting trajectory whose regressor has the smallest condition number inside the arm's limits.
 
 #include <atomic>
 #include <functional>
@@ -24,15 +24,15 @@ struct ExcitationOptions {
   std::function<void(long evaluations, double condition)> progress;
 };
 
-/// How a trajectory uses the arm: largest shares of the limits, lowest point, and what it tells of the
-/// parameters.
+/// The use that a trajectory makes of the arm: largest shares of the limits, lowest point, and how well it
+/// excites the parameters.
 struct ExcitationUse {
-  double condition = 0.0;        ///< of the base regressor, columns of unit length
-  double distance = 0.0;         ///< largest from the centre [rad, m]
+  double condition = 0.0;        ///< condition number of the base regressor with columns of unit length
+  double distance = 0.0;         ///< largest distance from the centre [rad, m]
   double position_margin = 0.0;  ///< smallest distance to a position limit [rad, m]
   double velocity_ratio = 0.0;
   double effort_ratio = 0.0;  ///< by inverse dynamics of the model
-  double lowest = 0.0;        ///< [m]
+  double lowest = 0.0;        ///< height of the lowest point [m]
 };
 
 ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, const BaseParameters& base);
@@ -40,11 +40,12 @@ ExcitationUse use_of(const Excitation& excitation, const RobotModel& model, cons
 struct ExcitationDesign {
   Excitation excitation;
   ExcitationUse use;
-  double random_condition = 0.0;  ///< of the best random series that was tried first
+  double random_condition = 0.0;  ///< condition number of the best random series, before the search
   long evaluations = 0;
 };
 
-/// Throws InputError if no trajectory around the centre keeps the limits.
+/// Returns the best trajectory found. Throws InputError if the options do not fit the arm, or if no
+/// trajectory around the centre keeps the limits.
 ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOptions& options,
                                    const std::atomic<bool>& stop);
 

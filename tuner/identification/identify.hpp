@@ -1,5 +1,6 @@
 #pragma once
-// Identification from logs: rows, weighted or robust regression, physically valid theta.
+// Identification of an arm's parameters theta from logs. The logs become rows of a regression, which is
+// weighted or robust, and its estimate is completed to a physically valid theta.
 
 #include <atomic>
 #include <functional>
@@ -14,36 +15,36 @@ namespace armtune::internal {
 
 struct IdentifyOptions {
   RowOptions rows;
-  bool robust = false;   ///< iteratively reweighted with Huber's weights: outliers count less; on
-                         ///< normal errors stated deviations come out some 10 % small
-  int passes = 5;        ///< of robust regression, over all logs
+  bool robust = false;   ///< true: iteratively reweighted with Huber's weights, so that outliers count less;
+                         ///< on normal errors the stated deviations come out some 10 % too small
+  int passes = 5;        ///< passes of robust regression over all logs; at least 2 are made
   bool hold_out = true;  ///< leave every fifth second of a log out of the fit, and check the result on it
   std::function<void(int pass, std::size_t log, long samples)> progress;
 };
 
-/// RMS of the torque of every joint (n) [N m, N], and of what is left of it, on some rows of the logs.
+/// The RMS of the torque of every joint (n) [N m, N], and of its unexplained part, on some rows of the logs.
 struct Unexplained {
   long rows = 0;             ///< per joint
   Eigen::VectorXd torque;    ///< RMS of the filtered torque itself
   Eigen::VectorXd by_theta;  ///< left unexplained by the identified theta
-  Eigen::VectorXd by_file;   ///< left unexplained by the robot file as it stands
+  Eigen::VectorXd by_file;   ///< left unexplained by the unchanged robot file
 };
 
 struct Identification {
   BaseParameters base;
   Estimate estimate;
   ParameterVector theta;       ///< 13 n, physically valid
-  bool made_physical = false;  ///< the estimate itself was not
+  bool made_physical = false;  ///< true if the estimate itself was not physically valid
   Unexplained fitted;          ///< on the rows that theta was fitted to
   Unexplained held_out;        ///< on the rows that were left out; no rows without IdentifyOptions::hold_out
   JointVector torque_noise;    ///< standard deviation, in the rows' torques (n) [N m, N]
-  LogComparison comparison;    ///< of the logs with the robot file
-  long samples = 0;            ///< of all logs
-  std::vector<std::string> log_hashes;  ///< of each log, as it was read
+  LogComparison comparison;    ///< comparison of the logs with the robot file
+  long samples = 0;            ///< number of samples in all logs
+  std::vector<std::string> log_hashes;  ///< hash of each log, as it was read
   bool interrupted = false;
 };
 
-/// Identifies theta of an arm of the model's geometry. Throws InputError for logs that cannot be used.
+/// Identifies theta of an arm that has the model's geometry. Throws InputError for logs that cannot be used.
 Identification identify(const RobotModel& model, const std::vector<std::string>& logs,
                         const LogColumns& columns, const IdentifyOptions& options,
                         const std::atomic<bool>& stop);

@@ -1,5 +1,5 @@
 #pragma once
-// Which columns of a log hold what, and in which units: the column map of `armtune identify --columns`.
+// The column map of `armtune identify --columns`: which columns of a log hold what, and in which units.
 
 #include <string>
 #include <vector>
@@ -8,29 +8,30 @@
 
 namespace armtune::internal {
 
-/// A column's name, and the factor that makes its numbers SI.
+/// A column's name, and the factor that converts its numbers to SI units.
 struct LogColumn {
   std::string name;
   double scale = 1.0;
 };
 
-/// Columns of a log, joints in the model's order.
+/// The columns of a log, with joints in the model's order.
 struct LogColumns {
   LogColumn time;
   std::vector<LogColumn> position;
   std::vector<LogColumn> velocity;  ///< n, or empty: the log has none and needs none
   std::vector<LogColumn> torque;
-  bool velocity_optional = false;  ///< a log without any of their columns has no velocities
+  bool velocity_optional = false;  ///< true: a log without any of the velocity columns has no velocities
 };
 
-/// As armtune writes them: `time`, `joint/NAME/position`, `joint/NAME/torque`; `joint/NAME/velocity` if
-/// there.
+/// Returns the columns that armtune itself writes: `time`, `joint/NAME/position`, `joint/NAME/torque`, and
+/// `joint/NAME/velocity` as optional ones.
 LogColumns default_log_columns(const RobotModel& model);
 
-/// From a YAML file: `time`, `time_scale`, and `position`, `velocity` (optional) and `torque`. Each of the
-/// last three has `columns`, a list of n column names or a map from joint names to column names, and may have
-/// `scale`: one number, a list of n numbers or a map from joint names to numbers. `units` (file_units.hpp)
-/// says the same of all columns; velocities are per second. Throws InputError.
+/// Reads the columns from a YAML file with `time`, `time_scale`, `position`, `velocity` (optional) and
+/// `torque`. Each of the last three has `columns`, a list of n column names or a map from joint names to
+/// column names, and may have `scale`: one number, a list of n numbers or a map from joint names to numbers.
+/// `units` (file_units.hpp) gives the units of all columns at once; velocities are per second. Throws
+/// InputError.
 LogColumns load_log_columns(const std::string& path, const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Logs of joint positions, velocities and torques as text tables, read sample by sample: a rollout's or a
-// real robot's.
+// Reads logs of joint positions, velocities and torques sample by sample. A log is a text table, from a
+// rollout or from a real robot.
 
 #include <deque>
 #include <optional>
@@ -20,20 +20,20 @@ struct LogSample {
   JointVector torque;
 };
 
-/// Reads a log from its start. A log whose first line holds nothing but numbers has no column names; its
-/// columns are called 1, 2, 3 and so on. Throws InputError with file, line and column for whatever is not a
-/// whole log: missing or doubled columns, lines of more than 1 MB, rows of another length, text that is not a
+/// Reads a log from its start. If the first line holds numbers only, the log has no column names, and its
+/// columns are called 1, 2, 3 and so on. Throws InputError with file, line and column for a log that is not
+/// intact: missing or doubled columns, lines of more than 1 MB, rows of another length, text that is not a
 /// finite number, times that do not rise evenly.
 class LogFile {
  public:
   LogFile(const std::string& path, const LogColumns& columns);
 
-  /// The next sample, or none at the end.
+  /// Returns the next sample, or none at the end.
   std::optional<LogSample> next();
-  /// Time between samples [s]: the mean of the first steps, as many as are read ahead.
+  /// Returns the time between samples [s]: the mean of the first steps, as many as are read ahead.
   double period() const { return period_; }
   const std::string& path() const { return path_; }
-  /// Hash of the file, once next() has given none.
+  /// Returns the hash of the file; valid after next() has returned none.
   std::string hash() const { return lines_.hash(); }
   bool has_velocities() const { return !columns_.velocity.empty(); }
 
@@ -58,17 +58,17 @@ class LogFile {
   LogLines lines_;
   char separator_ = ',';
   std::vector<std::string> header_;
-  bool has_names_ = true;  ///< the first line holds the names of the columns
+  bool has_names_ = true;  ///< true if the first line holds the names of the columns
   std::vector<std::string_view> cells_;
   std::size_t time_place_ = 0;
   std::vector<std::size_t> position_places_, velocity_places_, torque_places_;
   double period_ = 0.0;
-  double first_time_ = 0.0;  ///< of the first sample, in the file's unit
+  double first_time_ = 0.0;  ///< time of the first sample, in the file's unit
   double last_time_ = 0.0;
   long stretch_steps_ = 0;      ///< steps since the present stretch began
   double stretch_begin_ = 0.0;  ///< time at which the present stretch of steps begins [s]
   long samples_ = 0;
-  std::deque<LogSample> ahead_;  ///< read ahead for the period
+  std::deque<LogSample> ahead_;  ///< samples that were read ahead to find the period
 };
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
 // A few instants of the logs' filtered motion, spread evenly over all that was read, and the noise of the
-// torques: enough to compare a log with the robot file in many ways without reading it again.
+// torques. They allow many comparisons of a log with the robot file without reading the log again.
 
 #include <vector>
 
@@ -15,7 +15,7 @@ struct LogInstant {
   JointVector torque;
 };
 
-/// Keeps every 2^k-th of what is added, with k as large as the number of additions needs.
+/// Keeps every 2^k-th of the added values. k grows with their number, so that at most kMost are kept.
 template <typename T>
 class Sampled {
  public:
@@ -39,8 +39,8 @@ class Sampled {
 
 class LogInstants {
  public:
-  /// Euclidean norms of the weights of the filters that the torques of the instants, and of the regression's
-  /// rows, come from.
+  /// Starts the next log. The arguments are the Euclidean norms of the filters' weights: of the filter that
+  /// the instants' torques come from, and of that of the regression's rows.
   void begin_log(double filter_norm, double row_filter_norm) {
     filter_norm_ = filter_norm;
     row_filter_norm_ = row_filter_norm;
@@ -51,10 +51,11 @@ class LogInstants {
   void add(const LogInstant& instant) { instants_.add(instant); }
 
   const std::vector<LogInstant>& kept() const { return instants_.kept(); }
-  /// Standard deviation of the noise of the instants' torques (n), if it is white in the samples: from the
-  /// median of the second differences, which a smooth torque hardly has and the edges of friction seldom.
+  /// Returns the standard deviation of the noise of the instants' torques (n), if it is white in the samples.
+  /// It comes from the median of the second differences. A smooth torque hardly has any, and the edges of
+  /// friction are rare.
   JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
-  /// The same of the torques in the regression's rows (n).
+  /// Returns the same for the torques in the regression's rows (n).
   JointVector row_torque_noise() const { return row_filter_norm_ * logged_torque_noise(); }
 
  private:

@@ -21,11 +21,11 @@ class LogLines {
   bool next();
   /// Makes next() give the present line once more.
   void repeat() { repeat_ = true; }
-  /// The present line without its end; valid until next() is called.
+  /// Returns the present line without its end; valid until next() is called.
   std::string_view text() const { return line_; }
-  /// Number of the present line, counted from 1.
+  /// Returns the number of the present line, counted from 1.
   long number() const { return number_; }
-  /// Hash of all bytes read so far: of the whole file once next() has returned false.
+  /// Returns the hash of all bytes read so far. After next() has returned false it is that of the whole file.
   std::string hash() const { return hash_.text(); }
 
  private:
@@ -34,12 +34,12 @@ class LogLines {
   std::string path_;
   std::ifstream file_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0;  ///< of the text in the buffer that has not been given out
+  std::size_t begin_ = 0;  ///< begin and end of the text in the buffer that next() has not returned yet
   std::size_t end_ = 0;
   std::string_view line_;
   long number_ = 0;
   Fnv1a hash_;
-  bool after_cr_ = false;  ///< a line feed that follows belongs to the line end before it
+  bool after_cr_ = false;  ///< true: a line feed that follows belongs to the line end before it
   bool repeat_ = false;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// Mistakes that people make with logs: units, signs, columns, zero positions, the mounting, another arm. A
-// log is read in the way that each mistake asks for, and the reading that an arm near the robot file's
-// explains best is the likely one.
+// Finds common mistakes with logs: units, signs, columns, zero positions, the mounting, another arm.
+// For each mistake the log is read as if the mistake had been made. The reading that an arm near the robot
+// file's explains best is the likely one.
 
 #include <optional>
 #include <string>
@@ -32,26 +32,25 @@ struct LogMistake {
   int other = -1;
   double value = 0.0;
   Vec3 direction = Vec3::Zero();
-  ArmFit fit = {};  ///< with the log read as this mistake asks for
+  ArmFit fit = {};  ///< fit of the log after this mistake is corrected
 };
 
-/// What a comparison of a log with the robot file found.
+/// The result of a comparison of a log with the robot file.
 struct LogComparison {
   ArmFit as_logged;   ///< the nearest arm that explains the log, whatever its links
   ArmFit robot_file;  ///< the robot file's links, whatever its rotor inertia and friction
-  /// False: too few joints move for their signs, zero positions and columns to be judged where the log is
-  /// explained.
+  /// True if at least half of the joints move. Otherwise signs, zero positions and columns cannot be judged
+  /// in a log that is explained.
   bool most_joints_move = true;
   std::optional<LogMistake> mistake;  ///< none: the log may well be of this arm
 };
 
-/// Compares a log with the robot file. With mistakes to look for it takes a second or two, without one some
-/// 50 ms.
-/// noise (n): standard deviation of the noise of the instants' torques [N m, N].
+/// Compares a log with the robot file. It takes some 50 ms, or a second or two if mistakes have to be looked
+/// for. noise (n): standard deviation of the noise of the instants' torques [N m, N].
 LogComparison compare_with_robot_file(const RobotModel& model, const std::vector<LogInstant>& instants,
                                       const JointVector& noise);
 
-/// One sentence that names the mistake, its joints and what to do.
+/// Returns one sentence that names the mistake, its joints and what to do.
 std::string to_text(const LogMistake& mistake, const RobotModel& model);
 
 }  // namespace armtune::internal

@@ -1,14 +1,14 @@
 #pragma once
-// Zero-phase low-pass filter with derivatives: a symmetric FIR kernel, a sinc under a Blackman-Harris window,
-// and the kernel's own analytic derivatives. Being of finite length it gives the same numbers block by block
-// as on the whole. Harris, On the use of windows for harmonic analysis with the discrete Fourier transform,
-// 1978.
+// A zero-phase low-pass filter with derivatives: a symmetric FIR kernel, which is a sinc under a
+// Blackman-Harris window, and the kernel's own analytic derivatives. Since the kernel is of finite length,
+// the filter gives the same numbers block by block as on the whole signal. Harris, On the use of windows for
+// harmonic analysis with the discrete Fourier transform, 1978.
 
 #include <Eigen/Core>
 
 namespace armtune::internal {
 
-/// Weights of the samples -half .. half around an instant.
+/// The weights of the samples -half .. half around an instant.
 struct LowPass {
   int half = 0;
   Eigen::VectorXd value;   ///< sums to 1
@@ -18,12 +18,12 @@ struct LowPass {
   int length() const { return 2 * half + 1; }
 };
 
-/// Half of the amplitude at `cutoff` [Hz], flat within 1e-4 up to half of it, below 1e-4 from one and a half
-/// of it. period [s] between samples; cutoff <= 0.3 / period. delay [s]: the filtered signal is that of so
-/// much earlier, at most a tenth of the kernel's half length.
+/// Returns a filter that passes half of the amplitude at `cutoff` [Hz]. It is flat within 1e-4 up to half of
+/// the cutoff, and below 1e-4 from one and a half of it. period: between samples [s]; cutoff <= 0.3 / period.
+/// delay [s]: the filtered signal is that of so much earlier; at most a tenth of the kernel's half length.
 LowPass low_pass(double cutoff, double period, double delay = 0.0);
 
-/// Half length of the kernel [s].
+/// Returns the half length of the kernel [s].
 double low_pass_half_length(double cutoff);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// The last samples of a stream of vectors, as one matrix that a filter's weights can be laid over.
+// The last samples of a stream of vectors, as one matrix to which a filter's weights can be applied.
 
 #include <Eigen/Core>
 
@@ -7,11 +7,11 @@ namespace armtune::internal {
 
 class MovingWindow {
  public:
-  /// length: samples in the window; step: a result every `step` samples once the window is full.
+  /// length: samples in the window; step: a result is due every `step` samples once the window is full.
   MovingWindow(Eigen::Index channels, int length, int step)
       : length_(length), step_(step), samples_(channels, 4 * length) {}
 
-  /// Takes a sample (channels); true if a result is due.
+  /// Takes a sample (channels). True if a result is due.
   bool push(const Eigen::VectorXd& sample) {
     if (end_ == samples_.cols()) {
       samples_.leftCols(length_) = samples_.rightCols(length_).eval();
@@ -22,7 +22,7 @@ class MovingWindow {
     return past >= 0 && past % step_ == 0;
   }
 
-  /// Weighted sum of the window's samples, channels `first` .. `first + count`.
+  /// Returns the weighted sum of the window's samples, for `count` channels from `first` on.
   Eigen::VectorXd sum(const Eigen::VectorXd& weights, Eigen::Index first, Eigen::Index count) const {
     return samples_.block(first, end_ - length_, count, length_) * weights;
   }

@@ -1,7 +1,8 @@
 #pragma once
 // Minimises a quadratic in theta over all physically valid theta (physical_theta.hpp), by the alternating
 // direction method of multipliers (Boyd et al., Distributed optimization and statistical learning via ADMM,
-// 2011). Lengths, masses and joint parameters are scaled by a prior theta, so that numbers of one size meet.
+// 2011). Lengths, masses and joint parameters are scaled by a prior theta, so that all numbers are of similar
+// size.
 
 #include <array>
 #include <vector>
@@ -12,7 +13,7 @@ namespace armtune::internal {
 
 struct PhysicalMinimum {
   ParameterVector theta;  ///< 13 n, physically valid
-  bool changed = false;   ///< the unconstrained minimum was not valid
+  bool changed = false;   ///< true if the unconstrained minimum was not valid
 };
 
 class PhysicalCone {
@@ -20,14 +21,14 @@ class PhysicalCone {
   /// prior (13 n), valid: gives the scales.
   explicit PhysicalCone(const ParameterVector& prior);
 
-  /// A^T A (13 n x 13 n) of the norm |A theta|: in it every link's pseudo-inertia counts relative to its
-  /// trace in the prior, every joint parameter relative to the largest of its kind, or to 1 where the prior
-  /// has none.
+  /// Returns A^T A (13 n x 13 n) of the norm |A theta|. In this norm every link's pseudo-inertia counts
+  /// relative to its trace in the prior. Every joint parameter counts relative to the largest of its kind in
+  /// the prior, or to 1 if the prior has none.
   const Eigen::MatrixXd& metric() const { return metric_; }
 
   struct Accuracy {
     int iterations = 20000;    ///< at most
-    double tolerance = 1e-10;  ///< of both residuals, relative
+    double tolerance = 1e-10;  ///< largest size of both residuals, relative
   };
   /// Minimises theta^T Q theta - 2 c^T theta. Q (13 n x 13 n): symmetric and positive definite.
   PhysicalMinimum minimum(const Eigen::MatrixXd& Q, const Eigen::VectorXd& c, const Accuracy& accuracy) const;

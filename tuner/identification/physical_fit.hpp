@@ -1,8 +1,9 @@
 #pragma once
-// From base parameters to a whole theta that some arm could have: of all physically valid theta
-// (physical_theta.hpp) the one whose base parameters are nearest to the estimate in the metric of its
-// covariance; what the data leave open stays near a prior. A convex problem (a quadratic over cones; Sousa
-// and Cortesao, Physical feasibility of robot base inertial parameter identification, 2014).
+// Completes base parameters to a whole theta that some arm could have. Of all physically valid theta
+// (physical_theta.hpp) it is the one whose base parameters are nearest to the estimate in the metric of its
+// covariance. Where the data determine nothing, theta stays near a prior. The problem is convex, a
+// quadratic over cones (Sousa and Cortesao, Physical feasibility of robot base inertial parameter
+// identification, 2014).
 
 #include "tuner/identification/base_parameters.hpp"
 #include "tuner/identification/physical_cone.hpp"
@@ -10,7 +11,8 @@
 
 namespace armtune::internal {
 
-/// prior (13 n), valid: the robot file's theta. Its weight is that of knowing each link within 100 %.
+/// Returns the fitted theta. prior (13 n), valid: the robot file's theta, weighted as if each link were known
+/// within 100 %. Throws InputError if the covariance of the estimate is not positive definite.
 PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimate,
                              const ParameterVector& prior);
 

@@ -1,7 +1,7 @@
 #pragma once
-// Least squares for theta_base over any number of rows, without keeping them: one triangular factor per
-// joint, so that the joints' weights may change without another pass, and the moments that the covariance
-// needs.
+// Least squares for theta_base over any number of rows, without keeping the rows. One triangular factor is
+// kept for each joint, so that the joints' weights may change without another pass. The moments that the
+// covariance needs are kept as well.
 
 #include <Eigen/Core>
 #include <vector>
@@ -10,17 +10,17 @@ namespace armtune::internal {
 
 struct Estimate {
   Eigen::VectorXd theta;            ///< theta_base (rank)
-  Eigen::MatrixXd covariance;       ///< of theta_base, with the prior's own where the rows say little
+  Eigen::MatrixXd covariance;       ///< that of theta_base; the prior's own where the rows determine little
   Eigen::VectorXd torque_residual;  ///< RMS per joint (n) [N m, N]
   std::vector<int> not_excited;  ///< groups that the rows hardly excite, in order: they stay near the prior
-  double condition = 0.0;        ///< of the weighted regressor with columns of unit length
+  double condition = 0.0;        ///< condition number of the weighted regressor, columns of unit length
   long rows = 0;                 ///< per joint
 
-  /// Standard deviations (rank); infinite for groups that were not excited.
+  /// Returns the standard deviations (rank); infinite for groups that were not excited.
   Eigen::VectorXd deviation() const;
 };
 
-/// What is known of theta_base before any row: it lies about `value` (rank), within some hundred times `size`
+/// The knowledge of theta_base before any row: it lies about `value` (rank), within some hundred times `size`
 /// (rank, above zero).
 struct WeakPrior {
   Eigen::VectorXd value;
@@ -31,15 +31,15 @@ class Regression {
  public:
   Regression(int joints, int rank);
 
-  /// Rows of one instant: n x (rank + 1), columns (Y_base, tau), each row multiplied by the root of its
-  /// weight. Instants of a log come in order; `begin_log` separates logs.
+  /// Adds the rows of one instant: n x (rank + 1), columns (Y_base, tau), each row multiplied by the root of
+  /// its weight. The instants of a log must come in order; `begin_log` separates logs.
   void add(const Eigen::MatrixXd& rows);
   void begin_log() { last_.clear(); }
 
-  /// Weighted least squares, the weights 1/sigma_j^2 of the joints iterated from the residuals. The prior is
-  /// so weak that it counts only along directions that the rows do not excite. The covariance is the sandwich
-  /// estimator with the residuals' autocorrelation (White, Asymptotic Theory for Econometricians, 1984, ch.
-  /// 6): rows filtered from the same samples are not independent.
+  /// Solves the weighted least squares; the weights 1/sigma_j^2 of the joints are iterated from the
+  /// residuals. The prior is so weak that it counts only along directions that the rows do not excite. The
+  /// covariance is the sandwich estimator with the residuals' autocorrelation (White, Asymptotic Theory for
+  /// Econometricians, 1984, ch. 6), since rows filtered from the same samples are not independent.
   Estimate solve(const WeakPrior& prior);
 
  private:
@@ -53,11 +53,11 @@ class Regression {
   int joints_;
   int rank_;
   long rows_ = 0;
-  std::vector<int> dead_;                              ///< columns that the last solution left at the prior
+  std::vector<int> dead_;                              ///< not used
   std::vector<std::vector<Eigen::VectorXd>> waiting_;  ///< [joint]: rows not yet in the factor
   std::vector<Eigen::MatrixXd> factor_;                ///< [joint]: R of (Y_base, tau)
   std::vector<std::vector<Eigen::MatrixXd>> moments_;  ///< [joint][lag]: sum of y_t y_(t+lag)^T, tau included
-  std::vector<long> pairs_;                            ///< [lag]
+  std::vector<long> pairs_;                            ///< [lag]: number of pairs of instants
   std::vector<Eigen::MatrixXd> last_;                  ///< the last instants, newest first
 };
 

@@ -1,10 +1,11 @@
 #pragma once
-// From a log to rows of the regression tau = Y_base theta_base.
+// Converts a log to rows of the regression tau = Y_base theta_base.
 //
-// Two zero-phase stages. The first, wide, turns positions into q, q', q'' and torques into tau at a lower
-// rate; there the regressor is formed. The second, at the cutoff, filters every column of Y and tau alike, so
-// that both sides of the equation have seen the same filter and sharp edges, as friction's, do no harm
-// (parallel filtering: Gautier, Dynamic identification of robots with power model, 1997).
+// There are two zero-phase stages. The first, wide one turns positions into q, q', q'' and torques into tau
+// at a lower rate; there the regressor is formed. The second, at the cutoff, filters every column of Y and
+// tau alike. Both sides of the equation thereby pass the same filter, so that sharp edges, such as those of
+// friction, do no harm (parallel filtering: Gautier, Dynamic identification of robots with power model,
+// 1997).
 
 #include <memory>
 
@@ -19,27 +20,28 @@ namespace armtune::internal {
 
 struct RowOptions {
   double cutoff = 5.0;  ///< [Hz] of the second stage: above what the trajectory excites, below the noise
-  double torque_delay = 0.0;  ///< [s] the log's torque acts so much later than its row's time
+  double torque_delay = 0.0;  ///< [s] by which the log's torque acts later than its row's time
 };
 
 class RowStream {
  public:
-  /// All arguments must outlive this; `instants` takes a sample of the filtered motion. Throws InputError if
-  /// the log is too short or too coarse for the cutoff.
+  /// All arguments must outlive the stream. `instants` receives a sample of the filtered motion. Throws
+  /// InputError if the cutoff is not above zero, if the log is too coarse for it, or if the torque delay is
+  /// too long for it. A log that is too short has no rows.
   RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options,
             LogInstants& instants);
 
-  /// The next instant's rows: n x (rank + 1), columns (Y_base, tau). False at the end of the log.
+  /// Computes the next instant's rows: n x (rank + 1), columns (Y_base, tau). False at the end of the log.
   bool next(Eigen::MatrixXd& rows);
 
-  /// After the last row: throws InputError if the log has velocities that are not the positions' derivatives,
-  /// which a wrong unit, sign or column makes them. Nothing else is taken from them: they carry the noise of
-  /// one more sensor, or were differentiated from the positions with a lag.
+  /// Throws InputError if the log has velocities that are not the derivatives of its positions, which happens
+  /// with a wrong unit, sign or column. To be called after the last row. The velocities are used for nothing
+  /// else: they carry the noise of one more sensor, or were differentiated from the positions with a lag.
   void check_velocities() const;
 
-  /// Samples of the log read so far.
+  /// Returns the number of samples of the log read so far.
   long samples() const { return samples_; }
-  /// Time between rows [s].
+  /// Returns the time between rows [s].
   double row_period() const { return period_ * motion_step_ * row_step_; }
 
  private:

@@ -10,18 +10,18 @@ namespace armtune::internal {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, long>;
 
-/// Upper triangular R (n x n, dense) with R^T R = A^T A, columns in their order; A: m x n, any m.
+/// Returns the upper triangular R (n x n, dense) with R^T R = A^T A, columns in their order; A: m x n, any m.
 Eigen::MatrixXd triangular_factor(const SparseMatrix& A);
 
-/// Which columns of A are independent of those before them.
+/// The columns of A that are independent of those before them, and the columns that are not.
 struct RankRevealed {
-  std::vector<int> live;  ///< in order
+  std::vector<int> live;  ///< independent columns, in order
   std::vector<int> dead;  ///< in order; each depends on the live ones before it
   Eigen::MatrixXd R;      ///< rank x n: columns `live` (upper triangular), then `dead`
 };
 
-/// Rank-revealing factorisation with columns in their order: a column is dead when less than `tolerance` of
-/// it is left beside the live ones before it (Heath's rule).
+/// Computes a rank-revealing factorisation with columns in their order. A column is dead if less than
+/// `tolerance` of it is left after the live ones before it are taken out (Heath's rule).
 RankRevealed rank_revealing_factor(const SparseMatrix& A, double tolerance);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Reasons to doubt an identified theta, from what it leaves unexplained and from its masses.
+// Reasons to doubt an identified theta, from the torques that it leaves unexplained and from its masses.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,11 @@
 namespace armtune::internal {
 
 /// Returns one sentence, with joint or link and values, for each of these:
-///   - a joint of whose torque over half is unexplained, on the rows fitted to or on those held out;
-///   - a joint of which the identified theta leaves clearly more than the robot file does;
-///   - a link over three times as heavy as in the robot file, by over half of the arm's moved mass;
-///   - an arm whose moved mass is 1.8 times the robot file's or more, or the robot file's that many times it.
+///   - a joint with over half of its torque unexplained, on the rows fitted to or on those held out;
+///   - a joint for which the identified theta leaves clearly more unexplained than the robot file does;
+///   - a link over three times as heavy as in the robot file, if the difference is over half of the arm's
+///     moved mass;
+///   - an arm whose moved mass is over 1.8 times that of the robot file, or the other way round.
 /// The noise of the torque sensors does not count, nor do torques below half a percent of the effort limit.
 std::vector<std::string> theta_doubts(const RobotModel& model, const Identification& found);
 

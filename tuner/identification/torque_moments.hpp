@@ -1,6 +1,6 @@
 #pragma once
-// What rows (Y_base, tau) leave unexplained by any theta_base, from their second moments: the rows themselves
-// are not kept.
+// Computes how much of the torque in rows (Y_base, tau) a theta_base leaves unexplained. It needs only the
+// rows' second moments; the rows themselves are not kept.
 
 #include <Eigen/Core>
 #include <vector>
@@ -12,19 +12,20 @@ class TorqueMoments {
   TorqueMoments(int joints, int rank)
       : moments_(static_cast<std::size_t>(joints), Eigen::MatrixXd::Zero(rank + 1, rank + 1)) {}
 
-  /// Rows of one instant: n x (rank + 1), columns (Y_base, tau).
+  /// Adds the rows of one instant: n x (rank + 1), columns (Y_base, tau).
   void add(const Eigen::MatrixXd& rows);
-  /// Instants added.
+  /// Returns the number of instants added.
   long count() const { return count_; }
-  /// RMS of the torque of every joint (n) [N m, N]; zeros without rows.
+  /// Returns the RMS of the torque of every joint (n) [N m, N]; zeros without rows.
   Eigen::VectorXd torque_rms() const;
-  /// RMS of tau - Y theta_base of every joint (n) [N m, N], to about 1e-8 of the torque; zeros without rows.
+  /// Returns the RMS of tau - Y theta_base of every joint (n) [N m, N], to about 1e-8 of the torque; zeros
+  /// without rows.
   Eigen::VectorXd residual_rms(const Eigen::VectorXd& theta_base) const;
 
  private:
   Eigen::VectorXd rms(const Eigen::VectorXd& combination) const;
 
-  std::vector<Eigen::MatrixXd> moments_;  ///< of each joint: sum of y y^T, y = (Y_base, tau)
+  std::vector<Eigen::MatrixXd> moments_;  ///< [joint]: sum of y y^T, y = (Y_base, tau)
   long count_ = 0;
 };
 

@@ -1,12 +1,13 @@
 #pragma once
-// What a session tells, handed on to a Watch.
+// An observer that passes the reports of a session on to a Watch of the public interface.
 
 #include "armtune/progress.hpp"
 #include "tuner/session/observer.hpp"
 
 namespace armtune {
 
-/// Observer: SessionObserver, or a class derived from it. The Watch outlives it.
+/// An observer of any kind of session. Observer: SessionObserver, or a class derived from it. The Watch must
+/// outlive it.
 template <class Observer>
 class Observing : public Observer {
  public:

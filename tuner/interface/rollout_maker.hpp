@@ -1,5 +1,5 @@
 #pragma once
-// What the interface gives of a rollout, made from what the simulation gives.
+// Converts results of the simulation into the types of the public interface.
 
 #include "armtune/rollout.hpp"
 #include "armtune/study.hpp"
@@ -11,11 +11,11 @@
 namespace armtune {
 
 struct RolloutMaker {
-  /// recording: a rollout that has nothing else.
+  /// Converts a result without its broken limits. recording: a rollout that has only its recording.
   static Rollout made(internal::ScenarioResult result, Rollout recording = {});
-  /// The same where somebody looked at the arm's limits.
+  /// Converts a result with its broken limits, for a rollout in which the arm's limits were watched.
   static Rollout watched(internal::ScenarioResult result, Rollout recording = {});
-  /// Gives the rollout its recording. completed: for Recorder::rows.
+  /// Moves the recording into the rollout. completed: as for Recorder::rows.
   static void record(Rollout& rollout, internal::Recorder recorder, bool completed);
   static const internal::ScenarioResult& result_of(const Rollout& rollout);
 };
@@ -32,7 +32,7 @@ inline const std::atomic<bool> never_stopped{false};
 inline const std::atomic<bool>& stop_of(const Watch& watch) {
   return watch.stop != nullptr ? *watch.stop : never_stopped;
 }
-/// How a run is named that no command began.
+/// Returns the context of a session that no command began.
 inline internal::SessionContext context_of(const Watch& watch) {
   return {stop_of(watch), {{}, "(a program, through armtune's interface)"}};
 }

@@ -1,6 +1,7 @@
 #pragma once
-// journal.txt: every finished evaluation of a run, whole and checked, so that a run that was killed resumes
-// where it was. A line each: a checksum (16 hexadecimal digits) over the rest of the line.
+// The journal of a run, stored in journal.txt. It keeps every finished evaluation with a checksum, so that a
+// run that was killed resumes where it stopped. Each line begins with a checksum (16 hexadecimal digits) of
+// the rest of the line.
 
 #include <cstdint>
 #include <map>
@@ -14,56 +15,56 @@
 
 namespace armtune::internal {
 
-/// Whose minutes: those of the whole run, what a search may use of them that leaves some for its last steps,
-/// or what a global search may use that leaves some for the local one.
+/// The kinds of time budgets of a run: the minutes of the whole run; those that a search may use so that some
+/// are left for its last steps; those that a global search may use so that some are left for the local one.
 enum class Minutes { kRun, kSearch, kGlobal };
 
 class Journal {
  public:
-  /// Begins one, its header on disk. Throws InputError if the file is there already or cannot be made.
+  /// Begins a journal and writes its header to disk. Throws InputError if the file exists or cannot be made.
   static std::unique_ptr<Journal> begin(const std::string& path, const RunHeader& header);
 
-  /// Opens one to go on with. A torn last line, of a run that was killed while it wrote, is cut off;
-  /// `warning` says so. patience: how long to wait for another process that writes it [s]. Throws InputError
-  /// if the file cannot be read, a line is damaged (naming the record), another process is writing it, or
-  /// `now` is another run than the one it was begun for (naming what differs).
+  /// Opens a journal to continue it. If the run was killed while it wrote, the incomplete last line is cut
+  /// off, and `warning` says so. patience: how long to wait for another process that writes it [s]. Throws
+  /// InputError if the file cannot be read, a line is damaged (naming the record), another process is writing
+  /// it, or `now` differs from the run that it was begun for (naming what differs).
   static std::unique_ptr<Journal> resume(const std::string& path, const RunHeader& now, std::string& warning,
                                          double patience = 0.0);
 
-  /// The record of this number, if it is finished. Throws InputError if the file was changed meanwhile.
+  /// Returns the record with this number if it exists. Throws InputError if the file was changed meanwhile.
   std::optional<JournalRecord> find(std::uint64_t number) const;
   std::size_t records() const { return places_.size(); }
-  /// Appends a record and hands it to the disk. Throws FailedError if the disk refuses it.
+  /// Appends a record and writes it to disk. Throws FailedError if the disk refuses it.
   void append(const JournalRecord& record);
 
-  /// The number of the evaluation before which those minutes were over, if that happened.
+  /// Returns the number of the evaluation before which those minutes were over, if they were.
   std::optional<std::uint64_t> time_was_up(Minutes minutes = Minutes::kRun) const;
   void time_is_up(std::uint64_t number, Minutes minutes = Minutes::kRun);
 
-  /// Exit code of the program, once everything the run was to make is written.
+  /// Returns the exit code of the program, once all results of the run are written.
   std::optional<int> exit_code() const { return exit_code_; }
   void complete(int exit_code);
 
-  /// Wall time of the run until its last record [s].
+  /// Returns the wall time of the run at its last record [s].
   double seconds() const { return seconds_; }
 
  private:
   Journal(const std::string& path, AppendFile::Open open, double patience);
-  /// Reads the lines after the header; gives what to warn of.
+  /// Reads the lines after the header. Returns a warning, or an empty text.
   std::string read(const RunHeader& now);
   void take(std::string_view payload, long place);
   void write(const std::string& payload);
 
   std::string path_;
   AppendFile file_;
-  long size_ = 0;                         ///< of the file [bytes]
-  std::map<std::uint64_t, long> places_;  ///< of the finished: where their lines begin
+  long size_ = 0;                         ///< size of the file [bytes]
+  std::map<std::uint64_t, long> places_;  ///< finished records by number: place of their lines
   std::map<Minutes, std::uint64_t> time_was_up_;
   std::optional<int> exit_code_;
   double seconds_ = 0.0;
 };
 
-/// The header of a journal. Throws InputError if it is none or its header is damaged.
+/// Reads the header of a journal. Throws InputError if the file is not a journal or its header is damaged.
 RunHeader read_run_header(const std::string& path);
 
 }  // namespace armtune::internal

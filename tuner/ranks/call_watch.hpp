@@ -1,5 +1,5 @@
 #pragma once
-// Watches a call that cannot be given a deadline, such as MPI_Init, which returns only when every rank has
+// A watch on a call that cannot be given a deadline, such as MPI_Init, which returns only when every rank has
 // called it:
 //
 //   const CallWatch watch(10.0, [] { say("still waiting"); }, 120.0, [] { std::_Exit(1); });
@@ -13,7 +13,7 @@ namespace armtune::internal {
 class CallWatch {
  public:
   using Action = std::function<void()>;
-  /// From a thread of its own, calls `say` after `say_after` and `give_up` after `limit` [s], each once,
+  /// Starts a thread that calls `say` after `say_after` and `give_up` after `limit` [s]. Each is called once,
   /// unless the watch has been destroyed before. Time in which the process is stopped does not count.
   CallWatch(double say_after, Action say, double limit, Action give_up);
 

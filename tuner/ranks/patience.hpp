@@ -1,5 +1,5 @@
 #pragma once
-// Waiting for a message that is asked for again and again, without keeping a processor busy.
+// Functions to poll for a message without keeping a processor busy.
 
 #include <algorithm>
 #include <chrono>
@@ -7,11 +7,11 @@
 
 namespace armtune::internal {
 
-/// Wall clock time, without that in which the process was stopped (Ctrl-Z, a suspended job): between two
-/// looks at it no more than a second counts.
+/// A clock of wall time that leaves out time in which the process was stopped (Ctrl-Z, a suspended job).
+/// Between two calls of look() at most one second counts.
 class RunningTime {
  public:
-  /// [s], looked at often while it runs
+  /// Returns the time so far [s]. Call it often.
   double look() {
     constexpr double kLargestGap = 1.0;
     const auto now = Clock::now();
@@ -29,8 +29,8 @@ class RunningTime {
 class Patience {
  public:
   double seconds() { return time_.look(); }
-  /// A fiftieth of the wait so far, between 0.1 and 1 ms: what is waited for comes late by 2 % at most, or by
-  /// less than a millisecond.
+  /// Sleeps for a fiftieth of the wait so far, but between 0.1 and 1 ms. What is waited for is noticed late
+  /// by at most 2 %, or by less than a millisecond.
   void sleep() {
     constexpr double kShortest = 1e-4;
     constexpr double kLongest = 1e-3;

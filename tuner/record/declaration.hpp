@@ -1,7 +1,7 @@
 #pragma once
-// A type that is stored as JSON is declared once: `declare` names each member with its value and its meaning.
-// Visitors make everything else of that: JsonWriter the text, JsonReader the value again, and TypePrinter the
-// interface that TypeScript code reads the text by.
+// Declarations of types that are stored as JSON. A type is declared once: `declare` names each member with
+// its value and its meaning. Visitors make everything else from it: JsonWriter the text, JsonReader the
+// value, and TypePrinter the interface for TypeScript code that reads the text.
 //
 //   struct Sample {
 //     long number = 0;
@@ -12,10 +12,9 @@
 //     }
 //   };
 //
-// Members are numbers, truth values, texts, enumerations with a function `name`, vectors of space,
-// quaternions (w, x, y, z), and lists, pairs and optional values of these, and of types that are declared
-// themselves. A text that is one of a few words, and a truth value that is told by two, have the words after
-// the value.
+// Members are numbers, truth values, texts, enumerations with a function `name`, spatial vectors, quaternions
+// (w, x, y, z), and lists, pairs and optional values of these, and of types that are declared themselves. If
+// a text must be one of a few words, or if two words represent a truth value, the words follow the value.
 
 #include <concepts>
 #include <initializer_list>
@@ -26,17 +25,18 @@
 
 namespace armtune::internal::record {
 
-/// How a member stands in its object.
+/// The rule for writing a member into its object.
 enum class Presence {
   kAlways,
-  kIfAny,   ///< left out where it is empty
-  kOrNull,  ///< null where it is not a number, or for those of its items that are not; never read back
-  kLater    ///< written always; files of older versions lack it
+  kIfAny,   ///< left out if it is empty
+  kOrNull,  ///< null for values that are not numbers, also in lists; never read back
+  kLater    ///< always written, but missing in files of older versions
 };
 
 using Words = std::initializer_list<const char*>;
 
-/// Of a function `declare` beside a type that does not declare itself: that type, const or not.
+/// A constraint for a function `declare` beside a type that does not declare itself: T is that type, const or
+/// not.
 template <typename T, typename Type>
 concept Of = std::same_as<std::remove_const_t<T>, Type>;
 
@@ -49,7 +49,7 @@ void declare(Fields& f, T& value) {
   std::remove_const_t<T>::declare(f, value);
 }
 
-/// The names of an enumeration whose values count from 0.
+/// Returns the names of an enumeration whose values count from 0.
 template <typename Enum>
 std::vector<std::string> names_of() {
   std::vector<std::string> names;
@@ -75,13 +75,13 @@ template <typename T>
 concept List = !Text<T> && requires(const T& value) {
   value.begin();
 };
-/// As long as its type says.
+/// A list whose length is fixed by its type.
 template <typename T>
 concept Vector = List<T> && requires(const T& value) {
   T::RowsAtCompileTime;
 };
 
-/// True of an empty text or list, and of an optional value that is not there.
+/// True for an empty text or list, and for an optional value that is missing.
 template <typename T>
 bool is_empty(const T& value) {
   if constexpr (Text<T>) return std::string_view(value).empty();

@@ -1,6 +1,6 @@
 #pragma once
-// Declared types read back from JSON by the reader of YAML, since JSON is a part of YAML: the same limits,
-// and errors that name file, line and key.
+// Reads declared types from JSON. It uses the YAML reader, because JSON is a subset of YAML. Therefore it has
+// the same limits, and its errors name file, line and key.
 
 #include <algorithm>
 #include <optional>
@@ -14,7 +14,7 @@ namespace armtune::internal::record {
 template <typename T>
 void read(const yaml::Node& node, T& value);
 
-/// The index of a word among those that are allowed. Throws InputError naming them.
+/// Returns the index of a word among the allowed ones. Throws InputError naming these if it is another word.
 inline std::size_t index_of_word(const yaml::Node& node, const std::vector<std::string>& words) {
   const std::string word = node.as_string();
   const auto found = std::find(words.begin(), words.end(), word);
@@ -24,7 +24,7 @@ inline std::size_t index_of_word(const yaml::Node& node, const std::vector<std::
   node.fail("'" + word + "' is not known here; expected one of " + all);
 }
 
-/// Reads the members that `declare` visits; a value that is computed of others is passed over.
+/// A visitor that reads the members that `declare` visits. It skips values that are computed from others.
 class JsonReader {
  public:
   explicit JsonReader(yaml::MapReader& map) : map_(map) {}
@@ -62,8 +62,8 @@ class JsonReader {
   yaml::MapReader& map_;
 };
 
-/// Throws InputError naming file, line, key, value and what is expected, also for a key that is not declared.
-/// Another type is read by a function `read` beside it.
+/// Reads a value. Throws InputError naming file, line, key, value and what is expected, also for a key that
+/// is not declared. Types that are not declared are read by a function `read` beside them.
 template <typename T>
 void read(const yaml::Node& node, T& value) {
   if constexpr (std::is_enum_v<T>) {

@@ -1,5 +1,5 @@
 #pragma once
-// Declared types written as JSON.
+// Writes declared types as JSON.
 
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace armtune::internal::record {
 template <typename T>
 void write(std::string& out, const T& value);
 
-/// Appends the members that `declare` visits.
+/// A visitor that appends the members that `declare` visits.
 class JsonWriter {
  public:
   explicit JsonWriter(std::string& out) : out_(out) {}
@@ -38,8 +38,8 @@ class JsonWriter {
   bool separate_ = false;
 };
 
-/// Appends a value. One of a type that neither declares itself nor is among those of `declare` is written by
-/// a function `write` beside that type.
+/// Appends a value. Types that are neither declared nor listed in declaration.hpp are written by a function
+/// `write` beside them.
 template <typename T>
 void write(std::string& out, const T& value) {
   if constexpr (std::is_same_v<T, bool>) {
@@ -73,7 +73,7 @@ void write(std::string& out, const T& value) {
   }
 }
 
-/// The text of one value.
+/// Returns the text of one value.
 template <typename T>
 std::string json_of(const T& value) {
   std::string text;

@@ -1,5 +1,5 @@
 #pragma once
-// Declared types as the interfaces of TypeScript code that reads their JSON.
+// Prints declared types as interfaces for TypeScript code that reads their JSON.
 
 #include <set>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace armtune::internal::record {
 
-/// Prints the interface of a type after those of the types in it, each once.
+/// A printer of interfaces. It prints the interface of a type after those of the types in it, each once.
 class TypePrinter {
  public:
-  /// The TypeScript type of a value, which is printed before where it is declared.
+  /// Returns the TypeScript type of a value. If the type is declared, prints its interface first.
   template <typename T>
   std::string type_of(bool or_null = false);
 
@@ -24,7 +24,7 @@ class TypePrinter {
   std::set<std::string> printed_;
 };
 
-/// Collects the members that `declare` visits.
+/// A visitor that collects the members that `declare` visits.
 class TypePrinter::Interface {
  public:
   explicit Interface(TypePrinter& printer) : printer_(printer) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Words that one part of armtune writes into a CSV file and another reads there. Each is declared here alone.
+// Words that one part of armtune writes into a CSV file and another part reads. Each is defined only here.
 
 namespace armtune::internal::kept_words {
 
@@ -13,7 +13,7 @@ inline constexpr const char* kDistanceToPart = "distance to part ";  ///< of the
 inline constexpr const char* kDistanceToFloor = "distance to the floor";
 inline constexpr const char* kDistanceBetweenLinks = "distance between links";
 
-/// What became of an event, and of the plan that it is held against, in yardstick.csv.
+/// Outcomes of an event, and of the plan that it is compared with, in yardstick.csv.
 inline constexpr const char* kAlreadyThere = "already there";
 inline constexpr const char* kThereAtOnce = "there at once";
 inline constexpr const char* kInfeasible = "infeasible";

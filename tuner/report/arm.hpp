@@ -1,5 +1,5 @@
 #pragma once
-// An arm as the replay draws it: joints, limits, shapes.
+// The data of an arm that a replay draws: its joints, limits and shapes.
 
 #include <optional>
 #include <string>
@@ -72,12 +72,12 @@ struct Arm {
   }
 };
 
-/// Shapes as the URDF has them: of each link what is to be seen, else what is to collide. Meshes that cannot
-/// be loaded, or of which an arm has too many triangles, are left out; a moving link with no shape gets
-/// capsules between joint origins.
+/// Returns the arm with its shapes from the URDF. A link has its visual shapes, or its collision shapes if no
+/// visual one can be drawn. Meshes that cannot be loaded are left out, and so are meshes beyond a limit of
+/// triangles per arm. A moving link without any shape gets capsules between joint origins.
 Arm arm_of(const RobotModel& model);
 
-/// Takes the meshes out and draws links that have no other shape as capsules. Returns the bytes of text that
+/// Removes the meshes, and draws links that have no other shape as capsules. Returns the bytes of text that
 /// this saves.
 std::size_t draw_without_meshes(Arm& arm);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bytes as text (RFC 4648, the standard alphabet, padded).
+// Encodes bytes and numbers as base64 text (RFC 4648, standard alphabet, padded).
 
 #include <cstdint>
 #include <span>
@@ -9,10 +9,10 @@ namespace armtune::internal::report {
 
 std::string base64(std::span<const unsigned char> bytes);
 
-/// Each number as two bytes, the lower one first.
+/// Encodes each number as two bytes, lowest byte first.
 std::string base64_u16(std::span<const std::uint16_t> numbers);
 
-/// Each number as the four bytes of an IEEE single, the lowest one first.
+/// Encodes each number as the four bytes of an IEEE single, lowest byte first.
 std::string base64_f32(std::span<const float> numbers);
 
 }  // namespace armtune::internal::report

@@ -1,6 +1,6 @@
 #pragma once
-// A run's rows in buckets of equal length. A plot keeps the smallest and the largest value of each bucket:
-// what it shows at a bucket a pixel is what it would show with every row.
+// A run's rows, divided into buckets of equal length to thin them for a plot. A plot keeps the smallest and
+// the largest value of each bucket. With one bucket per pixel it looks the same as with every row.
 
 #include <span>
 #include <vector>
@@ -9,26 +9,26 @@ namespace armtune::internal::report {
 
 class Buckets {
  public:
-  /// At most `most` buckets (>= 1) over `rows` rows; where each would hold two rows or fewer, every row is
+  /// Makes at most `most` buckets (>= 1) over `rows` rows. If each would hold two rows or fewer, every row is
   /// kept.
   Buckets(std::size_t rows, std::size_t most);
 
   bool whole() const { return count_ == 0; }
   std::size_t points() const { return whole() ? rows_ : 2 * count_; }
 
-  /// Two times a bucket: its first row's and its middle one's. `time`: one per row, not decreasing.
+  /// Returns two times per bucket: of its first and of its middle row. time: one per row, not decreasing.
   std::vector<double> times(std::span<const double> time) const;
 
-  /// Two values a bucket: its smallest and its largest finite one, in the order in which they come; NaN where
-  /// it holds none.
+  /// Returns two values per bucket, its smallest and its largest finite one, in the order of their rows. They
+  /// are NaN if the bucket holds no finite value.
   std::vector<double> extremes(std::span<const double> column) const;
 
-  /// First row of bucket b; of b = points() / 2 the end.
+  /// Returns the first row of bucket b, or the number of rows for b = points() / 2.
   std::size_t first_row(std::size_t b) const;
 
  private:
   std::size_t rows_;
-  std::size_t count_;  ///< 0: every row is kept
+  std::size_t count_;  ///< number of buckets; 0: every row is kept
 };
 
 }  // namespace armtune::internal::report

@@ -1,5 +1,6 @@
 #pragma once
-// What the tables of a run show: how figures changed, what is broken, which joint comes closest to its limit.
+// Functions that find in the tables of a run what changed, what is broken, and which joint comes closest to
+// its limit.
 
 #include <optional>
 #include <string>
@@ -10,22 +11,22 @@
 
 namespace armtune::internal::report {
 
-/// How a metric of a set compares with the first set's: the geometric mean of the ratios over the scenarios
-/// where both are positive.
+/// The change of a metric from the first set to another set: the geometric mean of the ratios over the
+/// scenarios where both values are positive.
 struct Change {
   Metric metric = Metric::kPositionMax;
   double ratio = 1.0;
-  std::vector<std::string> scenarios;  ///< that it is the mean of
-  /// The ratio, or its inverse where larger is better; below 1 is better.
+  std::vector<std::string> scenarios;  ///< scenarios that the mean is taken over
+  /// Returns the ratio, or its inverse if larger is better. A value below 1 is an improvement.
   double worsening() const;
 };
 
-/// Best improvement first; a metric without such scenarios is left out. terms: which metrics in which
-/// scenarios; no scenarios: all.
+/// Returns the changes of the metrics of `terms`, best improvement first. A term holds a metric and its
+/// scenarios; no scenarios mean all. A metric that has no scenario with positive values is left out.
 std::vector<Change> changes(const std::vector<Table>& tables, const std::vector<StudyTerm>& terms,
                             std::size_t set);
 
-/// A metric of one scenario, of the first set and of another.
+/// The values of a metric in one scenario, for the first set and for another set.
 struct Step {
   Metric metric = Metric::kPositionMax;
   std::string scenario;
@@ -33,30 +34,31 @@ struct Step {
   double after = 0.0;
 };
 
-/// Which of the metrics got worse the most, by ratio, and where; nothing if none did.
+/// Returns the largest worsening of any of the metrics, by ratio, or nothing if none got worse.
 std::optional<Step> worst_step(const std::vector<Table>& tables, const std::vector<Metric>& metrics,
                                std::size_t set);
 
-/// "wrist_1_joint comes closest to its velocity limit, 88 % at 6.01 s in SCENARIO", over all scenarios of a
-/// set; empty where no table has a ratio.
+/// Returns "wrist_1_joint comes closest to its velocity limit, 88 % at 6.01 s in SCENARIO" or, above 100 %,
+/// that it breaks the limit, over all scenarios of a set. Empty if no table has such a ratio.
 std::string closest_joint(const std::vector<Table>& tables, std::size_t set);
 
-/// One line per scenario that a set did not complete, with the reason.
+/// Returns one line for each scenario that a set did not complete, with the reason.
 std::vector<std::string> failures(const std::vector<Table>& tables, std::size_t set);
 
-/// One line per limit that a set breaks in a scenario that completed. Limits without a value of their own are
-/// the first set's.
+/// Returns one line for each limit that a set breaks in a scenario that it completed. For a limit without a
+/// value of its own, the first set's value counts.
 std::vector<std::string> violations(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
                                     std::size_t set);
 
-/// What every arm asks for, whether a study does or not.
+/// Returns the limits that every arm has, in addition to those of a study.
 std::vector<StudyLimit> limits_of_arm();
 
-/// Failures, then violations.
+/// Returns the failures followed by the violations.
 std::vector<std::string> wrong_with(const std::vector<Table>& tables, const std::vector<StudyLimit>& limits,
                                     std::size_t set);
 
-/// Limits of the arm that are broken where no limit of those asked for on the same metric is.
+/// Returns the limits of the arm that are broken in a scenario, except where a limit in `asked` on the same
+/// metric is broken too.
 std::vector<std::string> beyond_arm(const std::vector<Table>& tables, const std::vector<StudyLimit>& asked,
                                     std::size_t set);
 

@@ -1,16 +1,16 @@
 #pragma once
-// The page that shows a report, built from web/ with Node and compiled in.
+// The HTML page that shows a report. It is built from web/ with Node and compiled in.
 
 #include <string>
 #include <string_view>
 
 namespace armtune::internal::report {
 
-/// The page without its data; empty where armtune was built without it (ARMTUNE_REPORT).
+/// Returns the page without its data, or an empty text if armtune was built without it (ARMTUNE_REPORT).
 std::string_view page_text();
 
-/// The page with the data in place of its one mark. json: as report_json writes it. Throws FailedError
-/// if the page does not hold the mark exactly once.
+/// Returns the page with the data inserted in place of the mark in it. json: text from report_json. Throws
+/// FailedError if the page does not contain the mark exactly once.
 std::string filled_page(std::string_view page, std::string_view json);
 
 }  // namespace armtune::internal::report

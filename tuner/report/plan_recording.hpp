@@ -1,21 +1,21 @@
 #pragma once
-// A plan's motion.csv and limits.csv as plots and a replay show them.
+// Turns a plan's motion.csv and limits.csv into the plots, the replay and the limits of a report.
 
 #include "tuner/report/recording.hpp"
 
 namespace armtune::internal::report {
 
-/// "torque of elbow_joint", "tool path along y", "gaze".
+/// Returns a limit in words, such as "torque of elbow_joint", "tool path along y" or "gaze".
 std::string limit_words(const std::string& limit, const std::string& part);
 
-/// Plots, end and replay of motion.csv, whose time counts from the plan's start; set, status and reason are
-/// the caller's. scenario, arm: null where the folder has no scene; then without a replay. Throws InputError
-/// naming the file if a column is missing.
+/// Makes a run with the plots, end and replay of motion.csv; its time counts from the plan's start. The
+/// caller sets `set`, `status` and `reason`. scenario, arm: null if the folder has no scene; then there is no
+/// replay. Throws InputError naming the file if a column is missing.
 Run plan_run_of(const NumberTable& motion, const SceneScenario* scenario, const Arm* arm,
                 const Resolution& resolution);
 
-/// From limits.csv: in its order, times counted from `start` [s]. arm: null where it is not known; all its
-/// joints count as turning then. Throws InputError naming the file if a column is missing.
+/// Returns the limits of limits.csv in their order, with times counted from `start` [s]. arm: null if it is
+/// not known; all joints count as revolute then. Throws InputError naming the file if a column is missing.
 std::vector<PlanLimit> plan_limits_of(const CsvTable& limits, const Arm* arm, double start);
 
 }  // namespace armtune::internal::report

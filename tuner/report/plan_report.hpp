@@ -1,5 +1,5 @@
 #pragma once
-// The folder of `armtune plan` as the data of a page.
+// Reads the folder of `armtune plan` into the data of a report page.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace armtune::internal::report {
 
-/// From motion.csv, limits.csv, scene.json and run.yaml. What of them is missing or cannot be understood is
-/// left out and said, as report_of does. bytes: as there.
+/// Returns the data from motion.csv, limits.csv, scene.json and run.yaml. Files that are missing or cannot be
+/// understood are left out and reported, as in report_of. bytes: as in report_of.
 ReportData plan_report_of(const std::string& folder, std::size_t bytes);
 
 }  // namespace armtune::internal::report

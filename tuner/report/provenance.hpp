@@ -1,5 +1,5 @@
 #pragma once
-// run.yaml read back.
+// Reads run.yaml of a run folder.
 
 #include <string>
 #include <utility>
@@ -7,7 +7,8 @@
 
 namespace armtune::internal::report {
 
-/// Every value as text, in the order of the file; keys as paths, "versions/eigen". Throws InputError.
+/// Returns every value as text, in the order of the file, with its key as a path such as "versions/eigen".
+/// Throws InputError if the file cannot be read.
 std::vector<std::pair<std::string, std::string>> read_provenance(const std::string& path);
 
 }  // namespace armtune::internal::report

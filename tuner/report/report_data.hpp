@@ -1,7 +1,7 @@
 #pragma once
-// All that a report page shows, each member declared once with its meaning: the JSON in the page and the
-// types of web/src/data.ts are made of this. SI units; NaN stands for a value that there is not. Any text is
-// data and is shown as it is: markup in a name is never run. A part that is left out leaves its section out.
+// The data that a report page shows. Each member is declared once with its meaning; the JSON in the page and
+// the types of web/src/data.ts are made from the declarations. Units are SI. NaN stands for a missing value.
+// Any text is data and is shown as it is: markup in a name is never run. A missing part removes its section.
 
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@
 
 namespace armtune::internal::report {
 
-/// A joint, and when: " at 6.01 s". Each may be empty.
+/// The joint that a value belongs to and its time, such as " at 6.01 s". Each may be empty.
 struct Place {
   std::string joint, when;
 };
@@ -27,7 +27,7 @@ struct MetricRow {
   Metric metric = Metric::kPositionMax;
   std::vector<double> values;
   std::vector<std::string> text;
-  std::vector<Place> places;  ///< of each set's value, or empty
+  std::vector<Place> places;  ///< joint and time of each set's value, or empty
 
   static void declare(auto& f, auto& row) {
     const MetricField& metric = field(row.metric);
@@ -127,8 +127,8 @@ struct ReportData {
   std::optional<Robustness> robustness;
   std::optional<Plan> plan;
   Provenance provenance;
-  std::vector<std::string> left_out;  ///< why, of files that could not be understood
-  std::vector<std::string> thinned;   ///< what the page does not show so that it does not become too large
+  std::vector<std::string> left_out;  ///< reasons why files could not be understood
+  std::vector<std::string> thinned;   ///< what the page leaves out to limit its size
 
   static void declare(auto& f, auto& data) {
     f.type("ReportData")("format", 1)("kind", data.kind)("title", data.title)("verdict", data.verdict);
@@ -144,8 +144,8 @@ struct ReportData {
   }
 };
 
-/// The text of the object that web/src/data.ts calls ReportData. It may stand inside an HTML page: no `<` is
-/// in it.
+/// Returns the text of the object that web/src/data.ts calls ReportData. It contains no `<`, so that it can
+/// be inserted into an HTML page.
 std::string report_json(const ReportData& data);
 
 }  // namespace armtune::internal::report

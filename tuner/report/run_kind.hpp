@@ -1,5 +1,5 @@
 #pragma once
-// What kind of run left a folder.
+// The kind of run that wrote a folder.
 
 #include <string>
 
@@ -7,13 +7,14 @@ namespace armtune::internal::report {
 
 enum class RunKind { kSimulate, kTune, kPareto, kRobustness, kCompare, kPlan };
 
-/// "simulate", "tune" ...: the command.
+/// Returns the name of the command, such as "simulate" or "tune".
 constexpr const char* name(RunKind kind) {
   constexpr const char* kNames[] = {"simulate", "tune", "pareto", "robustness", "compare", "plan", ""};
   return kNames[static_cast<int>(kind)];
 }
 
-/// By its journal, else by the files in it. Throws InputError if it is no folder that a report is made of.
+/// Finds the kind of run by its journal, or else by the files in the folder. Throws InputError if no report
+/// can be made from the folder.
 RunKind kind_of(const std::string& folder);
 
 }  // namespace armtune::internal::report

@@ -1,5 +1,5 @@
 #pragma once
-// The recordings of a run folder on its page: as many of them, and each as fine, as there is room for.
+// Adds the recordings of a run folder to its report page, as many and as fine as there is room for.
 
 #include <string>
 
@@ -8,13 +8,13 @@
 
 namespace armtune::internal::report {
 
-/// Name of a file of a set below the run's folder: "start/gains.yaml".
+/// Returns the name of a set's file below the run's folder, such as "start/gains.yaml".
 std::string name_in(const SceneSet& set, const std::string& file);
 
-/// Adds plots and replays of `data.scenarios`, whose names are known, from the rollout_<scenario>.csv of
-/// every set. room: bytes of text that they may take. Where all do not fit, those scenarios come first that
-/// failed or broke a limit of the arm with the last set, and obstacles far from the tool are left out;
-/// `data.thinned` says so. A recording that cannot be understood is named in `data.left_out`.
+/// Adds plots and replays of `data.scenarios`, whose names must be set, from the rollout_<scenario>.csv files
+/// of every set. room: bytes of text that they may take. If they do not all fit, scenarios that failed or
+/// broke a limit of the arm with the last set come first, obstacles far from the tool are left out, and
+/// `data.thinned` lists what is missing. A recording that cannot be understood is named in `data.left_out`.
 void add_recordings(const std::string& folder, const Scene& scene, std::size_t room, ReportData& data);
 
 }  // namespace armtune::internal::report

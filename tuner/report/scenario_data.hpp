@@ -1,5 +1,5 @@
 #pragma once
-// What a report page shows of a scenario: its runs, their plots and replays, and the limits of a plan.
+// The data that a report page shows of a scenario: its runs with plots and replays, and the limits of a plan.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@ namespace armtune::internal::report {
 
 using enum record::Presence;
 
-/// The plots that a page has.
+/// Names of the plots on a page.
 inline constexpr record::Words kPlots = {"position",       "position_error",     "orientation_error",
                                          "gaze",           "joint_position",     "linear_velocity_error",
                                          "velocity_ratio", "joint_velocity",     "angular_velocity_error",
@@ -79,7 +79,7 @@ struct Run {
   double start = 0.0, end = 0.0;
   std::vector<StateChange> states;
   std::vector<std::pair<double, double>> slerps;
-  double shortest_state = 0.0;  ///< states and slerps that are shorter [s] are left out; 0: all are there
+  double shortest_state = 0.0;  ///< states and slerps shorter than this [s] are left out; 0: none are
   Series time;
   std::vector<PlotColumn> columns;
   Replay replay;

@@ -1,5 +1,6 @@
 #pragma once
-// What a run's CSV files do not say and its replay needs: scene.json, written beside them.
+// The scene of a run, stored in scene.json beside the CSV files. It contains the data that a replay needs and
+// that the CSV files do not have.
 
 #include <optional>
 #include <string>
@@ -12,23 +13,23 @@
 
 namespace armtune::internal::report {
 
-/// A gain set of the run and where its files are: gains.yaml and rollout_<scenario>.csv.
+/// A gain set of the run, with the place of its files gains.yaml and rollout_<scenario>.csv.
 struct SceneSet {
   std::string name;
-  std::string folder = ".";           ///< below the run's
-  std::string errors = "errors.csv";  ///< below the run's
+  std::string folder = ".";           ///< below the run's folder
+  std::string errors = "errors.csv";  ///< below the run's folder
 
   static void declare(auto& f, auto& set) { f("name", set.name)("folder", set.folder)("errors", set.errors); }
 };
 
 struct SceneObstacle {
   Path path;
-  double radius = 0.0;  ///< of its body [m]
+  double radius = 0.0;  ///< radius of its body [m]
 
   static void declare(auto& f, auto& obstacle) { f("radius", obstacle.radius)("path", obstacle.path); }
 };
 
-/// A part of the cell; its shape belongs to no joint, and the path is that of its centre.
+/// A part of the cell. Its shape belongs to no joint, and its path is that of its centre.
 struct ScenePart {
   std::string name;
   ArmShape shape;
@@ -41,9 +42,9 @@ struct SceneScenario {
   std::string name;
   double duration = 0.0;  ///< [s]
   std::size_t arm = 0;    ///< index into Scene::arms
-  Path path;              ///< of the tool
+  Path path;              ///< path of the tool
   std::vector<SceneObstacle> obstacles;
-  double influence_radius = 0.0;  ///< [m], of the first set's gains; 0 without obstacles
+  double influence_radius = 0.0;  ///< from the first set's gains [m]; 0 without obstacles
   std::vector<ScenePart> cell;
   std::optional<double> floor;  ///< height above the base frame's origin [m]
 
@@ -65,21 +66,21 @@ struct Scene {
   }
 };
 
-/// The sets of a run that left no scene.json, by its kind; of a comparison by its file. Throws InputError if
-/// that cannot be read.
+/// Returns the sets of a run without scene.json, by the kind of run. For a comparison it reads them from the
+/// run's file; throws InputError if that cannot be read.
 std::vector<SceneSet> usual_sets(RunKind kind, const std::string& folder);
 
-/// influence_radius: of the reference gains [m].
+/// Makes the scene of scenarios and sets. influence_radius: of the reference gains [m].
 Scene scene_of(const std::vector<Scenario>& scenarios, std::vector<SceneSet> sets, double influence_radius);
 
-/// A path to be drawn closed, to a hundredth of a millimetre [m]: one period of it, there and back where it
-/// has none; a single point where it is at rest.
+/// Returns a path as a closed polyline, accurate to a hundredth of a millimetre [m]. It covers one period, or
+/// the way there and back if the path has no period, or is a single point if the path is at rest.
 std::vector<Vec3> drawn_path(const Path& path);
 
-/// Text of scene.json.
+/// Returns the text of scene.json.
 std::string scene_json(const Scene& scene);
 
-/// Throws InputError naming file, key, value and what is expected.
+/// Reads scene.json. Throws InputError naming file, key, value and what is expected.
 Scene read_scene(const std::string& path);
 
 }  // namespace armtune::internal::report

@@ -1,6 +1,6 @@
 #pragma once
-// What a report page shows of a search: its evaluations, gains, sensitivity and trade-off, and the arms that
-// the result was tried on.
+// The data that a report page shows of a search: its evaluations, gains, sensitivity and trade-off, and the
+// arms on which the result was tested.
 
 #include <optional>
 #include <string>
@@ -167,13 +167,13 @@ struct WorstSample {
 
 struct Robustness {
   std::size_t samples = 0;
-  std::size_t kept = 0;  ///< keep every limit
+  std::size_t kept = 0;  ///< number of arms that keep every limit
   std::pair<double, double> interval;
   std::vector<Histogram> histograms;
   std::vector<WorstSample> worst;
-  std::vector<std::pair<std::string, std::size_t>> broken;  ///< limit and samples that break it, most first
+  std::vector<std::pair<std::string, std::size_t>> broken;  ///< limit and number of samples, most first
 
-  /// Portion of the arms that keep every limit; 0 without arms.
+  /// Returns the share of the arms that keep every limit; 0 without arms.
   double yield() const {
     return samples > 0 ? static_cast<double>(kept) / static_cast<double>(samples) : 0.0;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// One column of numbers in two bytes each: linear between its smallest and its largest value.
+// A column of numbers stored in two bytes each, linear between its smallest and its largest value.
 
 #include <cstdint>
 #include <span>
@@ -11,13 +11,14 @@ namespace armtune::internal::report {
 
 struct Series {
   static constexpr std::uint16_t kSteps = 65534;    ///< from lo to hi
-  static constexpr std::uint16_t kNoValue = 65535;  ///< NaN or infinite
+  static constexpr std::uint16_t kNoValue = 65535;  ///< code for NaN or infinite
 
-  double lo = 0.0;  ///< 0 where no number is finite
+  double lo = 0.0;  ///< 0 if no number is finite
   double hi = 0.0;
   std::vector<std::uint16_t> steps;
 
-  /// The number at i, half a step (hi - lo) / 131068 off at most, lo and hi exact; NaN where there is none.
+  /// Returns the number at i, or NaN if it is missing. Its error is at most half a step, (hi - lo) / 131068;
+  /// lo and hi are exact.
   double at(std::size_t i) const;
 
   static void declare(auto& f, auto& series) {

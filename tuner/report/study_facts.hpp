@@ -1,5 +1,6 @@
 #pragma once
-// What study.yaml says of a run, without the files that it names: they may have been moved.
+// The facts of a study that stand in study.yaml of a run folder. Files that study.yaml names are not read,
+// because they may have been moved.
 
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@ struct StudyGain {
   double start = 0.0;
   double lower = 0.0;
   double upper = 0.0;
-  std::string scale;  ///< log, linear
+  std::string scale;  ///< "log" or "linear"
 };
 
 struct StudyTerm {
@@ -24,8 +25,8 @@ struct StudyTerm {
 
 struct StudyLimit {
   Metric metric = Metric::kPositionMax;
-  bool upper = true;            ///< at most, else at least
-  std::optional<double> value;  ///< none: the start's
+  bool upper = true;            ///< true: at most; false: at least
+  std::optional<double> value;  ///< empty: the start's value
   std::vector<std::string> scenarios;
 };
 
@@ -34,13 +35,13 @@ struct StudyFacts {
   std::vector<StudyGain> gains;
   std::vector<StudyTerm> terms;
   std::vector<StudyLimit> limits;
-  std::string measure;  ///< "worst of 5 arms each" of a study on many arms, else empty
+  std::string measure;  ///< such as "worst of 5 arms each"; empty for a study on one arm
 };
 
-/// What its terms and limits are of, twice or not.
+/// Returns the metrics of the terms and limits; a metric may occur twice.
 std::vector<Metric> metrics_of(const StudyFacts& study);
 
-/// Of a study.yaml in a run folder. Throws InputError naming file and key.
+/// Reads study.yaml of a run folder. Throws InputError naming file and key.
 StudyFacts read_study_facts(const std::string& path);
 
 }  // namespace armtune::internal::report

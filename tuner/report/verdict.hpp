@@ -1,6 +1,6 @@
 #pragma once
-// What a run has shown, in one sentence and a few lines: what got better by how much, which joint comes
-// closest to its velocity limit and when, what is violated.
+// The verdict on a report page: one sentence and a few lines on what improved by how much, which joint comes
+// closest to its velocity limit and when, and what is violated.
 
 #include <map>
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace armtune::internal::report {
 
-/// What a verdict needs beside the page's data.
+/// The data that a verdict needs in addition to the page's data.
 struct VerdictFacts {
   std::optional<StudyFacts> study;
-  std::map<std::string, std::string> run;   ///< run.yaml, keys as paths
-  bool ended = true;                        ///< whether there is a run.yaml, the last file of a run
-  bool resumable = false;                   ///< whether there is a journal
-  std::optional<SimulationVerdict> checks;  ///< verdict.yaml, of the runs that have one
+  std::map<std::string, std::string> run;   ///< run.yaml, with keys as paths
+  bool ended = true;                        ///< true if there is a run.yaml, the last file of a run
+  bool resumable = false;                   ///< true if there is a journal
+  std::optional<SimulationVerdict> checks;  ///< verdict.yaml; empty if the run has none
 
-  /// Of run.yaml; empty where it is not there.
+  /// Returns an entry of run.yaml, or an empty text if there is none.
   std::string entry(const std::string& key) const { return run.contains(key) ? run.at(key) : ""; }
-  /// By run.yaml's `interrupted`; runs of older versions say it in their `ended` alone.
+  /// True if run.yaml says `interrupted`. In older runs only their `ended` says so.
   bool interrupted() const {
     return run.contains("interrupted") ? entry("interrupted") == "true"
                                        : entry("ended").starts_with("interrupted");
   }
 };
 
-/// data: everything but its verdict.
+/// Returns the verdict. data: complete except for its verdict.
 Verdict verdict_of(const ReportData& data, const VerdictFacts& facts);
 
 }  // namespace armtune::internal::report

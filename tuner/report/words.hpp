@@ -1,5 +1,5 @@
 #pragma once
-// Findings as a reader is told of them.
+// Turns findings into sentences for a reader.
 
 #include <string>
 #include <vector>
@@ -8,33 +8,35 @@
 
 namespace armtune::internal::report {
 
-/// Whether a ratio is worth a word.
+/// True if a ratio differs from 1 enough to be mentioned.
 bool noticeable(double ratio);
-/// Whether a change is for the better, by more than that.
+/// True if a change is an improvement by more than that.
 bool improvement(const Change& change);
 
-/// "the largest orientation error falls by 62 %", with the number of scenarios where it is not of all.
+/// Returns, for example, "the largest orientation error falls by 62 %". Adds the scenario, or the number of
+/// scenarios, if the change does not cover all.
 std::string words(const Change& change, std::size_t all_scenarios);
 
-/// "the largest orientation error (error/orientation/max) falls by 62 %, mean of a and b"
+/// Returns, for example,
+/// "the largest orientation error (error/orientation/max) falls by 62 %, mean of a and b".
 std::string exact_words(const Change& change, std::size_t all_scenarios);
 
-/// The best one or two improvements; empty if there is none.
+/// Returns the best one or two improvements, or an empty text if there is none.
 std::string improvements(const std::vector<Change>& all, std::size_t scenarios);
 
-/// Which headline got worse the most, and where; empty if none did.
+/// Returns which headline metric got worse the most, and where, or an empty text if none did.
 std::string price(const std::vector<Table>& tables, std::size_t set);
 
-/// With a capital letter, unless it begins with the name of a joint, a metric or a scenario.
+/// Capitalises the first letter, unless the text begins with the name of a joint, a metric or a scenario.
 std::string capital(std::string text);
 
-/// The parts that are not empty as one sentence.
+/// Joins the parts that are not empty into one sentence.
 std::string joined(const std::vector<std::string>& parts);
 
-/// The first of the lines, and how many others there are; empty without one.
+/// Returns the first line and the number of others, or an empty text without lines.
 std::string first_of(const std::vector<std::string>& lines);
 
-/// Appends the lines, at most so many, and says how many are left out.
+/// Appends the lines, at most `most` of them, and says how many are left out.
 void add(std::vector<std::string>& details, const std::vector<std::string>& lines, std::size_t most);
 
 }  // namespace armtune::internal::report

@@ -1,5 +1,5 @@
 #pragma once
-// yardstick.csv read back: each event of a rollout beside the best that the arm's limits allow, in words.
+// The events in yardstick.csv: parts of a rollout, each compared with the best that the arm's limits allow.
 
 #include <optional>
 #include <string>
@@ -33,10 +33,11 @@ struct YardstickRow {
   }
 };
 
-/// One file per set; none where there is no file. Throws InputError naming file and column.
+/// Reads yardstick.csv of each set; empty where there is no file. Throws InputError naming file and column.
 std::vector<YardstickRow> yardstick_of(const std::vector<std::optional<CsvTable>>& sets);
 
-/// How far a set is from the best, at its worst switch, return and lap, in a sentence; empty without a ratio.
+/// Returns a sentence that compares a set with the best possible at its worst switch, return and lap, or an
+/// empty text if there is no ratio.
 std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_t set);
 
 }  // namespace armtune::internal::report

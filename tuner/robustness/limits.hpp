@@ -1,5 +1,5 @@
 #pragma once
-// What a gain set must keep on every arm: bounds on metrics.
+// Bounds on metrics that a gain set must keep on every arm.
 
 #include <string>
 #include <vector>
@@ -10,35 +10,36 @@ namespace armtune::internal {
 
 struct MetricLimit {
   Metric metric = Metric::kJointVelocityMaxRatio;
-  bool upper = true;  ///< at most, else at least
+  bool upper = true;  ///< true: at most `value`; false: at least
   double value = 1.0;
 };
 
-/// Largest share of a scenario's control periods that may have a saturated joint: an unstable loop chatters
-/// from torque bound to torque bound, long before it diverges or tracks much worse.
+/// Largest share of a scenario's control periods that may have a saturated joint. An unstable loop chatters
+/// from torque bound to torque bound long before it diverges or tracks much worse.
 inline constexpr double kSaturatedShare = 0.01;
-/// How many periods of a scenario that is.
+/// Returns this share as a number of the scenario's periods.
 inline long saturated_periods_allowed(const Scenario& scenario) {
   return static_cast<long>(kSaturatedShare * scenario.periods());
 }
-/// "torque saturated in over 1 % of the periods"
+/// Returns "torque saturated in over 1 % of the periods".
 std::string saturation_text();
 
-/// The arm's own: joint velocities and positions inside their limits, and no obstacle touched.
+/// Returns the arm's own limits: joint velocities and positions inside their limits, and no contact with an
+/// obstacle, another link, the cell or the floor.
 std::vector<MetricLimit> arm_limits();
 
-/// From "joint_velocity/max_ratio<=0.9" or ">=". Throws InputError.
+/// Reads a limit such as "joint_velocity/max_ratio<=0.9" or one with ">=". Throws InputError.
 MetricLimit parse_limit(const std::string& text);
 
-/// Those given as text, or the arm's own where none are. Throws InputError.
+/// Reads the limits given as texts; without any, returns the arm's own. Throws InputError.
 std::vector<MetricLimit> parse_limits(const std::vector<std::string>& texts);
 
-/// "joint_velocity/max_ratio <= 0.9"
+/// Returns a text such as "joint_velocity/max_ratio <= 0.9".
 std::string to_string(const MetricLimit& limit);
 
-/// The first limit that a result breaks, or that its torque saturates in too many periods, or, if it did not
-/// complete, its status; empty if it keeps them all. A metric without a value breaks its limit where it
-/// applies to the scenario, and nothing elsewhere.
+/// Returns the first limit that a result breaks, or that its torque saturates in too many periods. For a
+/// result that did not complete it is its status. The text is empty if all is kept. A metric without a value
+/// breaks its limit if it applies to the scenario, and none otherwise.
 std::string broken_limit(const RolloutResult& result, const std::vector<MetricLimit>& limits,
                          const Scenario& scenario);
 

@@ -1,5 +1,6 @@
 #pragma once
-// The one declaration of every margin: what changes, from where, which way and how far.
+// The one declaration of every stability margin: which quantity changes, from which value, in which direction
+// and how far.
 
 #include <array>
 #include <cstddef>
@@ -18,14 +19,14 @@ struct MarginField {
   const char* name;
   const char* unit;
   const char* meaning;
-  /// The scenario's own value.
+  /// Returns the scenario's own value.
   double (*nominal)(const Scenario& scenario);
-  /// Gives scenario and gains another value; with the nominal one they stay as they are.
+  /// Gives scenario and gains another value. The nominal value leaves them unchanged.
   void (*apply)(double value, Scenario& scenario, Gains& gains);
   EdgeSearch search;  ///< nominal is set for each scenario
 };
 
-/// In the order of the enumeration, which is that of margins.csv.
+/// Returns the margins in the order of the enumeration, which is also that of margins.csv.
 const std::array<MarginField, kMarginCount>& margin_fields();
 inline const MarginField& field(MarginKind kind) {
   return margin_fields()[static_cast<std::size_t>(kind)];

@@ -1,5 +1,5 @@
 #pragma once
-// Margins as a file and as text for a terminal.
+// Stability margins as a file and as text for a terminal.
 
 #include <string>
 #include <vector>
@@ -8,20 +8,22 @@
 
 namespace armtune::internal {
 
-/// margins.csv: margin,unit,scenario,nominal,stands,fails,reason. A row per margin and scenario, and one
-/// `all` with the least of them where every scenario's is there. `stands` is empty where not even the nominal
-/// value stands, `fails` where nothing failed. Numbers read back to the same bits.
+/// Returns the text of margins.csv: margin,unit,scenario,nominal,stands,fails,reason. There is one row per
+/// margin and scenario. If the margin of every scenario is there, a row `all` has the least of them. `stands`
+/// is empty if not even the nominal value stands, `fails` if nothing failed. Numbers read back to the same
+/// bits.
 std::string margins_csv(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins);
 
-/// The margins of one gain set, scenario by scenario, and the least of them.
+/// Returns a table of the margins of one gain set, one line per scenario.
 std::string margins_by_scenario(const std::vector<Scenario>& scenarios, const std::vector<Margin>& margins);
 
 struct ComparedMargins {
-  std::string name;  ///< of the gain set
+  std::string name;  ///< name of the gain set
   std::vector<Margin> margins;
 };
 
-/// The least margins of gain sets side by side, and below them what ends each and in which scenario.
+/// Returns a table with the least margins of gain sets side by side. Below it stands what ends each margin,
+/// and in which scenario.
 std::string margins_table(const std::vector<Scenario>& scenarios, const std::vector<ComparedMargins>& sets);
 
 }  // namespace armtune::internal

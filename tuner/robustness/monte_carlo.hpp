@@ -1,5 +1,5 @@
 #pragma once
-// Gains on many arms that differ at random from the one they were made for.
+// Simulates gains on many arms that differ at random from the arm they were made for.
 
 #include <atomic>
 #include <functional>
@@ -16,7 +16,7 @@ namespace armtune::internal {
 struct MonteCarloSample {
   std::uint64_t number = 0;
   std::vector<RolloutResult> results;  ///< one per scenario
-  std::vector<std::string> broken;     ///< one per scenario, empty where every limit is kept
+  std::vector<std::string> broken;     ///< one per scenario, empty if every limit is kept
 
   bool keeps_all() const;
 };
@@ -29,31 +29,34 @@ struct MonteCarloOptions {
   std::vector<MetricLimit> limits = arm_limits();
   Stepper stepper = Stepper::kMidpoint;
   int workers = 1;
-  /// That simulates the arms; an arm that breaks a limit in another engine is simulated again in Simbody.
+  /// Engine that simulates the arms. An arm that breaks a limit in another engine than Simbody is simulated
+  /// again in Simbody.
   Engine engine = Engine::kSimbody;
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< rollouts; one call at a time
-  /// Results per scenario of a sample that an earlier session finished, or nothing; may be empty.
+  /// Returns the results per scenario of a sample that an earlier session finished, or none; may be empty.
   std::function<std::optional<std::vector<RolloutResult>>(std::uint64_t number)> known;
-  /// Each whole sample that was not known, as soon as it is whole, in any order. One call at a time.
-  std::function<void(const MonteCarloSample&)> whole;
-  /// Each whole sample, in the order of their numbers, as soon as all before it are whole too. One call at a
+  /// Called with each whole sample that was not known, as soon as it is whole, in any order. One call at a
   /// time.
+  std::function<void(const MonteCarloSample&)> whole;
+  /// Called with each whole sample in the order of their numbers, as soon as all before it are whole too. One
+  /// call at a time.
   std::function<void(const MonteCarloSample&)> finished;
 };
 
-/// What its workers have to know. Throws InputError if the perturbation is not valid.
+/// Returns the plan for the workers of these options. Throws InputError if the perturbation is not valid.
 RolloutPlan monte_carlo_plan(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options);
 
-/// Samples in the order of their numbers; those that were not done when `stop` became true are missing. A
-/// sample is a function of scenarios, gains, perturbation, seed and its number alone.
+/// Returns the samples in the order of their numbers. Samples that were not done when `stop` became true are
+/// missing. A sample depends on scenarios, gains, perturbation, seed and its number alone.
 std::vector<MonteCarloSample> monte_carlo(const std::vector<Scenario>& scenarios, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
-/// The same with workers of that plan: the options' own number of them does not count.
+/// Does the same with workers of that plan; the number of workers in the options is not used.
 std::vector<MonteCarloSample> monte_carlo(RolloutPool& pool, const Gains& gains,
                                           const MonteCarloOptions& options, const std::atomic<bool>& stop);
 
-/// samples.csv: sample,scenario,status,broken limit,joint of the largest velocity ratio, every metric, and
-/// what was drawn (drawn_arm.hpp). Numbers read back to the same bits. options: that the samples were drawn
+/// Returns texts of samples.csv: its header, the rows of a sample, and the whole file. The columns are
+/// sample, scenario, status, broken limit, joint of the largest velocity ratio, every metric, and what was
+/// drawn (drawn_arm.hpp). Numbers read back to the same bits. options: those that the samples were drawn
 /// with.
 std::string samples_header(const std::vector<Scenario>& scenarios);
 std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
@@ -61,8 +64,8 @@ std::string sample_rows(const std::vector<Scenario>& scenarios, const MonteCarlo
 std::string samples_csv(const std::vector<Scenario>& scenarios, const MonteCarloOptions& options,
                         const std::vector<MonteCarloSample>& samples);
 
-/// A metric over the samples that completed a scenario, worst last: largest, or smallest for what should be
-/// large.
+/// The spread of a metric over the samples that completed a scenario. The worst value is the largest, or the
+/// smallest for a metric that should be large.
 struct MetricSpread {
   Metric metric = Metric::kPositionMax;
   std::size_t count = 0;      ///< samples with a value
@@ -71,10 +74,10 @@ struct MetricSpread {
   std::uint64_t worst_sample = 0;
 };
 
-/// All metrics that have a value in scenario s.
+/// Returns the spreads of all metrics that have a value in scenario s.
 std::vector<MetricSpread> spreads(const std::vector<MonteCarloSample>& samples, std::size_t s);
 
-/// summary.csv: scenario,metric,unit,samples,not_given,median,p95,p99,worst,worst_sample.
+/// Returns the text of summary.csv: scenario,metric,unit,samples,not_given,median,p95,p99,worst,worst_sample.
 std::string summary_csv(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples);
 
 }  // namespace armtune::internal

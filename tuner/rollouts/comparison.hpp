@@ -1,5 +1,5 @@
 #pragma once
-// Tables that put several gain sets side by side, with ratios against the first.
+// Tables that compare several gain sets side by side, with ratios to the first set.
 
 #include <string>
 #include <vector>
@@ -10,17 +10,17 @@ namespace armtune::internal {
 
 struct ComparedSet {
   std::string name;
-  std::vector<ScenarioResult> results;  ///< same scenarios in the same order in every set
+  std::vector<ScenarioResult> results;  ///< the same scenarios in the same order in every set
 };
 
-/// Text table: per scenario one row per metric, one column per set, ratios against the first set beside the
-/// others.
+/// Returns a text table: per scenario one row per metric and one column per set, with ratios to the first set
+/// beside the others.
 std::string comparison_table(const std::vector<ComparedSet>& sets, const std::vector<Metric>& metrics);
 
-/// Long CSV: scenario,metric,unit,SET,...,SET/ratio,...
+/// Returns a long CSV: scenario,metric,unit,SET,...,SET/ratio,...
 std::string comparison_csv(const std::vector<ComparedSet>& sets);
 
-/// The metrics a person looks at first.
+/// Returns the headline metrics, which a reader looks at first.
 const std::vector<Metric>& headline_metrics();
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// The memory that recordings of rollouts take. It follows from duration, control period and columns, so that
-// a recording which cannot fit is refused before it begins.
+// The memory that recordings of rollouts need. It follows from duration, control period and columns, so that
+// a recording that does not fit is refused before it begins.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace armtune::internal {
 
-/// What becomes of recordings.
+/// The use of recordings.
 enum class RecordingUse {
   kWritten,  ///< each becomes a CSV file and is released; as many are in memory as there are workers
   kKept      ///< all of them stay in memory

@@ -1,5 +1,5 @@
 #pragma once
-// A CSV file of a run, with the hash of the bytes that were read: what run.yaml says of it is true even if
+// A CSV file of a run with the hash of the bytes that were read. Therefore run.yaml is right about it even if
 // the file is edited meanwhile.
 
 #include <string>
@@ -10,7 +10,7 @@ namespace armtune::internal {
 
 struct HashedTable {
   CsvTable table;
-  std::string hash;  ///< as run.yaml shows it
+  std::string hash;  ///< in the form of run.yaml
 };
 
 /// Reads a file that armtune wrote. Throws InputError as CsvTable::read does.

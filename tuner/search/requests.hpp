@@ -1,5 +1,6 @@
 #pragma once
-// What searches in lock step ask for as candidates to simulate, and what they are told of them.
+// Connects searches in lock step with the simulation: their requests become candidates to simulate, and the
+// results become answers.
 
 #include <functional>
 #include <optional>
@@ -10,15 +11,15 @@
 
 namespace armtune::internal {
 
-/// Points asked for that are not known, each once, in the order of the requests; those for differences are of
-/// phase "gradient". known: whether a point was simulated before. allowed: asked before each candidate,
-/// whether its search may have one more; where not, the rest of that request is left out.
+/// Returns the requested points that are not known, each once, in the order of the requests. Points for
+/// differences have the phase "gradient". known: true if a point was simulated before. allowed: called before
+/// each candidate; true if its search may have one more. If not, the rest of that request is left out.
 std::vector<Candidate> candidates_of(const std::vector<Request>& requests, const char* phase,
                                      const std::function<bool(const SolverPoint&)>& known,
                                      const std::function<bool(std::size_t search)>& allowed);
 
-/// Hands each request the values of its points up to the first that has none. value: of a point, as a search
-/// is to see it; none if it was not simulated.
+/// Gives each request the values of its points, up to the first point without a value. value: returns the
+/// value of a point as its search is to see it, or none if the point was not simulated.
 void answer(std::vector<Request>& requests, bool go_on,
             const std::function<std::optional<SolverValue>(std::size_t search, const SolverPoint&)>& value);
 

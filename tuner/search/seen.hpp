@@ -1,5 +1,5 @@
 #pragma once
-// What a run has seen in one engine.
+// The evaluations that a run has seen in one engine.
 
 #include <cstddef>
 #include <map>
@@ -15,14 +15,15 @@ namespace armtune::internal {
 
 class Seen {
  public:
-  /// Points kept of the best.
+  /// Number of best points that are kept.
   static constexpr std::size_t kBest = 3;
 
-  /// Relative to the start as this engine simulates it: what equals the start does so to the bit.
+  /// The objective relative to the start as this engine simulates it, so that a point equal to the start
+  /// scores exactly 1.
   std::optional<Objective> objective;
   std::optional<Evaluation> start;
 
-  /// box: see best_inside().
+  /// Takes in a judged evaluation. box: see best_inside().
   void take(const Evaluation& e, const WarmPoint& box);
 
   /// Returns the value at a point simulated before; null if it was not.
@@ -30,9 +31,9 @@ class Seen {
     const auto found = values_.find(x);
     return found == values_.end() ? nullptr : &found->second;
   }
-  /// First the best; a point once.
+  /// Returns the best evaluations, the best first. Each point occurs once.
   const std::vector<Evaluation>& best() const { return best_; }
-  /// Of those that the search may reach.
+  /// Returns the best of the points inside the box that the search keeps to.
   const std::optional<Evaluation>& best_inside() const { return best_inside_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The coarse sweep of a study: what a person would try by hand.
+// The coarse sweep of a study: the points that a person would try by hand.
 
 #include <vector>
 
@@ -7,7 +7,8 @@
 
 namespace armtune::internal {
 
-/// Search coordinates of every combination of the axes' factors, the first axis fastest; none without axes.
+/// Returns the search coordinates of every combination of the axes' factors, the first axis fastest; none
+/// without axes.
 std::vector<std::vector<double>> sweep_points(const Study& study);
 
 }  // namespace armtune::internal

@@ -1,6 +1,7 @@
 #pragma once
-// The tuning loop: start gains, coarse sweep, search: global if the study says so, then local from one or
-// more points. Where the study searches in the native engine, Simbody has the first and the last word.
+// The tuning loop: the start gains, a coarse sweep, a global search if the study has one, then local searches
+// from one or more points. If the study searches in the native engine, Simbody still simulates the start
+// gains first, and it judges the result.
 
 #include <array>
 #include <atomic>
@@ -22,43 +23,44 @@ struct TuneProgress {
 };
 
 struct TuneCallbacks {
-  /// Once, when the start gains were simulated and the objective stands.
+  /// Called once, when the start gains were simulated and the objective is known.
   std::function<void(const Objective&)> begin;
-  /// For every evaluation, in order, those recalled from a journal too; one call at a time, from any thread.
-  /// `phase`: start, sweep, warm (where a warm start begins), global, search, gradient (points that either
-  /// of the two forms derivatives with), or verify (Simbody after another engine).
+  /// Called for every evaluation, in order, also for those recalled from a journal. One call at a time, from
+  /// any thread. `phase` is one of these: start; sweep; warm (the point where a warm start begins); global;
+  /// search; gradient (points from which a search forms derivatives); verify (Simbody after another engine,
+  /// or a point on the way back from a result that has a fault).
   std::function<void(const char* phase, const Evaluation&)> evaluated;
-  std::function<void(const TuneProgress&)> progress;  ///< as `evaluated`
-  /// What checks that are too long for every evaluation find wrong with gains; empty text: nothing. No
-  /// function: there are none. See TuneResult::best.
+  std::function<void(const TuneProgress&)> progress;  ///< called like `evaluated`
+  /// Checks gains in ways that take too long for every evaluation, and returns the fault that it finds, or an
+  /// empty text. No function: there are no such checks. See TuneResult::best.
   std::function<std::string(const Gains&)> fault;
 };
 
-/// Where the best has a fault, how far from the start towards it gains are tried that may have none.
+/// Shares of the way from the start to the best at which gains without a fault are looked for, if the best
+/// has one.
 inline constexpr std::array kSharesOfTheWay = {0.5, 0.25, 0.1};
 
 struct TuneResult {
   Evaluation start;
-  std::optional<Evaluation> best_of_sweep;  ///< as Simbody sees it
-  /// Feasible if any feasible point was seen. Simbody's, but for an interrupted run that searched in another
-  /// engine: see its `engine`. Where it has a fault (TuneCallbacks), the first of up to three points on the
-  /// way back to the start that has none, is feasible and better than the start; without such a point still
-  /// the best.
+  std::optional<Evaluation> best_of_sweep;  ///< as simulated by Simbody
+  /// The best evaluation; feasible if any feasible point was seen. It is Simbody's, unless the run was
+  /// interrupted while it searched in another engine: see its `engine`. If it has a fault (TuneCallbacks), up
+  /// to three points on the way back to the start are tried. The first that has no fault, is feasible and is
+  /// better than the start takes its place. Without such a point it remains the best.
   Evaluation best;
   long evaluations = 0;
   bool interrupted = false;
   std::string reason;       ///< why the search ended
-  std::string passed_over;  ///< of a result on the way back: what it takes the place of, and why
+  std::string passed_over;  ///< if `best` is a point on the way back: what it replaces, and why
 };
 
-/// Runs the study. `stop`: set from outside to end after the rollouts under way are dropped. Deterministic:
-/// a function of the study alone, unless max_minutes is set. journal: where evaluations are recorded and, if
-/// the run is resumed, recalled from. Throws InputError if the start gains give no
-/// reference.
+/// Runs the study. The result depends on the study alone, unless max_minutes is set. `stop`: set from outside
+/// to end the run; the rollouts that are running are then dropped. journal: where evaluations are recorded
+/// and, if the run is resumed, recalled from. Throws InputError if the start gains give no reference.
 TuneResult tune(const Study& study, CandidateRunner& workers, const std::atomic<bool>& stop,
                 const TuneCallbacks& callbacks, Journal* journal = nullptr);
 
-/// Largest |q'|/limit over an evaluation's scenarios, the corners of margins aside.
+/// Returns the largest |q'|/limit over an evaluation's scenarios, without the corners of margins.
 double largest_velocity_ratio(const Study& study, const Evaluation& e);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// What sensitivities are made of: the merits (objective + penalty * violation) of points about the best,
-// found in one engine and confirmed by Simbody.
+// Computes the merits (objective + penalty * violation) of points about the best, from which sensitivities
+// follow. The merits are found in one engine and confirmed by Simbody.
 
 #include <atomic>
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace armtune::internal {
 
-/// Where the points of parameter i stand among all, which begin with the best: a step below it, a step above,
-/// and back to the start.
+/// The places of the points of parameter i among all points, the first of which is the best: a step below it,
+/// a step above it, and back to the start.
 struct PointsOf {
   std::size_t below, above, reset;
 };
@@ -25,17 +25,18 @@ class Merits {
  public:
   using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-  /// All outlive this. progress: of the evaluations asked for so far; may be empty.
+  /// All arguments must outlive this object. progress: counts the evaluations requested so far; may be empty.
   Merits(const Study& study, const Objective& objective, CandidateRunner& workers,
          const std::atomic<bool>& stop, const Progress& progress)
       : study_(study), objective_(objective), workers_(workers), stop_(stop), progress_(progress) {}
 
-  /// In order. Nothing if `stop` became true before all were done.
+  /// Returns the merits of the points, in order. No value if `stop` became true before all were done.
   std::optional<std::vector<double>> of(const std::vector<std::vector<double>>& points, Engine engine);
 
-  /// merits: of another engine, of the points about the best. Simbody simulates the best and the ways back of
-  /// the `looked_at` most important parameters; these are its own then. Where it comes to another figure, all
-  /// of them are.
+  /// Confirms merits of the points about the best that another engine found. Simbody simulates the best, and
+  /// the points back to the start of the `looked_at` most important parameters; its own merits replace these.
+  /// If one of them differs, Simbody simulates all points. No value if `stop` became true before all were
+  /// done.
   std::optional<std::vector<double>> confirmed(const std::vector<std::vector<double>>& points,
                                                std::vector<double> merits, std::size_t looked_at);
 

@@ -1,8 +1,9 @@
 #pragma once
-// Which gains matter: what each does near the best point, over the whole journal, and for the improvement.
+// Shows which gains matter: the effect of each near the best point, over the whole journal, and on the
+// improvement.
 //
-// Everything is judged by the merit: objective + penalty * violation, with the study's penalty. At a best
-// point that leans on constraints the objective alone would call every step across one an improvement.
+// Everything is judged by the merit: objective + penalty * violation, with the study's penalty. If the best
+// point lies at constraints, the objective alone would call every step across a constraint an improvement.
 
 #include <atomic>
 #include <functional>
@@ -24,47 +25,48 @@ struct ParameterSensitivity {
   /// Relative change of the merit per relative change of the gain, by central differences (one-sided at a
   /// bound); NaN for a gain of zero.
   double elasticity = 0.0;
-  /// Spearman's rank correlation of the parameter with the merit over the journal; NaN with fewer than three
-  /// rows or a parameter that never moved.
+  /// Spearman's rank correlation of the parameter with the merit over the journal. NaN with fewer than three
+  /// rows or for a parameter that never changed.
   double rank_correlation = 0.0;
-  /// What the merit loses when this gain alone goes back to its start: its part in the improvement.
+  /// Increase of the merit if this gain alone is set back to its start: its part in the improvement.
   double importance = 0.0;
 };
 
 inline constexpr double kSensitivityStep = 0.02;
 
-/// As many gains, the most important ones, does a run's summary tell of.
+/// Number of the most important gains that a run's summary shows.
 inline constexpr std::size_t kMostShown = 8;
 
-/// As many gains, the most important ones, has Simbody confirm what another engine found.
+/// Number of the most important gains for which Simbody confirms the result of another engine.
 inline constexpr std::size_t kConfirmed = 3;
 
 struct Sensitivity {
-  double merit = 0.0;                            ///< of the best
+  double merit = 0.0;                            ///< merit of the best
   std::vector<ParameterSensitivity> parameters;  ///< the most important first
 };
 
 /// Simulates 3 points per parameter about `best`, in the engine that the study searches in. If that is not
-/// Simbody, Simbody confirms the best and the importance of the kConfirmed most important gains, which are
-/// its own figures then; where it comes to another merit, all are Simbody's. Nothing if `stop` became true
-/// before. objective: of the study. progress(done, all): evaluations; all may still grow.
+/// Simbody, Simbody confirms the best and the importance of the kConfirmed most important gains, and its own
+/// figures replace these. If it finds another merit, all figures are Simbody's. No value if `stop` became
+/// true before. objective: of the study. progress(done, all): evaluations; all may still grow.
 std::optional<Sensitivity> sensitivity(
     const Study& study, const Objective& objective, const Gains& best,
     const std::vector<EvaluationRow>& journal, CandidateRunner& workers, const std::atomic<bool>& stop,
     const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
-/// Spearman's rank correlation of two series of one length, ties at their mean rank; NaN where it is not
+/// Returns Spearman's rank correlation of two series of one length, ties at their mean rank; NaN if it is not
 /// defined.
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 
-/// sensitivity.csv: a row per parameter, the most important first. Numbers read back to the same bits; a
-/// figure that there is not is an empty cell, and `status` says why.
+/// Returns the text of sensitivity.csv: one row per parameter, the most important first. Numbers read back to
+/// the same bits. A missing figure is an empty cell, and `status` says why it is missing.
 std::string sensitivity_csv(const Study& study, const Sensitivity& sensitivity);
 
-/// In plain words, one per line: gains that ended at a bound, gains without effect, and what to change.
+/// Returns advice in plain words, one line each: gains that ended at a bound, gains without effect, and what
+/// to change.
 std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivity);
 
-/// The study with the less important half of its parameters fixed at their start values.
+/// Returns the study with the less important half of its parameters fixed at their start values.
 Study without_less_important_half(const Study& study, const Sensitivity& sensitivity);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// A run that simulates several gain sets over the same scenarios. It is whole or nothing.
+// A session that simulates several gain sets in the same scenarios and compares them. If it is interrupted
+// before all sets were simulated, it leaves no result.
 
 #include "tuner/report/scene.hpp"
 #include "tuner/rollouts/comparison.hpp"
@@ -9,20 +10,20 @@ namespace armtune::internal {
 
 struct CompareOutcome {
   Ending ending = Ending::kInterrupted;
-  std::vector<ComparedSet> sets;  ///< empty if interrupted before all were simulated: then nothing is written
-  std::vector<std::optional<std::vector<EnduranceResult>>> endured;  ///< one for each set
+  std::vector<ComparedSet> sets;  ///< empty if interrupted before all were simulated; no file is written then
+  std::vector<std::optional<std::vector<EnduranceResult>>> endured;  ///< one per set; nullopt: not extended
   SimulationVerdict verdict;
-  std::vector<std::string> files;  ///< names of those in the folder
+  std::vector<std::string> files;  ///< names of the files in the folder
 };
 
 class CompareSession {
  public:
-  /// sets: their names are different, and names of files where there is a folder. The observer outlives the
-  /// session.
+  /// sets: their names differ from each other, and are valid file names if the session has a folder. The
+  /// observer must outlive the session.
   CompareSession(RolloutSettings settings, std::vector<GainsToSimulate> sets, SessionContext context,
                  SessionObserver& observer);
 
-  /// Runs it; may be called once. Throws as SimulateSession::run does.
+  /// Runs the session; may be called once. Throws the same errors as SimulateSession::run.
   CompareOutcome run();
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-// A run that finds the front of a study: what less of one criterion costs in another. Search, fresh rollouts
-// of every point, and, where it has a folder, all of its files. It can be resumed there.
+// A session that finds the trade-off front of a study: how much one criterion costs in another. It searches,
+// simulates every point of the front again, and writes all files if it has a folder. A session with a folder
+// can be resumed there.
 
 #include <optional>
 #include <string>
@@ -16,39 +17,41 @@ namespace armtune::internal {
 
 struct FrontSettings {
   RunPlace place = {};
-  std::vector<std::string> criteria;  ///< names of two or three; the first is searched
-  std::size_t levels = 0;             ///< of each other criterion; 0: 12, with three criteria 4
-  long max_evaluations = 0;           ///< 0: four times the study's
+  std::vector<std::string> criteria;  ///< names of two or three; the search minimises the first
+  std::size_t levels = 0;             ///< levels of each other criterion; 0: 12, or 4 with three criteria
+  long max_evaluations = 0;           ///< 0: four times the study's number
   int workers = 1;                    ///< threads
-  double deadline = 0.0;              ///< of one rollout, wall clock [s]; 0: by its duration
+  double deadline = 0.0;              ///< for one rollout, wall clock [s]; 0: derived from its duration
 };
 
 struct FrontOutcome {
   Ending ending = Ending::kInterrupted;
-  bool was_finished = false;  ///< the run had ended before: nothing else is given here
+  bool was_finished = false;  ///< true if the run had ended before; only `ending` is set then
   ParetoOptions options;
-  ParetoResult result;             ///< without evaluations: interrupted before the start gains were simulated
-  bool verified = false;           ///< every point was simulated again
-  std::vector<std::string> files;  ///< names of those in the folder
-  double seconds = 0.0;            ///< that the session took
+  ParetoResult result;             ///< no evaluations: interrupted before the start gains were simulated
+  bool verified = false;           ///< true if every point was simulated again
+  std::vector<std::string> files;  ///< names of the files in the folder
+  double seconds = 0.0;            ///< wall time of the session [s]
 };
 
-/// Hears of such a run while it is under way.
+/// An observer of a front session.
 class FrontObserver : public SessionObserver {
  public:
-  /// The start gains were simulated. recalled: evaluations that a resumed run has finished before.
+  /// Called when the start gains were simulated. recalled: number of evaluations that a resumed run had
+  /// completed before.
   virtual void began(const Study& /*study*/, const ParetoOptions& /*options*/, std::size_t /*recalled*/) {}
 };
 
 class FrontSession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   FrontSession(Study study, FrontSettings settings, SessionContext context, FrontObserver& observer);
 
-  /// Runs it; may be called once. Returns nothing in a rank that worked for another one. Throws InputError if
-  /// a criterion is unknown or named twice, if the folder is used or holds another run, and if the start
-  /// gains give no reference; FailedError if a file cannot be written or a point simulated again
-  /// gives other figures. What was finished by then is in the folder.
+  /// Runs the session; may be called once. Returns nothing in a rank that worked for another rank.
+  /// Throws InputError if a criterion is unknown or named twice, if the folder is used or holds another run,
+  /// or if the start gains give no reference. Throws FailedError if a file cannot be written, or if a point
+  /// gives different results when it is simulated again. Everything completed before an error stays in the
+  /// folder.
   std::optional<FrontOutcome> run(RankGroup& ranks);
 
  private:
@@ -70,7 +73,7 @@ class FrontSession {
   std::optional<JournalledRun> run_;
   std::optional<Objective> objective_;
   std::optional<EvaluationsFile> evaluations_;
-  double last_seconds_ = 0.0;  ///< of the last evaluation
+  double last_seconds_ = 0.0;  ///< wall time of the run at the last evaluation [s]
   FrontOutcome outcome_;
 };
 

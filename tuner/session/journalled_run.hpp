@@ -1,6 +1,6 @@
 #pragma once
-// The folder of a run that can be resumed after it was killed: its lock, its journal, copies of its inputs,
-// and its wall time over all of its parts.
+// The folder of a run that can be resumed after it was killed. It owns the run's lock, its journal, copies of
+// its inputs, and its wall time summed over all of its parts.
 
 #include <functional>
 #include <memory>
@@ -16,28 +16,28 @@
 
 namespace armtune::internal {
 
-/// Where a run's files go.
+/// The folder into which a run writes its files.
 struct RunPlace {
   std::string folder;   ///< empty: nothing is written
-  bool resume = false;  ///< continue the run that is there
+  bool resume = false;  ///< true: continue the run in this folder
 };
 
 inline constexpr const char* kJournal = "journal.txt";
 
-/// Returns the path of a run's journal; where there is none, the name that it would have.
+/// Returns the path of a run's journal, or the path that it would have if there is none.
 std::string journal_in(const std::string& folder);
 
-/// Returns the header of a run's journal: the invocation, and all that the results depend on, which is
-/// `identity` (of the kind of run), versions and hashes of the input files.
+/// Returns the header of a run's journal: the invocation and everything that the results depend on. The
+/// latter is `identity`, which belongs to the kind of run, with versions and the hashes of the input files.
 RunHeader run_header(const Invocation& invocation, std::vector<std::pair<std::string, std::string>> identity,
                      const std::vector<std::string>& inputs);
 
 class JournalledRun {
  public:
-  /// Begins a run in a new folder, or opens one to resume, and keeps a copy of every input (see keep_inputs).
-  /// write_first: writes files that stand in a new folder before its journal, which a resumed run reads from
-  /// there. Throws InputError if the folder is used, if another run writes into it, or if it holds a symbolic
-  /// link or another run than the header says; of a new run nothing is left then.
+  /// Begins a run in a new folder, or opens a run to resume it. Keeps a copy of every input (keep_inputs).
+  /// write_first: writes files that must be in a new folder before the journal, because a resumed run reads
+  /// them from there. Throws InputError if the folder is used, if another run writes into it, if it holds a
+  /// symbolic link, or if its run differs from the header. A new run that fails here leaves nothing behind.
   JournalledRun(RunPlace place, const RunHeader& header, const std::vector<std::string>& inputs,
                 SessionObserver& observer, const std::function<void()>& write_first = {});
   /// Deletes the folder of a new run unless keep() was called.
@@ -47,15 +47,15 @@ class JournalledRun {
 
   bool resumed() const { return place_.resume; }
   Journal& journal() { return *journal_; }
-  /// How the run ended, if it did: then there is nothing to resume.
+  /// Returns how the run ended, or nothing if it did not end. A run that has ended cannot be resumed.
   std::optional<Ending> finished() const;
-  /// Whether its journal is still there, so that a run which failed can be resumed.
+  /// True if the journal still exists, so that a run that failed can be resumed.
   bool can_resume() const;
-  /// Wall time of the run, that of its earlier parts included [s].
+  /// Returns the wall time of the run, including its earlier parts [s].
   double seconds() const { return before_ + watch_.seconds(); }
-  /// From now on the folder stays, whatever happens.
+  /// Keeps the folder from now on, even if the run fails.
   void keep() { kept_ = true; }
-  /// Everything that the run was to make is written.
+  /// Marks the run as complete: everything that it has to write is written.
   void complete(Ending ending) { journal_->complete(static_cast<int>(ending)); }
 
  private:
@@ -63,7 +63,7 @@ class JournalledRun {
   FolderLock lock_;
   std::unique_ptr<Journal> journal_;
   Stopwatch watch_;
-  double before_ = 0.0;  ///< [s]
+  double before_ = 0.0;  ///< wall time of the earlier parts [s]
   bool kept_ = false;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A report that is kept fresh while its run lasts.
+// A report page that is rewritten again and again while its run is under way.
 
 #include <chrono>
 #include <string>
@@ -11,12 +11,12 @@ namespace armtune::internal {
 
 class LiveReport {
  public:
-  /// Of a run folder. Throws InputError where armtune is built without the report's page.
+  /// folder: the run folder. Throws InputError if armtune is built without the report's page.
   LiveReport(std::string folder, SessionObserver& observer);
 
-  /// To be called after every evaluation. Writes FOLDER/report.html, whole or not at all, where the last one
-  /// is some seconds old: never more than a twentieth of the time goes into it. Never throws: a report that
-  /// cannot be written is warned of once, and the search continues.
+  /// Call it after every evaluation. Rewrites FOLDER/report.html as a whole if the last one is at least some
+  /// seconds old; writing takes at most a twentieth of the time. Never throws: if a report cannot be written,
+  /// it warns once, and the search continues without further reports.
   void update(long evaluations, long most_evaluations, double seconds_left);
 
  private:
@@ -25,7 +25,7 @@ class LiveReport {
   std::string folder_;
   SessionObserver& observer_;
   Clock::time_point next_ = Clock::now();
-  double every_ = 0.0;  ///< [s]
+  double every_ = 0.0;  ///< shortest time between two reports [s]
   bool failed_ = false;
 };
 

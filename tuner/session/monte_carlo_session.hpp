@@ -1,6 +1,7 @@
 #pragma once
-// A run that simulates a gain set on many arms that differ at random from the model: samples, their spread,
-// the verdict on the yield, and, where it has a folder, all of its files. It can be resumed there.
+// A session that simulates a gain set on many arms that differ from the model at random. It reports the
+// samples, their spread and the verdict on the yield, and writes all files if it has a folder. A session with
+// a folder can be resumed there.
 
 #include <memory>
 #include <optional>
@@ -20,36 +21,36 @@ struct MonteCarloSettings {
   RunPlace place = {};
   std::vector<Scenario> scenarios;
   Gains gains;
-  std::string gains_path;     ///< of the file that the gains are from; empty: of none
-  double deadline = 0.0;      ///< of one rollout, wall clock [s]; 0: by its duration
-  bool writes_arm = false;    ///< one sample's arm is written as a URDF and a robot YAML
-  MonteCarloOptions options;  ///< but for its functions, which are the session's own
+  std::string gains_path;     ///< path of the gains file; empty: the gains are from no file
+  double deadline = 0.0;      ///< for one rollout, wall clock [s]; 0: derived from its duration
+  bool writes_arm = false;    ///< true: writes a single sample's arm as a URDF and a robot YAML
+  MonteCarloOptions options;  ///< the session sets the functions in it itself
 };
 
 struct MonteCarloOutcome {
   Ending ending = Ending::kInterrupted;
-  bool was_finished = false;              ///< the run had ended before: nothing else is given here
+  bool was_finished = false;              ///< true if the run had ended before; only `ending` is set then
   std::vector<MonteCarloSample> samples;  ///< in the order of their numbers, up to the first that is missing
-  SimulationVerdict verdict;              ///< without checks if interrupted
-  bool recorded = false;                  ///< the scenarios' own arm was simulated as well, in nominal/
-  std::vector<std::string> files;         ///< names of those in the folder
+  SimulationVerdict verdict;              ///< has no checks if interrupted
+  bool recorded = false;                  ///< true if the scenarios' own arm was simulated too, in nominal/
+  std::vector<std::string> files;         ///< names of the files in the folder
 };
 
-/// Hears of such a run while it is under way.
+/// An observer of a Monte Carlo session.
 class MonteCarloObserver : public SessionObserver {
  public:
-  /// The run is resumed, with so many samples finished before.
+  /// Called when the run is resumed. recalled: number of samples that were completed before.
   virtual void resumed(std::size_t /*recalled*/) {}
 };
 
 class MonteCarloSession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   MonteCarloSession(MonteCarloSettings settings, SessionContext context, MonteCarloObserver& observer);
 
-  /// Runs it; may be called once. Returns nothing in a rank that worked for another one. Throws InputError if
-  /// the perturbation is not valid or the folder is used or holds another run; FailedError if a file
-  /// cannot be written. What was finished by then is in the folder.
+  /// Runs the session; may be called once. Returns nothing in a rank that worked for another rank. Throws
+  /// InputError if the perturbation is not valid, or if the folder is used or holds another run. Throws
+  /// FailedError if a file cannot be written. Everything completed before an error is in the folder.
   std::optional<MonteCarloOutcome> run(RankGroup& ranks);
 
  private:

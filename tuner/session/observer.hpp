@@ -1,6 +1,6 @@
 #pragma once
-// What a session tells while it works, to whoever runs it: the command line, Python, a test. A session
-// itself prints nothing.
+// The interface through which a session reports progress and warnings to its caller: the command line, Python
+// or a test. A session itself prints nothing.
 
 #include <cstddef>
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace armtune::internal {
 
-/// A session calls these from any thread, one call at a time. Sessions of some kinds tell more: see the class
-/// derived from this one beside them.
+/// An observer of a session. A session calls it from any thread, one call at a time. Some kinds of sessions
+/// report more, through a class that is derived from this one and declared beside them.
 class SessionObserver {
  public:
   SessionObserver() = default;
@@ -21,15 +21,16 @@ class SessionObserver {
   SessionObserver& operator=(const SessionObserver&) = delete;
 
   virtual void progressed(const Progress& /*progress*/) {}
-  /// The part that progressed() told of is over.
+  /// Called when the part of the work that progressed() reported is over.
   virtual void part_is_over() {}
-  /// Something is not as it should be, and the run continues: one sentence.
+  /// Called with one sentence when something is wrong and the run continues.
   virtual void warned(const std::string& /*sentence*/) {}
-  /// The run fails, and what was finished is kept in its folder: it can be resumed.
+  /// Called when the run fails and can be resumed, because everything completed is kept in its folder.
   virtual void can_resume(const std::string& /*folder*/) {}
 };
 
-/// Returns a function (done, all) that tells the observer how far `work` is. The observer outlives it.
+/// Returns a function (done, all) that reports the progress of `work` to the observer. The observer must
+/// outlive the function.
 inline std::function<void(std::size_t, std::size_t)> progress_of(SessionObserver& observer,
                                                                  std::string work) {
   return [&observer, work = std::move(work)](std::size_t done, std::size_t all) {

@@ -1,5 +1,5 @@
 #pragma once
-// The end of a run: its scene, its report and its verdict as files.
+// The files that a run writes at its end: its scene, its report and its verdict.
 
 #include <functional>
 #include <string>
@@ -14,35 +14,36 @@
 
 namespace armtune::internal {
 
-/// The pages of a run, by their names in its folder.
+/// Names of the scene and of the report page in a run's folder.
 inline constexpr const char* kScene = "scene.json";
 inline constexpr const char* kReport = "report.html";
 
-/// Writes what `scene` gives as scene.json, and report.html where armtune has its page. Returns the names of
-/// what was written. Never throws: what went wrong is warned of, for the run itself is finished.
+/// Writes the result of `scene` as scene.json, and writes report.html if armtune is built with its page.
+/// Returns the names of the files written. Never throws, because the run itself is finished: it only warns.
 std::vector<std::string> add_report(const std::string& folder, const std::function<report::Scene()>& scene,
                                     SessionObserver& observer);
 
-/// Writes scene.json, which `add_report` writes anew, when a run begins: a page that is made while the run
-/// is under way, or after it was killed, has a replay too. Throws InputError if it cannot be written.
+/// Writes scene.json when a run begins, so that a page made while the run is under way, or after it was
+/// killed, has a replay too. `add_report` rewrites the file at the end. Throws InputError if it cannot be
+/// written.
 void write_scene(const std::string& folder, const report::Scene& scene);
 
-/// Warns of each part that the report does not have.
+/// Warns of each part that is missing in the report.
 void warn_of_left_out(const report::Written& written, SessionObserver& observer);
 
-/// How a gain set is simulated for the report alone.
+/// The way in which a gain set is simulated for the report only.
 struct RecordOptions {
   Stepper stepper = Stepper::kMidpoint;
   int workers = 1;
 };
 
-/// Simulates a gain set and leaves gains.yaml, errors.csv and rollout_SCENARIO.csv in FOLDER/BELOW. For
-/// use inside `scene` of add_report.
+/// Simulates a gain set and writes gains.yaml, errors.csv and rollout_SCENARIO.csv into FOLDER/BELOW. Call it
+/// inside the `scene` of add_report.
 report::SceneSet record_set(const std::string& name, const std::string& folder, const std::string& below,
                             const std::vector<Scenario>& scenarios, const Gains& gains,
                             const RecordOptions& options);
 
-/// Writes FOLDER/verdict.yaml, which the report begins with.
+/// Writes FOLDER/verdict.yaml, which the report shows first.
 void write_verdict(const std::string& folder, const SimulationVerdict& verdict);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// What every session is given: what stops it, and by which command it can be made again. And how it ends.
+// The data that every session gets from its caller: a stop flag and the command that makes the run again. It
+// also defines how a session ends.
 
 #include <atomic>
 #include <chrono>
@@ -8,29 +9,29 @@
 
 namespace armtune::internal {
 
-/// The command that a run is made by, for its journal and its provenance.
+/// The command that makes a run, for its journal and its provenance.
 struct Invocation {
-  std::vector<std::string> words;  ///< of the command line, without the program, --out and what results do
-                                   ///< not depend on
-  std::string line;                ///< that makes the run again, quoted for a shell
+  std::vector<std::string> words;  ///< command line without the program, --out and options that do not
+                                   ///< change results
+  std::string line;                ///< command that makes the run again, quoted for a shell
 };
 
 struct SessionContext {
-  const std::atomic<bool>& stop;  ///< true: end soon, with what is finished; outlives the session
+  const std::atomic<bool>& stop;  ///< true: end soon with what is finished; outlives the session
   Invocation invocation = {};
 };
 
-/// How a run ended. The values are the exit codes of the program, which a journal keeps.
+/// The way in which a run ended. The values are exit codes of the program and are stored in the journal.
 enum class Ending : int {
-  kPassed = 0,        ///< done, and every check passed
-  kChecksFailed = 3,  ///< done, but a check failed, or nothing feasible was found
-  kInterrupted = 130  ///< what was finished is kept
+  kPassed = 0,        ///< complete, and every check passed
+  kChecksFailed = 3,  ///< complete, but a check failed or nothing feasible was found
+  kInterrupted = 130  ///< interrupted; what was finished is kept
 };
 
-/// Wall time since it was made.
+/// A clock of the wall time since its construction.
 class Stopwatch {
  public:
-  /// [s]
+  /// Returns the wall time since construction [s].
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   }

@@ -1,6 +1,6 @@
 #pragma once
-// A run that simulates scenarios under one gain set: rollouts, endurance where it is wanted, checks, and,
-// where it has a folder, all of its files.
+// A session that simulates scenarios under one gain set. It makes the rollouts, extends them for endurance if
+// requested, makes the checks, and writes all files if it has a folder.
 
 #include <functional>
 #include <optional>
@@ -19,12 +19,12 @@ namespace armtune::internal {
 
 /// A gain set that fits the robot of every scenario that it is simulated in.
 struct GainsToSimulate {
-  std::string name;                                ///< of the set, such as "published"
-  std::string path;                                ///< of its file; empty: of none
-  std::function<Gains(const Scenario&)> gains_of;  ///< for the scenario's robot
+  std::string name;                                ///< name of the set, such as "published"
+  std::string path;                                ///< path of its file; empty: the gains are from no file
+  std::function<Gains(const Scenario&)> gains_of;  ///< returns the gains for the scenario's robot
 };
 
-/// How gain sets are simulated.
+/// The way in which gain sets are simulated.
 struct RolloutSettings {
   std::string folder;  ///< empty: nothing is written
   std::vector<Scenario> scenarios;
@@ -32,31 +32,31 @@ struct RolloutSettings {
   Engine engine = Engine::kSimbody;
   int workers = 1;           ///< threads
   int record_every = 5;      ///< control periods per row of the recordings
-  double deadline = 0.0;     ///< of one scenario, wall clock [s]; 0: by its duration
-  double endurance = 0.0;    ///< simulated minutes that every scenario is extended to; 0: none is
-  Yardstick yardstick = {};  ///< none: not compared with one
+  double deadline = 0.0;     ///< for one scenario, wall clock [s]; 0: derived from its duration
+  double endurance = 0.0;    ///< simulated minutes that every scenario is extended to; 0: not extended
+  Yardstick yardstick = {};  ///< empty: no comparison with a yardstick
 };
 
 struct SimulateOutcome {
   Ending ending = Ending::kInterrupted;
-  std::vector<ScenarioResult> results;                  ///< of every scenario, the interrupted ones too
-  std::optional<std::vector<EnduranceResult>> endured;  ///< where it is wanted; fewer if interrupted
+  std::vector<ScenarioResult> results;                  ///< one per scenario, also for interrupted ones
+  std::optional<std::vector<EnduranceResult>> endured;  ///< if requested; fewer if interrupted
   SimulationVerdict verdict;
-  std::vector<std::string> files;  ///< names of those in the folder
-  double seconds = 0.0;            ///< that the rollouts took
+  std::vector<std::string> files;  ///< names of the files in the folder
+  double seconds = 0.0;            ///< duration of the rollouts, wall clock [s]
 };
 
-/// Checks rollouts and, if every scenario was extended, the endurance. set: name of the gain set, empty where
-/// there is but one. Returns true if it was.
+/// Checks rollouts and, if every scenario was extended, the endurance. set: name of the gain set, empty if
+/// there is only one. Returns true if every scenario was extended.
 bool check_rollouts(const RolloutSettings& settings, const std::vector<ScenarioResult>& results,
                     const std::optional<std::vector<EnduranceResult>>& endured, const std::string& set,
                     SimulationVerdict& verdict);
 
-/// How rollouts are made in a folder; empty: they leave no recordings.
+/// Returns the options for rollouts in a folder. folder: empty: no recordings are written.
 SimulateOptions simulate_options(const RolloutSettings& settings, const std::string& folder,
                                  const std::string& set, SessionObserver& observer);
 
-/// Extends the scenarios, where that is wanted and `stop` is not.
+/// Extends the scenarios. Returns nothing if endurance is not requested or `stop` is true.
 std::optional<std::vector<EnduranceResult>> extend_scenarios(const RolloutSettings& settings,
                                                              const GainsToSimulate& gains,
                                                              SessionObserver& observer,
@@ -64,12 +64,13 @@ std::optional<std::vector<EnduranceResult>> extend_scenarios(const RolloutSettin
 
 class SimulateSession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   SimulateSession(RolloutSettings settings, GainsToSimulate gains, SessionContext context,
                   SessionObserver& observer);
 
-  /// Runs it; may be called once. Throws InputError if the folder is used, if a path winds a joint up, or if
-  /// the recordings do not fit in memory; FailedError if a file cannot be written.
+  /// Runs the session; may be called once. Throws InputError if the folder is used, if a path winds a joint
+  /// up beyond its position limits, or if the recordings do not fit in memory. Throws FailedError if a file
+  /// cannot be written.
   SimulateOutcome run();
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// What every run of a study (tune, front) leaves in its folder, and how its files name what it did.
+// The files that every run of a study (tune, front) writes into its folder, and the texts that describe the
+// search in them.
 
 #include <string>
 #include <utility>
@@ -12,49 +13,52 @@
 
 namespace armtune::internal {
 
-/// Where a run folder keeps the gains a warm start began with.
+/// Name of the file in a run folder that keeps the gains that a warm start began with.
 inline constexpr const char* kWarmGains = "start/warm_gains.yaml";
-/// And the start gains of the study's file, where others took their place.
+/// Name of the file that keeps the start gains of the study's file, if other gains replaced them.
 inline constexpr const char* kGivenGains = "given/gains.yaml";
 
-/// "CRS2, then BOBYQA from 4 starts"
+/// Returns, for example, "CRS2, then BOBYQA from 4 starts".
 std::string search_text(const Study& study);
-/// "simbody", or "native, then simbody"
+/// Returns "simbody", or, for example, "native, then simbody".
 std::string engine_text(Engine searched_in);
-/// " (worst of 5 arms each)" where a study tunes on samples.
+/// Returns, for example, " (worst of 5 arms each)" if the study tunes on samples, else an empty text.
 std::string robust_text(const Study& study);
-/// "300 evaluations", or "300 evaluations or 10 minutes".
+/// Returns "300 evaluations" or, with a limit of time, "300 evaluations or 10 minutes".
 std::string budget_text(long max_evaluations, double max_minutes);
-/// What is left [s] of a budget, by evaluations at the pace so far or by its minutes (0: none).
+/// Returns the time that is left of a budget [s]: the time that the remaining evaluations take at the pace so
+/// far, or less if max_minutes ends sooner (0: no limit of time).
 double seconds_left(long evaluations, long max_evaluations, double seconds, double max_minutes);
 
-/// Returns every file that the study was read from: its own, its gains and those of its scenarios.
+/// Returns every file that the study was read from: its own file, its gains, the warm start's gains, and the
+/// files of its scenarios.
 std::vector<std::string> files_of(const Study& study);
-/// All that a study's results depend on but the files its scenarios are made from, and those files.
+/// Returns everything that a study's results depend on, except the files its scenarios are made from.
+/// inputs_of returns those files.
 std::vector<std::pair<std::string, std::string>> identity_of(const Study& study);
 std::vector<std::string> inputs_of(const Study& study);
 
-/// Of a search of the study. workers: of the search; found: further keys of run.yaml, after the study and its
-/// start.
+/// Returns the provenance of a search of the study. workers: number of the search's workers; found: further
+/// keys of run.yaml, which follow the study and its start.
 Provenance study_provenance(const Study& study, const Invocation& invocation, int workers, double seconds,
                             const std::vector<std::pair<std::string, std::string>>& found);
 
-/// Writes what the start was, before anything else is simulated: start/ and study.yaml, and given/ with the
-/// file's start gains where others took their place.
+/// Writes the start of the search before anything else is simulated: start/ and study.yaml, and given/ with
+/// the file's start gains if other gains replaced them.
 void write_start(const Study& study, const std::string& folder);
-/// Keeps the warm start's gains in a run folder. Returns the file, as study.yaml there names it; empty
-/// without a warm start.
+/// Writes the warm start's gains into a run folder. Returns the file as study.yaml in that folder names it,
+/// or an empty text without a warm start.
 std::string write_warm(const Study& study, const std::string& folder);
-/// Warns of every gain that the study's bounds do not let begin where its warm start was.
+/// Warns of every gain that cannot begin where its warm start was, because a bound of the study prevents it.
 void warn_of_clamped(const Study& study, SessionObserver& observer);
 
-/// Warns where the study begins with other gains than its file gives.
+/// Warns if the study begins with other gains than its file gives.
 void warn_of_given(const Study& study, SessionObserver& observer);
-/// What that warning says, as a sentence; empty: the study begins as its file says.
+/// Returns the text of that warning as a sentence; empty if the study begins with the gains of its file.
 std::string given_note(const Study& study);
 
-/// Writes sensitivity.csv and reduced_study.yaml into the folder; the study's start gains are in
-/// start/gains.yaml there.
+/// Writes sensitivity.csv and reduced_study.yaml into the folder. reduced_study.yaml refers to the start
+/// gains in start/gains.yaml of the same folder.
 void write_sensitivity(const Study& study, const Sensitivity& sensitivity, const std::string& folder);
 
 }  // namespace armtune::internal

@@ -1,5 +1,6 @@
 #pragma once
-// A word about tasks that no gains, or none of their controller, can do, before anything is simulated.
+// Warnings about tasks that no gains can complete, or that the controller of the gains cannot complete. They
+// are made before anything is simulated.
 
 #include <string>
 #include <vector>
@@ -10,17 +11,17 @@
 
 namespace armtune::internal {
 
-/// Warns if the scenario's path leaves the workspace, a joint's limits, or runs through a
-/// singularity, and if the controller would have to learn what it cannot. Throws InputError if the
-/// path itself winds a joint up beyond its limits within the scenario's duration, which no gain prevents.
-/// Returns the warnings, for the verdict's notes.
+/// Warns if the scenario's path leaves the workspace or a joint's limits, runs through a singularity, or
+/// begins only after the scenario ends. Also warns if the controller does not learn and the scenario gives it
+/// no model of the arm. Throws InputError if the path itself winds a joint up beyond its limits within the
+/// scenario's duration, which no gain prevents. Returns the warnings, for the verdict's notes.
 std::vector<std::string> warn_of_task(const Scenario& scenario, const Gains& gains,
                                       SessionObserver& observer);
 
-/// Warns of what is doubtful about the arms of the scenarios, of each arm once (see plausibility.hpp).
+/// Warns of doubtful properties of the scenarios' arms, once for each arm (see plausibility.hpp).
 void warn_of_doubts(const std::vector<Scenario>& scenarios, SessionObserver& observer);
 
-/// Throws InputError if the path itself winds a joint up.
+/// Throws InputError if the path itself winds a joint up beyond its limits.
 void refuse_winding(const Scenario& scenario, const Gains& gains);
 
 }  // namespace armtune::internal

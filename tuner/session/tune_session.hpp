@@ -1,7 +1,7 @@
 #pragma once
-// A tuning run from its start gains to its verdict: search, fresh rollouts of what it found, analysis,
-// checks, and, where it has a folder, all of its files. A run that was killed or interrupted can be resumed
-// there.
+// A session that tunes gains, from the start gains to the verdict. It searches, simulates the result again,
+// analyses and checks it, and writes all files if it has a folder. A run in a folder that was killed or
+// interrupted can be resumed there.
 //
 //   TuneObserver silent;
 //   std::atomic<bool> stop{false};
@@ -30,66 +30,67 @@ namespace armtune::internal {
 struct TuneSettings {
   RunPlace place = {};
   int workers = 1;           ///< threads
-  double deadline = 0.0;     ///< of one rollout, wall clock [s]; 0: by its duration
+  double deadline = 0.0;     ///< for one rollout, wall clock [s]; 0: derived from its duration
   int record_every = 5;      ///< control periods per row of the recordings
   bool analysis = true;      ///< margins, sensitivity, and the checks that take long
-  bool live = false;         ///< keep report.html fresh while the search is under way
-  Yardstick yardstick = {};  ///< none: not compared with one
+  bool live = false;         ///< true: rewrite report.html while the search is under way
+  Yardstick yardstick = {};  ///< empty: no comparison with a yardstick
 };
 
 struct TuneOutcome {
   Ending ending = Ending::kInterrupted;
-  bool was_finished = false;  ///< the run had ended before: nothing else is given here
-  TuneResult result;          ///< without evaluations: interrupted before the start gains were simulated
-  std::optional<Objective> objective;  ///< once the start gains were simulated
-  /// Fresh rollouts of the start, the result and, behind them, the study's `given`; none if the session ended
-  /// right after an interrupted search.
+  bool was_finished = false;           ///< true if the run had ended before; only `ending` is set then
+  TuneResult result;                   ///< no evaluations: interrupted before the start gains were simulated
+  std::optional<Objective> objective;  ///< set once the start gains were simulated
+  /// Fresh rollouts of the start and the result, followed by the study's `given` if it has any. Empty if the
+  /// session ended right after an interrupted search.
   std::vector<ComparedSet> sets;
-  /// Of a study on many arms: the measure of fresh rollouts of all of them, for both.
+  /// Risk measure of fresh rollouts of all arms, for the start and the result. Only for a study on many arms.
   std::vector<ComparedSet> robust;
   std::optional<Sensitivity> sensitivity;
   SimulationVerdict verdict;
-  std::vector<std::string> files;  ///< names of those in the folder
-  /// Of them, the ROS parameter file that the start gains came from, with the result's; empty: a check failed
-  /// or was left out, or there is no such file.
+  std::vector<std::string> files;  ///< names of the files in the folder
+  /// Name of the ROS parameter file among them: the file of the start gains, with the result's gains. Empty
+  /// if a check failed or was left out, or if there is no such file.
   std::string controllers;
-  double seconds = 0.0;  ///< that the session took
+  double seconds = 0.0;  ///< wall time of the session [s]
 };
 
-/// Hears of a tuning run while it is under way.
+/// An observer of a tuning session.
 class TuneObserver : public SessionObserver {
  public:
-  /// The start gains were simulated. recalled: evaluations that a resumed run has finished before.
+  /// Called when the start gains were simulated. recalled: number of evaluations that a resumed run had
+  /// completed before.
   virtual void began(const Study& /*study*/, std::size_t /*recalled*/) {}
-  /// Of every evaluation, in order.
+  /// Called for every evaluation, in order.
   virtual void evaluated(const Evaluation& /*evaluation*/) {}
-  /// The result was simulated again.
+  /// Called when the result was simulated again.
   virtual void verified(const TuneOutcome& /*so_far*/) {}
-  /// Margins of the start and of the result.
+  /// Called with the margins of the start and of the result.
   virtual void found_margins(const std::vector<ComparedMargins>& /*sets*/) {}
   virtual void found_sensitivity(const Sensitivity& /*sensitivity*/) {}
-  /// Nothing about the search itself changes any more; the checks follow.
+  /// Called when nothing about the search itself changes any more. The checks follow.
   virtual void searched(const TuneOutcome& /*so_far*/) {}
-  /// Scenarios were extended, all of the study's unless interrupted.
+  /// Called when scenarios were extended: all scenarios of the study unless interrupted.
   virtual void extended(const std::vector<EnduranceResult>& /*results*/) {}
 };
 
 class TuneSession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   TuneSession(Study study, TuneSettings settings, SessionContext context, TuneObserver& observer);
 
-  /// Runs it; may be called once. Returns nothing in a rank that worked for another one. Throws InputError if
-  /// the folder is used or holds another run, and if the start gains give no reference; FailedError
-  /// if a file cannot be written. What was finished by then is in the folder.
+  /// Runs the session; may be called once. Returns nothing in a rank that worked for another rank. Throws
+  /// InputError if the folder is used or holds another run, or if the start gains give no reference. Throws
+  /// FailedError if a file cannot be written. Everything completed before an error stays in the folder.
   std::optional<TuneOutcome> run(RankGroup& ranks);
 
  private:
   bool writes() const { return !settings_.place.folder.empty(); }
   const std::string& folder() const { return settings_.place.folder; }
   void begin();
-  /// Extends the study's scenarios under these gains, then simulates random arms; keeps both for the checks.
-  /// Returns what failed; empty: nothing.
+  /// Extends the study's scenarios under these gains, then simulates random arms. Keeps both results for the
+  /// checks. Returns which check failed; empty: none.
   std::string fault_of(const Gains& gains);
   void search(CandidateRunner& workers);
   TuneResult search_with_files(CandidateRunner& workers);
@@ -110,16 +111,16 @@ class TuneSession {
   TuneObserver& observer_;
   Stopwatch watch_;
   std::optional<JournalledRun> run_;
-  int count_ = 1;  ///< of the search's workers
+  int count_ = 1;  ///< number of the search's workers
   std::vector<EvaluationRow> evaluations_;
   std::vector<YardstickFiles> yardsticks_ = std::vector<YardstickFiles>(2);
-  /// Checks that the search asked for already, of the gains of this file.
+  /// Results of the checks that the search has made already. gains: text of the gains file they apply to.
   struct {
     std::string gains;
     std::vector<EnduranceResult> endured;
     std::optional<SimulationVerdict> yield;
   } made_;
-  std::vector<std::string> task_warnings_;  ///< notes of the verdict
+  std::vector<std::string> task_warnings_;  ///< for the verdict's notes
   TuneOutcome outcome_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-// What the best that an arm's limits allow adds to a run's files. Measuring it takes the planner, which may
-// be left out of armtune: whoever has it hands it to a session as a function.
+// The comparison of rollouts with the best that the arm's limits allow, as far as a run's files show it. The
+// comparison needs the planner, which armtune may be built without. Therefore the caller passes it to a
+// session as a function.
 
 #include <functional>
 #include <string>
@@ -13,13 +14,13 @@
 namespace armtune::internal {
 
 struct YardstickFiles {
-  std::vector<FurtherColumn> errors;  ///< reacquisition/limit
-  std::vector<FileColumns> columns;   ///< of yardstick.csv
-  std::vector<std::string> written;   ///< names
+  std::vector<FurtherColumn> errors;  ///< the column reacquisition/limit
+  std::vector<FileColumns> columns;   ///< columns of yardstick.csv
+  std::vector<std::string> written;   ///< names of the files written
 };
 
-/// Compares the rollouts of a folder with their limits, leaves yardstick.csv beside them, and returns the
-/// columns for errors.csv, a value for each of the scenarios. Never throws: the run itself is finished.
+/// Compares the rollouts of a folder with their limits, writes yardstick.csv beside them, and returns the
+/// columns for errors.csv, with one value per scenario. Never throws, because the run itself is finished.
 using Yardstick =
     std::function<YardstickFiles(const std::string& folder, const std::vector<Scenario>& scenarios,
                                  const std::function<Gains(const Scenario&)>& gains)>;

@@ -1,5 +1,5 @@
 #pragma once
-// Derivatives by finite differences: where to evaluate, and what the values there say.
+// Derivatives by finite differences: the points to evaluate, and the gradients that follow from their values.
 
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace armtune::internal {
 
-/// The points, beside x itself, that the derivatives at x take, coordinate by coordinate; all in the
-/// problem's box. A step that leaves the box is made towards the inside, and shortened where neither side has
-/// room.
+/// Returns the points that the derivatives at x need besides x itself, coordinate by coordinate. All are in
+/// the problem's box. A step that would leave the box is made towards the inside, and shortened if neither
+/// side has room.
 std::vector<std::vector<double>> difference_points(const SolverProblem& problem, const SolverOptions& options,
                                                    const std::vector<double>& x);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Points to begin searches at, spread over a box.
+// Starting points of searches, spread over a box.
 
 #include <cstdint>
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace armtune::internal {
 
-/// `count` points of a low-discrepancy sequence in the problem's box: Richtmyer's (1951), whose coordinate i
-/// goes on by the fractional part of the square root of the i-th prime, shifted at random (Cranley and
-/// Patterson, 1976). The same seed gives the same points, and fewer are the first of more.
+/// Returns `count` points of a low-discrepancy sequence in the problem's box. In Richtmyer's sequence (1951),
+/// coordinate i advances by the fractional part of the square root of the i-th prime. The sequence is shifted
+/// at random (Cranley and Patterson, 1976). The same seed gives the same points, and a smaller count gives
+/// the first of them.
 std::vector<std::vector<double>> spread_starts(const SolverProblem& problem, std::size_t count,
                                                std::uint64_t seed);
 

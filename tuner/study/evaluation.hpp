@@ -1,5 +1,5 @@
 #pragma once
-// What a candidate turned out to be worth, and the one ordering of candidates.
+// The evaluation of a candidate, and the one ordering of candidates.
 
 #include <cmath>
 #include <string>
@@ -14,19 +14,20 @@ struct Evaluation {
   std::vector<double> x;  ///< search coordinates
   Gains gains;
   double objective = 0.0;           ///< finite; the start scores 1
-  std::vector<double> constraints;  ///< g <= 0 holds, in natural units
-  std::vector<double> relative;     ///< the same over their limits, for the search
+  std::vector<double> constraints;  ///< satisfied if <= 0; in natural units
+  std::vector<double> relative;     ///< the same relative to their limits, for the search
   double violation = 0.0;           ///< sum of relative violations; 0 if feasible, larger than that of any
                                     ///< completed candidate if a scenario did not complete
   bool feasible = false;
   std::string status;                  ///< "completed", or what went wrong first
   std::vector<RolloutResult> results;  ///< one per scenario
-  Engine engine = Engine::kSimbody;    ///< that gave the results
+  Engine engine = Engine::kSimbody;    ///< engine that gave the results
   double seconds = 0.0;                ///< wall time of the run when it was finished
-  bool recalled = false;               ///< from the journal of a run that is resumed
+  bool recalled = false;               ///< true if it comes from the journal of a resumed run
 };
 
-/// As a search with penalties sees it: objective + penalty * sum of its positive relative violations.
+/// Returns the value that a search with penalties uses: objective + penalty * sum of the positive relative
+/// violations.
 inline double penalised(const Evaluation& e, double penalty) {
   double sum = e.objective;
   for (const double g : e.relative) {
@@ -35,8 +36,8 @@ inline double penalised(const Evaluation& e, double penalty) {
   return sum;
 }
 
-/// Feasible before infeasible; among feasible the smaller objective; among infeasible the smaller violation,
-/// then the smaller objective.
+/// True if a is better than b. Feasible comes before infeasible. Among feasible ones the smaller objective is
+/// better; among infeasible ones the smaller violation, then the smaller objective.
 inline bool better(const Evaluation& a, const Evaluation& b) {
   if (a.feasible != b.feasible) return a.feasible;
   if (!a.feasible && a.violation != b.violation) return a.violation < b.violation;

@@ -1,6 +1,6 @@
 #pragma once
-// What a study asks so that its gains hold on a real arm, as its file says it: several arms, margins, and the
-// thresholds of the checks after the search.
+// Reads the keys of a study file that concern how well its gains hold on a real arm: several arms (`robust`),
+// margins (`margins`), and the thresholds of the checks after the search (`verdict`).
 
 #include "sim/yaml/document.hpp"
 #include "tuner/study/study.hpp"
@@ -11,8 +11,8 @@ namespace armtune::internal {
 /// InputError with file, line and key.
 SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scenarios);
 
-/// Adds what the keys of `margins` demand, and one constraint for each of them over its corners. The study's
-/// scenarios and other constraints stand already. Throws InputError with file, line and key.
+/// Adds the demands of the keys of `margins`, and one constraint for each of them over its corners. The
+/// study's scenarios and other constraints must be read already. Throws InputError with file, line and key.
 void read_margins(const yaml::Node& node, Study& study);
 
 /// Returns the thresholds of `verdict`; keys that are left out keep their defaults. Throws InputError with

@@ -1,5 +1,5 @@
 #pragma once
-// The search space: which gains a study turns, between which bounds, on which scale.
+// The search space of a study: which gains are tuned, between which bounds and on which scale.
 
 #include <string>
 #include <vector>
@@ -14,19 +14,19 @@ enum class Scale { kLog, kLinear };
 struct GainEntry {
   const GainField* field = nullptr;
   std::size_t component = 0;
-  std::size_t count = 0;  ///< how many numbers the field has
+  std::size_t count = 0;  ///< number of numbers that the field has
   std::string name;       ///< "task_space_gains_p/rx", "slerpDurationErrorGain"
 };
 
-/// All numbers that a gain set of an arm with these joints has, in the order of its controller's fields,
-/// which outlive them.
+/// Returns all numbers that a gain set of an arm with these joints has, in the order of its controller's
+/// fields. The fields must outlive the entries.
 std::vector<GainEntry> gain_entries(const Gains& gains, const std::vector<std::string>& joints);
 
 /// True if a name stands for the entry: the entry's own, or that of a gain or of a force point that the entry
 /// is a part of ("task_space_gains_p", "force_control_gains/elbow_joint").
 bool is_named(const GainEntry& entry, const std::string& name);
 
-/// True if a gain set has that number: fields that a file may leave out can be empty, and those of forces
+/// True if a gain set has that number. Fields that a file may leave out can be empty, and those of forces
 /// have two forms (core/control/force_gains.hpp).
 bool has(const Gains& gains, const GainEntry& entry);
 double& value(Gains& gains, const GainEntry& entry);
@@ -43,7 +43,7 @@ struct Parameter {
 /// True if a value lies on one of the parameter's bounds, but for rounding.
 bool on_bound(const Parameter& parameter, double value);
 
-/// A gain that follows a tuned parameter: value = factor * its value.
+/// A gain that follows a tuned parameter: its value is factor * the parameter's value.
 struct Link {
   GainEntry entry;
   std::size_t parameter = 0;  ///< index into ParameterSpace::free
@@ -55,16 +55,17 @@ struct ParameterSpace {
   std::vector<Parameter> free;
   std::vector<Link> links;
 
-  /// Search coordinates (one per free parameter, 0 at the lower and 1 at the upper bound) of the start.
+  /// Returns the search coordinates of the start: one per free parameter, 0 at its lower and 1 at its upper
+  /// bound.
   std::vector<double> start_point() const;
-  /// Gains at search coordinates; coordinates are clamped to [0, 1].
+  /// Returns the gains at search coordinates, which are clamped to [0, 1].
   Gains gains_at(const std::vector<double>& x) const;
-  /// Search coordinates of gains, clamped to the bounds.
+  /// Returns the search coordinates of gains, clamped to the bounds.
   std::vector<double> point_of(const Gains& gains) const;
 };
 
-/// Throws InputError, with `where` in front, naming the parameter whose bounds are crossed, whose start lies
-/// outside them, or whose scale does not fit.
+/// Throws InputError, with `where` in front, if there is no parameter, or for the first parameter whose
+/// bounds do not make a range, whose start lies outside them, or whose scale does not fit.
 void validate(const ParameterSpace& space, const std::string& where);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// Private to tuner/study: which gains a study tunes, as its file says it.
+// Private to tuner/study: reads the keys of a study file that say which gains it tunes.
 
 #include <string>
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace armtune::internal {
 
-/// The entries of `parameters`; without the key (null) all gains that are searched by default, between their
-/// default bounds. start: what they are where the file does not say. orientation: whether any scenario holds
-/// one; where none does, gains of it are not searched by default. Throws InputError with file, line and key.
+/// Reads the entries of `parameters`. Without the key (null) it returns all gains that are searched by
+/// default, between their default bounds. start: the values of gains that the file does not give.
+/// orientation: true if any scenario tracks an orientation; otherwise its gains are not searched by default.
+/// Throws InputError with file, line and key.
 ParameterSpace read_space(const yaml::Node* node, const Gains& start, const std::vector<std::string>& joints,
                           bool orientation);
 
-/// The axes of `sweep`, over parameters of the space. all: every gain of the arm. Throws InputError with
-/// file, line and key.
+/// Reads the axes of `sweep`, over parameters of the space. all: every gain of the arm. Throws InputError
+/// with file, line and key.
 std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<GainEntry>& all,
                                   const ParameterSpace& space);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Score of one objective term in one scenario: a metric relative to its reference, so that the reference
-// itself scores 1 and smaller scores are better, whichever way the metric counts.
+// Score of one objective term in one scenario: a metric relative to its reference. The reference itself
+// scores 1 and smaller scores are better, whether more or less of the metric is better.
 
 #include "sim/metrics/metric.hpp"
 
@@ -14,10 +14,10 @@ inline constexpr double kLargestRatio = 10.0;
 /// zero.
 ///
 /// With r = value / reference, it is
-/// - min(10, r) where less is better;
-/// - 1/r where more is better and r >= 1/5, so that twice the bandwidth is worth as much as half the error.
+/// - min(10, r) if less is better;
+/// - 1/r if more is better and r >= 1/5, so that twice the bandwidth is worth as much as half the error.
 ///   Below that 1/r would reach the cap at r = 1/10 and stay there, and a search that starts from a negative
-///   margin would see no slope. The curve goes on as its own reflection about the point (1/5, 5):
+///   margin would see no slope. The curve therefore continues as its own reflection about the point (1/5, 5):
 ///   10 - 1/(2/5 - r), which is smooth there, finite at zero and below, and falls strictly with r.
 double term_score(Metric metric, double value, double reference);
 

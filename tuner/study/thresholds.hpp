@@ -9,18 +9,18 @@
 namespace armtune::internal {
 
 struct VerdictThresholds {
-  double delay_periods = 1.0;  ///< extra torque delay that every loop holds [control periods]
-  double gain = 1.2;           ///< common factor on the loop's gains that it holds
-  double noise = 2.0;          ///< factor on the sensors' noise that it holds
-  double rate = 0.8;           ///< share of the control rate at which it still holds
-  double yield = 0.95;         ///< share of the random arms that keep velocity and position limits
-  double arms = 200.0;         ///< how many of them are drawn
-  double minutes = 30.0;       ///< of simulated time that every scenario is extended to
+  double delay_periods = 1.0;  ///< extra torque delay with which every loop must hold [control periods]
+  double gain = 1.2;           ///< common factor on the loop's gains with which it must hold
+  double noise = 2.0;          ///< factor on the sensors' noise with which it must hold
+  double rate = 0.8;           ///< share of the control rate at which it must still hold
+  double yield = 0.95;         ///< share of the random arms that must keep velocity and position limits
+  double arms = 200.0;         ///< number of random arms
+  double minutes = 30.0;       ///< simulated time that every scenario is extended to
   double rms_growth = 1.2;     ///< largest RMS error of the last minutes over that of the first ones
   double peak_growth = 1.5;    ///< the same of the peaks
 };
 
-/// One threshold: its key in a study's `verdict`, its unit, what it means, its bounds and its strict side.
+/// One threshold: its key in a study's `verdict`, its unit, its meaning, its bounds and its strict side.
 struct ThresholdField {
   const char* name;
   const char* unit;
@@ -28,10 +28,10 @@ struct ThresholdField {
   double VerdictThresholds::*value;
   bool larger_is_stricter;
   double least, most;
-  bool whole = false;  ///< counts something: only whole numbers are asked for
+  bool whole = false;  ///< true if it is a count: only whole numbers are accepted
 };
 
-/// Every threshold, in the order of the structure.
+/// Returns every threshold, in the order of the structure.
 const std::array<ThresholdField, 9>& threshold_fields();
 
 /// Returns one sentence for each threshold that is looser than its default.

@@ -1,6 +1,6 @@
 #pragma once
-// A search that begins where another one ended, while the study's own start stays what everything is relative
-// to.
+// A warm start: the search begins where another one ended. The study's own start gains remain the reference
+// of the objective.
 
 #include <optional>
 #include <string>
@@ -14,11 +14,11 @@ struct WarmStart {
   std::string source;                   ///< the gains file
   Gains gains;                          ///< as read from it
   std::vector<std::string> parameters;  ///< gains, or fields, taken from there; empty: all that are tuned
-  double box = 1.0;                     ///< width of the box searched, of each parameter's range; in (0, 1]
-  std::optional<double> step;           ///< initial step, of the unit box; none: the study's times `box`
+  double box = 1.0;                     ///< width of the searched box in each parameter's range, (0, 1]
+  std::optional<double> step;           ///< initial step in the unit box; none: the study's times `box`
 };
 
-/// Where the search begins, and the box it keeps to, in search coordinates.
+/// The point where the search begins, and the box that it keeps to, in search coordinates.
 struct WarmPoint {
   std::vector<double> x;
   std::vector<double> lower;
@@ -26,13 +26,14 @@ struct WarmPoint {
   std::vector<std::string> clamped;  ///< one line for each gain that lies outside the study's bounds
 };
 
-/// Reads source and gains: of a run folder, or of a gains file as load_gains finds it. Throws InputError,
-/// also if they are those of another controller than the space's.
+/// Sets source and gains from a run folder, or from a gains file that load_gains reads. Throws InputError,
+/// also if they are for another controller than the space's. relative_to: another folder to look for them
+/// in.
 void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const ParameterSpace& space,
                      const std::vector<std::string>& joints, const std::string& relative_to = {});
 
-/// Throws InputError if a name is none of a tuned gain or field, or if the gains leave one out that is taken
-/// from them.
+/// Returns the point of a warm start. Throws InputError if a name is not that of a tuned gain or field, or if
+/// the gains lack one that is taken from them.
 WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm);
 
 }  // namespace armtune::internal

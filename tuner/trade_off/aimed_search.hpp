@@ -1,6 +1,6 @@
 #pragma once
-// Searches for single points of a front: one criterion becomes least, the others held. All that is simulated
-// for one is known to the next.
+// Searches for single points of a front: each minimises one criterion and limits the others. Every search
+// reuses what was simulated for the others.
 
 #include <map>
 #include <optional>
@@ -13,42 +13,42 @@
 
 namespace armtune::internal {
 
-/// One search: criterion k becomes least, all others held at or under `levels` (infinite: free).
+/// The task of one search: minimise criterion k with all others at most `levels` (infinite: no limit).
 struct Aim {
   std::size_t k = 0;
   Costs levels;
-  std::vector<double> x;  ///< where it begins
+  std::vector<double> x;  ///< start of the search
   long budget = 0;        ///< evaluations
   SolverOptions solver;
 };
 
 class AimedSearch {
  public:
-  /// All but the journal, which may be null, must outlive it; callbacks as of pareto().
+  /// All arguments but the journal, which may be null, must outlive the search. callbacks: as in pareto().
   AimedSearch(const Study& study, const ParetoOptions& options, CandidateRunner& workers,
               const std::atomic<bool>& stop, const ParetoCallbacks& callbacks, Journal* journal);
 
-  /// Simulates the start and where a warm start begins. False if the run was interrupted. Throws InputError
-  /// if a criterion of the start is no reference.
+  /// Simulates the start, and the start of a warm start if there is one. Returns false if the run was
+  /// interrupted. Throws InputError if a criterion of the start cannot be a reference.
   bool start();
-  /// Searches for all aims at once; for none if the run was interrupted. shown: of progress.
+  /// Searches for all aims at once, or for none if the run was interrupted. shown: text for the progress.
   void minimise(const char* phase, const std::string& shown, const std::vector<Aim>& aims);
 
-  /// Every feasible point that no other dominates.
+  /// Returns every feasible point that no other dominates.
   const Archive& archive() const { return archive_; }
-  /// Best of all points by the study's own order: what comes nearest to its constraints where none keeps
-  /// them.
+  /// Returns the best of all points in the study's own order. If no point is feasible, it is the one that
+  /// comes nearest to the constraints.
   const Evaluation& best() const { return *best_; }
-  /// Start, evaluations and whether interrupted; neither front nor levels.
+  /// Returns the start, the number of evaluations and whether the run was interrupted; no front or levels.
   const ParetoResult& so_far() const { return out_; }
 
  private:
   struct Known {
-    SolverValue value;  ///< of the study
+    SolverValue value;  ///< the study's objective and constraints
     Costs costs;
   };
 
-  /// Simulates candidates and takes them in, in order. False if the run was interrupted.
+  /// Simulates candidates and stores them in order. Returns false if the run was interrupted.
   bool evaluate(const std::vector<Candidate>& candidates);
   void take_in(const char* phase, Evaluation e);
   void serve(const char* phase, const std::vector<Aim>& aims, std::vector<long>& left,

@@ -1,5 +1,6 @@
 #pragma once
-// The best a search for a front has seen: feasible points that no other dominates, and where to begin next.
+// The feasible points of a search for a front that no other point dominates. They also give the start points
+// of further searches.
 
 #include <vector>
 
@@ -9,17 +10,18 @@ namespace armtune::internal {
 
 class Archive {
  public:
-  /// Takes the point in if it is feasible, every cost has a value and none dominates or equals it; what it
-  /// dominates goes.
+  /// Adds the point if it is feasible, every cost has a value, and no other point dominates or equals it.
+  /// Removes the points that it dominates.
   void add(ParetoPoint point);
   const std::vector<ParetoPoint>& points() const { return points_; }
 
-  /// The point with the least cost k of those at or under all `levels`, or null. Good until the next `add`.
+  /// Returns the point with the least cost k among those at or below all `levels`, or null if there is none.
+  /// The pointer is valid until the next call of `add`.
   const ParetoPoint* best_under(std::size_t k, const Costs& levels) const;
 
-  /// Search coordinates to begin a level's search at: of the point that is best in the first cost once what
-  /// it exceeds the level by is paid for, mostly the neighbour's. `start`: whose costs are the scale, and
-  /// where to begin while there is no point.
+  /// Returns search coordinates where the search of a level begins. They belong to the point with the least
+  /// first cost plus a penalty for exceeding the level, which is mostly the neighbour's point. start: its
+  /// costs are the scale, and its coordinates are returned while there is no point.
   const std::vector<double>& beginning(const Costs& levels, const ParetoPoint& start) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What is traded off: the study's objective or a metric over its scenarios.
+// A criterion of a trade-off: the study's objective, or a metric over its scenarios.
 
 #include <optional>
 #include <string>
@@ -9,22 +9,24 @@
 namespace armtune::internal {
 
 struct Criterion {
-  std::optional<Metric> metric;  ///< none: the study's objective
+  std::optional<Metric> metric;  ///< empty: the study's objective
 
-  /// "objective" or the metric's name.
+  /// Returns "objective" or the metric's name.
   std::string name() const;
   std::string unit() const;
   bool larger_is_better() const;
 };
 
-/// From "objective" or the name of a metric that is a goal. Throws InputError.
+/// Returns the criterion called "objective", or called like a metric that is a goal. Throws InputError for
+/// other names.
 Criterion criterion_from_name(const std::string& name);
 
-/// The objective, or the metric's worst value over the scenarios that it applies to (see applies()); NaN if
-/// one of them did not give it, or if there are none. In the metric's unit. e: with one result per scenario.
+/// Returns the objective, or the metric's worst value over the scenarios that it applies to (see applies()),
+/// in the metric's unit. It is NaN if a scenario did not give it, or if it applies to none. e: has one result
+/// per scenario.
 double value(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
-/// The value with the sign that makes less better.
+/// Returns the value with the sign for which less is better.
 double cost(const Criterion& criterion, const Evaluation& e, const std::vector<Scenario>& scenarios);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// A front as files and text.
+// Writes a front as files and as text.
 
 #include <string>
 
@@ -8,17 +8,18 @@
 
 namespace armtune::internal {
 
-/// Name, unit and meaning of pareto.csv's columns.
+/// Returns name, unit and meaning of the columns of pareto.csv.
 std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& options);
 
-/// pareto.csv: a row per point of the front, then the start's, with criteria and gains. Numbers read back to
-/// the same bits.
+/// Returns the text of pareto.csv: one row per point of the front, then one for the start, with criteria and
+/// gains. Numbers read back bit-identical.
 std::string pareto_csv(const Study& study, const ParetoOptions& options, const ParetoResult& result);
 
-/// For terminals: the best point under each level, the start among them, what dominates it, hypervolume.
+/// Returns a table for terminals: the best point under each level, the start, the number of points that
+/// dominate the start, and the hypervolume.
 std::string pareto_table(const Study& study, const ParetoOptions& options, const ParetoResult& result);
 
-/// File of a point's gains inside the run's folder: "points/07.yaml".
+/// Returns the file of a point's gains below the run's folder, such as "points/07.yaml".
 std::string point_file(std::size_t point);
 
 }  // namespace armtune::internal

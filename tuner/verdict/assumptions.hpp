@@ -1,5 +1,5 @@
 #pragma once
-// What the simulation checks assume of an arm, for the verdict's "Assumes:".
+// Lists what the simulation checks assume of an arm and of its simulation, for the "Assumes:" of a verdict.
 
 #include <string>
 #include <vector>
@@ -12,19 +12,20 @@
 
 namespace armtune::internal {
 
-/// Adds what the checks assume of the scenarios' arms, such as rotor inertia that a robot file leaves out,
+/// Adds what the checks assume of the scenarios' arms, such as rotor inertia that a robot file does not give,
 /// and of the stepper that simulated them.
 void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, SimulationVerdict& verdict);
 
-/// Adds that Simbody did not simulate `which`, such as "the scenarios", where another engine did so alone.
+/// Adds that only another engine, not Simbody, simulated `which`, such as "the scenarios". Adds nothing for
+/// Simbody.
 void add_engine_assumption(Engine engine, const std::string& which, SimulationVerdict& verdict);
 
-/// Adds what is taken for granted of the robot's own controller, where that is whose gains these are.
+/// Adds the assumptions about the robot's own controller, if the gains belong to such a controller.
 void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gains& gains,
                                SimulationVerdict& verdict);
 
-/// The random arms of a yield that the engine simulated alone: those that break a limit Simbody simulates
-/// again.
+/// Name of the random arms of a yield that only the engine simulated. Arms that break a limit are simulated
+/// again in Simbody.
 inline constexpr const char* kArmsThatKept = "the random arms that keep their limits";
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Where a study's constraint is broken first: the joint and the time that a metric's value alone does not
-// tell.
+// Finds where a study's constraint is first broken. It gives the joint and the time, which the value of a
+// metric alone does not contain.
 
 #include <optional>
 #include <string>
@@ -11,14 +11,14 @@
 namespace armtune::internal {
 
 struct Breach {
-  std::string arm;    ///< of several, such as "random arm 3 of 6"; empty where the study has one
-  std::string joint;  ///< empty for metrics that are no joint's
+  std::string arm;    ///< such as "random arm 3 of 6"; empty if the study has one arm
+  std::string joint;  ///< empty if the metric belongs to no joint
   double time = 0.0;  ///< [s]
 };
 
-/// Simulates the scenario, on every arm of the study, in the native engine (with the stepper `reference` in
-/// Simbody) until the metric is beyond the limit, and returns the earliest breach. None if no arm breaks it
-/// in that engine, or for a metric whose value is not known before a rollout's end.
+/// Simulates the scenario on every arm of the study until the metric is beyond the limit, and returns the
+/// earliest breach. It uses the native engine, or Simbody with the stepper `reference`. Returns nothing if no
+/// arm breaks the limit in that engine, or if the metric's value is only known at the end of a rollout.
 std::optional<Breach> first_breach(const Study& study, const Scenario& scenario, const Gains& gains,
                                    const EndLimit& limit);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Whether gains hold for other rotor inertia than the one that was estimated.
+// Checks whether gains tolerate rotor inertia that differs from the estimate.
 
 #include <atomic>
 
@@ -10,9 +10,9 @@
 
 namespace armtune::internal {
 
-/// Adds the check that the loop holds, as Simbody judges it and as for a stability margin, in every scenario
-/// whose robot has estimated rotor inertia: with the estimate divided by kRotorFactor, and with the estimate
-/// times it. Adds nothing where nothing is estimated. Returns false if `stop` cut it short.
+/// Adds a check that the loop holds, in the sense of a stability margin and simulated in Simbody, in every
+/// scenario whose robot has estimated rotor inertia. It is tested with the estimate divided by kRotorFactor
+/// and multiplied by it. Adds nothing if no inertia is estimated. Returns false if `stop` interrupted it.
 bool add_rotor_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 

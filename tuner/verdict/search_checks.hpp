@@ -1,5 +1,6 @@
 #pragma once
-// Checks of what a search found: constraints, the start, gains on their bounds, margins, random arms.
+// Checks of the result of a search: constraints, improvement over the start, gains on their bounds, stability
+// margins, and random arms.
 
 #include <atomic>
 #include <functional>
@@ -12,23 +13,23 @@
 
 namespace armtune::internal {
 
-/// What a search ended with.
+/// The result of a search.
 enum class SearchOutcome {
   kTuned,           ///< feasible, and better than the start
-  kStart,           ///< nothing better than the start gains was found
-  kLeastViolation,  ///< nothing feasible was found; the point breaks its constraints less than the start does
+  kStart,           ///< the search found nothing better than the start gains
+  kLeastViolation,  ///< nothing feasible was found; the point breaks constraints less than the start
 };
 
 SearchOutcome outcome_of(const TuneResult& result);
 
-/// The name of the gains that a search ended with, for tables: "tuned", "start (kept)" or "least violation".
+/// Returns the name of the resulting gains for tables: "tuned", "start (kept)" or "least violation".
 const char* name(SearchOutcome outcome);
 
-/// Adds the study's constraints, as Simbody saw them, and whether the result is better than the start.
+/// Adds a check of the study's constraints in Simbody, and a check that the result is better than the start.
 void add_search_checks(const Study& study, const TuneResult& result, const Objective& objective,
                        SimulationVerdict& verdict);
 
-/// Adds a note that names the gains that lie on a bound of the study, if there are any.
+/// Adds a note with the names of the gains that lie on a bound of the study, if there are any.
 void add_bounds_note(const Study& study, const Gains& gains, SimulationVerdict& verdict);
 
 struct DeepCheckOptions {
@@ -36,13 +37,13 @@ struct DeepCheckOptions {
   std::function<void(const std::string& what, std::size_t done, std::size_t all)> progress;
 };
 
-/// Adds a check for each margin at its threshold, in every scenario, by Simbody. Returns false if `stop` cut
-/// it short.
+/// Adds a check of each stability margin at its threshold, in every scenario, in Simbody. Lists the noise
+/// margin as not checked if no scenario has velocity noise. Returns false if `stop` interrupted it.
 bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                        const std::atomic<bool>& stop, SimulationVerdict& verdict);
 
-/// Adds the yield over random arms, drawn otherwise than those that a study tunes on. Returns false if `stop`
-/// cut it short.
+/// Adds a check of the yield over random arms other than those that the study tunes on. Returns false if
+/// `stop` interrupted it.
 bool add_yield_check(const Study& study, const Gains& gains, const DeepCheckOptions& options,
                      const std::atomic<bool>& stop, SimulationVerdict& verdict);
 

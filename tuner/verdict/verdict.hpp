@@ -1,7 +1,7 @@
 #pragma once
-// The verdict on a gain set: which simulation checks it passed, what was not checked, and what the checks
-// assume: include/armtune/verdict.hpp. Commands print it last, the report shows it first, and exit codes
-// follow it.
+// The verdict on a gain set (include/armtune/verdict.hpp): the simulation checks that it passed, what was not
+// checked, and what the checks assume. Commands print it last, the report shows it first, and exit codes
+// depend on it.
 //
 //   SimulationVerdict verdict;
 //   verdict.checks.push_back({CheckKind::kEffortLimit, false, "moving_target", "wrist_1_joint", 527.3});
@@ -17,16 +17,16 @@ namespace armtune::internal {
 
 using SimulationVerdict = Verdict;
 
-/// The verdict in one line, as the report begins with it.
+/// Returns the verdict in one line, with which the report begins.
 std::string headline(const SimulationVerdict& verdict);
 
 /// Adds a line to one of the verdict's lists, unless it is there already.
 void add_once(std::string text, std::vector<std::string>& list);
 
-/// What no command of armtune looks at.
+/// Returns what no command of armtune checks.
 const std::vector<std::string>& never_checked();
 
-/// verdict.yaml of a run folder, and the same read back. Reading throws InputError with file, line and key.
+/// Write and read verdict.yaml of a run folder. Reading throws InputError with file, line and key.
 std::string verdict_yaml(const SimulationVerdict& verdict);
 SimulationVerdict read_verdict(const std::string& path);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The check of the yield: the share of random arms that keep their limits.
+// The check of the yield, which is the share of random arms that keep their limits.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Returns how many of the samples keep their limits, against the share that is asked for, and what is broken
-/// most often: scenario, limit and, of velocity limits, the joint. samples: at least one.
+/// Checks the share of samples that keep their limits against `asked`. The check names what is broken most
+/// often: the scenario, the limit and, for velocity limits, the joint. samples: at least one.
 Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<MonteCarloSample>& samples,
                   double asked);
 
@@ -17,13 +17,14 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
 /// periods (95 % confidence 59.6 to 98.2 %)".
 std::string kept_text(const std::vector<MonteCarloSample>& samples);
 
-/// The verdict on random arms alone, with what they leave unchecked: the arm's own limits too, where
-/// options.limits replaces them. samples: at least one.
+/// Returns the verdict on random arms alone. It lists what they leave unchecked, which includes the arm's own
+/// limits if options.limits replaces them. samples: at least one.
 SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
                                 const std::vector<MonteCarloSample>& samples,
                                 const MonteCarloOptions& options);
 
-/// Returns, for example, "the default spread of arms, payloads up to 5 kg". whose: "the default".
+/// Returns, for example, "the default spread of arms, payloads up to 5 kg". whose: "the default" or another
+/// owner of the spread.
 std::string spread_text(const std::string& whose, const Perturbation& perturbation);
 
 }  // namespace armtune::internal

@@ -1,6 +1,6 @@
 #pragma once
-// Values as bytes and back, the same to the bit: what ranks send each other. Little-endian; a text is its
-// length and its bytes.
+// Converts values to bytes and back without any change of a bit, for messages between ranks. Numbers are
+// little-endian. A text is its length followed by its bytes.
 
 #include <bit>
 #include <concepts>
@@ -18,13 +18,13 @@ class ByteWriter {
   void add(std::uint64_t value) {
     for (int i = 0; i < 8; ++i, value >>= 8U) bytes_.push_back(static_cast<char>(value & 0xFFU));
   }
-  /// NaN keeps its payload, -0 its sign.
+  /// Keeps the payload of NaN and the sign of -0.
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(std::string_view text) {
     add(std::uint64_t{text.size()});
     bytes_.append(text);
   }
-  /// Nothing else is turned into one of these by accident.
+  /// Prevents implicit conversions from other number types.
   template <typename T>
   void add(T) requires std::integral<T> || std::floating_point<T>
   = delete;
@@ -35,10 +35,11 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Takes values out in the order they were added. Throws FailedError where the message is too short.
+/// A reader that takes values out in the order they were added. Throws FailedError if the message is too
+/// short.
 class ByteReader {
  public:
-  /// bytes: outlive the reader.
+  /// The bytes must outlive the reader.
   explicit ByteReader(std::string_view bytes) : left_(bytes) {}
 
   std::uint64_t integer() {

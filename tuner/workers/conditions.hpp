@@ -1,5 +1,5 @@
 #pragma once
-// How candidates are simulated.
+// The conditions under which candidates are simulated.
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace armtune::internal {
 
 struct Conditions {
   Engine engine = Engine::kSimbody;
-  /// Per scenario, where its rollouts end before their time, those of every arm alike; empty: nowhere.
+  /// Limits at which rollouts end early, per scenario and for all of its arms; empty: none.
   std::vector<EndLimits> limits = {};
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The jobs that rank 0 sends to this rank, as its worker gets them: as they come, several under way at once.
+// A source of the jobs that rank 0 sends to this rank. Its worker gets them as they arrive, several at once.
 
 #include <chrono>
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace armtune::internal {
 
 class LeaderJobs final : public JobSource {
  public:
-  /// first: a job message. others: gets what comes meanwhile and is no job of the same pool; it ends the
-  /// work.
+  /// first: a job message. others: receives a message that arrives meanwhile and is not a job of the same
+  /// pool. Such a message ends the work.
   LeaderJobs(Transport& transport, const std::string& first, std::deque<std::string>& others);
 
   std::uint64_t pool() const { return pool_; }
@@ -25,9 +25,9 @@ class LeaderJobs final : public JobSource {
   std::optional<GivenJob> next() override;
   bool stopped() override;
   void finished(std::size_t number, RolloutResult&& result) override;
-  /// What has come and is not finished is answered as interrupted.
+  /// Answers every job that has arrived and is not finished as interrupted.
   void interrupt();
-  /// The worker failed: of what was given out nothing more will come.
+  /// Reports that the worker failed and that no more results will follow.
   void fail(const std::string& what);
 
  private:
@@ -38,9 +38,9 @@ class LeaderJobs final : public JobSource {
   std::deque<std::string>& others_;
   std::uint64_t pool_ = 0;
   std::size_t share_ = 1;
-  std::map<std::uint64_t, RolloutJob> open_;  ///< by number: came and not finished
-  std::deque<std::uint64_t> waiting_;         ///< of those, not given out yet
-  std::uint64_t last_ = 0;                    ///< the last that came
+  std::map<std::uint64_t, RolloutJob> open_;  ///< by number: arrived and not finished
+  std::deque<std::uint64_t> waiting_;         ///< of those, not handed out yet
+  std::uint64_t last_ = 0;                    ///< number of the last one that arrived
   bool stopped_ = false;
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };

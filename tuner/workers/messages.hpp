@@ -1,5 +1,5 @@
 #pragma once
-// What ranks say to each other, as bytes. Every message begins with its kind.
+// The messages between ranks, as bytes. Every message begins with its kind.
 
 #include <cstdint>
 #include <string>
@@ -12,34 +12,34 @@
 namespace armtune::internal {
 
 enum class MessageKind : std::uint64_t {
-  kHello,    ///< to rank 0: who, and everything that has to be the same everywhere
-  kGo,       ///< from rank 0: all are the same, jobs follow
+  kHello,    ///< to rank 0: the host, and all that must be the same everywhere
+  kGo,       ///< from rank 0: all ranks agree, jobs follow
   kJob,      ///< from rank 0
-  kStop,     ///< from rank 0: interrupt the jobs up to that number
+  kStop,     ///< from rank 0: interrupt the jobs up to this number
   kResult,   ///< to rank 0
-  kFailure,  ///< to rank 0: the job threw
-  kBye,      ///< from rank 0: nothing follows, and the exit code of all
-  kLeaving   ///< to rank 0: the answer to kBye, the rank's last message
+  kFailure,  ///< to rank 0: the job threw an exception
+  kBye,      ///< from rank 0: no more messages; the exit code of all ranks
+  kLeaving   ///< to rank 0: answer to kBye, the rank's last message
 };
 
-/// A rank before the work.
+/// The data that a rank sends before the work begins.
 struct Hello {
   std::string host;
   std::string failure;  ///< why the rank has no plan; empty if it has one
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
-/// A job under way.
+/// A job with the data that a rank needs to do it.
 struct NumberedJob {
-  std::uint64_t number = 0;  ///< of this rank's jobs
-  std::uint64_t pool = 0;    ///< a worker makes its plants anew for another pool
-  std::uint64_t share = 1;   ///< jobs that the rank is given at once, at most
+  std::uint64_t number = 0;  ///< among this rank's jobs
+  std::uint64_t pool = 0;    ///< a worker makes new plants for another pool
+  std::uint64_t share = 1;   ///< largest number of jobs that the rank is given at once
   RolloutJob job;
 };
 
 MessageKind kind_of(const std::string& message);
 
-std::string plain_message(MessageKind kind);  ///< kGo, kLeaving
+std::string plain_message(MessageKind kind);  ///< for kGo and kLeaving
 std::string hello_message(const Hello& hello);
 std::string job_message(const NumberedJob& job);
 std::string stop_message(std::uint64_t number);
@@ -47,7 +47,7 @@ std::string result_message(std::uint64_t number, const RolloutResult& result);
 std::string failure_message(std::uint64_t number, const std::string& what);
 std::string bye_message(int exit_code);
 
-// Each throws FailedError if the message is of another kind, too short or too long.
+// These functions throw FailedError if the message is of another kind, too short or too long.
 Hello read_hello(const std::string& message);
 NumberedJob read_job(const std::string& message);
 std::uint64_t read_stop(const std::string& message);

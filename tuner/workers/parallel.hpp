@@ -1,5 +1,6 @@
 #pragma once
-// Jobs shared out to threads, in order; results go to slots of their own, so nothing depends on who did what.
+// Shares jobs out to threads, in order. Each job writes its result into a slot of its own, so results do not
+// depend on which thread did which job.
 
 #include <fmt/format.h>
 
@@ -17,9 +18,9 @@
 
 namespace armtune::internal {
 
-/// Calls job(worker, index) for index 0 .. count-1, started in that order, on `workers` threads (>= 1, the
-/// caller's included). No job is started once `stop` is true. The first exception ends the rest and is thrown
-/// again here.
+/// Calls job(worker, index) for index 0 .. count-1, started in that order, on `workers` threads (>= 1), which
+/// include the caller's. No job is started once `stop` is true. After a first exception no further job is
+/// started, and the exception is thrown again here.
 inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>& stop,
                          const std::function<void(std::size_t worker, std::size_t index)>& job) {
   std::atomic<std::size_t> next{0};
@@ -39,7 +40,7 @@ inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>
     try {
       for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
     } catch (const std::system_error& e) {
-      next = count;  // those already there must not do it all first
+      next = count;  // the threads that have started must not do all jobs first
       throw FailedError(
           fmt::format("of {} threads the system starts no more than {} ({}): give fewer workers", workers,
                       threads.size() + 1, e.what()));

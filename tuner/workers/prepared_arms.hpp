@@ -1,6 +1,6 @@
 #pragma once
-// The arms of a plan, made ready to be simulated. Few are kept, so that memory does not grow with the
-// samples.
+// A cache of a plan's arms, prepared for simulation. Only few are kept, so that memory does not grow with the
+// number of samples.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace armtune::internal {
 
 class PreparedArms {
  public:
-  /// plan: outlives this.
+  /// The plan must outlive the object.
   explicit PreparedArms(const RolloutPlan& plan) : plan_(plan) {}
 
   std::shared_ptr<const PreparedScenario> at(std::size_t scenario, std::uint64_t sample) {

@@ -1,5 +1,5 @@
 #pragma once
-// What all workers of a run know before it begins, and the unit of work: one rollout.
+// The plan of a run, which all workers have before it begins, and the unit of work, which is one rollout.
 
 #include <cstdint>
 #include <limits>
@@ -17,41 +17,42 @@
 
 namespace armtune::internal {
 
-/// Arms drawn at random in place of the scenarios' own.
+/// A random draw of arms that replace the scenarios' own arms.
 struct Draw {
   Perturbation perturbation;
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> own = {};  ///< the number that stands for the scenario's own arm, if one does
+  std::optional<std::uint64_t> own = {};  ///< number that stands for the scenario's own arm, if one does
 };
 
 struct RolloutPlan {
   std::vector<Scenario> scenarios;
   Stepper stepper = Stepper::kMidpoint;
   std::optional<Draw> draw;
-  /// How many of the scenarios, from the first on, are drawn; the others keep their own arm.
+  /// Number of scenarios, from the first on, whose arm is drawn. The others keep their own arm.
   std::size_t drawn = std::numeric_limits<std::size_t>::max();
-  double deadline = 0.0;  ///< of one rollout, wall clock [s]; 0: by its simulated duration
-  /// What beside the scenarios has to be the same in every process, such as hashes of files: what, value.
+  double deadline = 0.0;  ///< for one rollout, wall clock [s]; 0: derived from its duration
+  /// Names and values of further facts that must agree in all processes, such as hashes of files.
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
 struct RolloutJob {
-  std::size_t scenario = 0;  ///< index into the plan's
+  std::size_t scenario = 0;  ///< index in the plan
   std::uint64_t sample = 0;  ///< number of the arm; 0 without a draw
   Gains gains;
-  EndLimits limits = {};  ///< where the rollout ends before its time
+  EndLimits limits = {};  ///< limits at which the rollout ends early
   Engine engine = Engine::kSimbody;
 };
 
-/// How long a rollout of the scenario may take [s of wall clock]: what is asked for, or, where that is 0, 20
-/// s and twice the simulated duration. Many times what any processor needs: it ends what would never end.
+/// Returns the deadline of a rollout [s of wall clock]: `asked`, or, if that is 0, 20 s and twice the
+/// simulated duration. The latter is many times what any processor needs. It ends rollouts that would never
+/// end.
 double deadline_of(double asked, const Scenario& scenario);
 
-/// The scenario as the sample's arm meets it.
+/// Returns the scenario with the arm of the sample.
 Scenario arm_of(const RolloutPlan& plan, std::size_t scenario, std::uint64_t sample);
 
-/// Everything two processes must agree on to be workers of one run: what, value. Reads the input files, for
-/// their hashes.
+/// Returns names and values of all facts on which two processes must agree to work on one run. Reads the
+/// input files for their hashes.
 std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& plan);
 
 }  // namespace armtune::internal

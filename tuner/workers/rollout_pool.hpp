@@ -1,5 +1,5 @@
 #pragma once
-// The workers of a plan, and the one way jobs are shared out to them.
+// The workers of a plan, to which all jobs are shared out.
 
 #include <atomic>
 #include <functional>
@@ -12,20 +12,20 @@ namespace armtune::internal {
 
 class RolloutPool {
  public:
-  /// `threads` (>= 1) workers in this process.
+  /// Makes `threads` (>= 1) workers in this process.
   RolloutPool(RolloutPlan plan, int threads);
-  /// Workers (at least one) made for that plan; each is called from one thread at a time.
+  /// Uses workers (at least one) made for that plan. Each is called from one thread at a time.
   RolloutPool(std::shared_ptr<const RolloutPlan> plan, std::vector<std::unique_ptr<RolloutWorker>> workers);
 
   const RolloutPlan& plan() const { return *plan_; }
   int count() const { return static_cast<int>(workers_.size()); }
   long rollouts_done() const { return done_; }
-  /// Of all of them together [s].
+  /// Returns the simulated time of all rollouts together [s].
   double simulated() const { return simulated_; }
 
-  /// Runs job(0) .. job(count - 1), started in that order. `finished` gets each result that is whole,
-  /// in any order, one call at a time, from any thread. No job is started once `stop` is true, and those
-  /// under way are interrupted. The first exception ends the rest and is thrown again here.
+  /// Runs job(0) .. job(count - 1), started in that order. `finished` receives each result that was not
+  /// interrupted, in any order, one call at a time, from any thread. No job is started once `stop` is true,
+  /// and jobs under way are interrupted. The first exception ends the rest and is thrown again here.
   void run(std::size_t count, const std::function<RolloutJob(std::size_t)>& job,
            const std::atomic<bool>& stop, const std::function<void(std::size_t, RolloutResult&&)>& finished);
 

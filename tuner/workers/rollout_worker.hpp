@@ -1,5 +1,6 @@
 #pragma once
-// One worker: it does rollouts, one at a time or several side by side, here or elsewhere.
+// The interface of a worker. It does rollouts, one at a time or several side by side, in this or in another
+// process.
 
 #include <cstddef>
 #include <optional>
@@ -14,17 +15,17 @@ struct GivenJob {
   RolloutJob job;
 };
 
-/// Where workers get their jobs and hand in their results.
+/// A source from which workers get their jobs and to which they return results.
 class JobSource {
  public:
   virtual ~JobSource() = default;
-  /// How many jobs a worker should have under way at most, lest others have none.
+  /// Returns how many jobs a worker should have under way at most, so that others get jobs too.
   virtual std::size_t share() const = 0;
-  /// The next one to be started; none: there are no more, or no more are wanted.
+  /// Returns the next job to start, or nothing if there are no more or no more are wanted.
   virtual std::optional<GivenJob> next() = 0;
-  /// Whether what is under way is to be given up. Asked often: once per control period, say.
+  /// True if jobs under way must be abandoned. Workers call it often, about once per control period.
   virtual bool stopped() = 0;
-  /// One that was given out is done, or was interrupted because of stopped().
+  /// Takes the result of a job, which is complete or was interrupted because of stopped().
   virtual void finished(std::size_t number, RolloutResult&& result) = 0;
 };
 
@@ -35,8 +36,8 @@ class RolloutWorker {
   RolloutWorker(const RolloutWorker&) = delete;
   RolloutWorker& operator=(const RolloutWorker&) = delete;
 
-  /// Jobs of the plan it was made for, until there are no more. A result depends on plan and job alone.
-  /// Throws FailedError past a rollout's deadline, or if the worker is lost.
+  /// Does jobs of the plan that it was made for, until there are no more. A result depends only on plan and
+  /// job. Throws FailedError if a rollout passes its deadline, or if the worker is lost.
   virtual void work(JobSource& jobs) = 0;
 };
 

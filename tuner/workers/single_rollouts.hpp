@@ -1,5 +1,5 @@
 #pragma once
-// Rollouts of a plan in this process, one at a time.
+// Simulates rollouts of a plan in this process, one at a time.
 
 #include <cstdint>
 #include <functional>
@@ -16,20 +16,20 @@ namespace armtune::internal {
 
 class SingleRollouts {
  public:
-  /// plan: outlives this.
+  /// The plan must outlive the object.
   explicit SingleRollouts(const RolloutPlan& plan) : plan_(plan), arms_(plan) {}
 
-  /// The result depends on plan and job alone; kInterrupted once `stop`, asked once per control period, is
-  /// true. Throws FailedError past the rollout's deadline.
+  /// Simulates a job. The result depends only on plan and job. It is kInterrupted once `stop`, called once
+  /// per control period, returns true. Throws FailedError if the rollout passes its deadline.
   RolloutResult run(const RolloutJob& job, const std::function<bool()>& stop);
 
   PreparedArms& arms() { return arms_; }
-  /// What to throw when a job is not done within its deadline, times the arms that were simulated side by
-  /// side. simulated: how far it came [s].
+  /// Returns the error for a job that passed its deadline. arms: number of arms simulated side by side, which
+  /// multiplies the deadline; simulated: simulated time so far [s].
   FailedError late(const RolloutJob& job, int arms, double simulated) const;
 
  private:
-  /// A plant made ready. Few are kept.
+  /// A prepared plant. Only few are kept.
   struct Ready {
     std::size_t scenario;
     std::uint64_t sample;

@@ -1,6 +1,6 @@
 #pragma once
 // The adaptive law (equations 5 and 6):  tau = Y theta - Kd S,   theta <- theta - gamma Y^T S dt.
-// Source of its options: core/control/adaptation.hpp and adaptation_filter.hpp.
+// Sources of its options are in core/control/adaptation.hpp and adaptation_filter.hpp.
 
 #include "core/control/adaptation.hpp"
 #include "core/control/adaptation_filter.hpp"

@@ -1,7 +1,7 @@
 #pragma once
-// A control law written once, for one arm (T = double) and for several side by side (T = Pack<W>): every
-// arm's torques are, to the bit, those of the arm alone. What is a branch for one arm is a choice between
-// results here (core/common/select.hpp).
+// Control laws that are written once, for one arm (T = double) and for several side by side (T = Pack<W>).
+// The torques of every arm are bit-identical to those of the arm alone. What is a branch for one arm is a
+// choice between results for several (core/common/select.hpp).
 
 #include <memory>
 #include <type_traits>
@@ -13,33 +13,33 @@
 
 namespace armtune::internal {
 
-/// The laws that are written in this way.
+/// The laws that are written in this form.
 enum class ArmLawKind { kAdaptive, kComputedTorque, kJointPd, kImpedance };
 
-/// One control period as such a law sees it.
+/// The inputs of such a law in one control period.
 template <typename T>
 struct LawPeriodT {
   const ChainT<T>& chain;
-  const MeasuredArmT<T>& arm;  ///< where J' counts, only in arms that do not track joints
+  const MeasuredArmT<T>& arm;  ///< its J' is valid only for arms that do not track joints
   const JointVectorT<T>& q;    ///< measured (n)
   const JointVectorT<T>& qd;   ///< measured (n)
   const JointReferenceT<T>& reference;
   const JointVectorT<T>& S;    ///< q' - qr' (n)
-  const JointVectorT<T>& Kd;   ///< of the active state (n)
-  const Vec6T<T>& pose_error;  ///< dx, of arms that do not track joints
-  MaskT<T> tracks_joints;      ///< the reference is a joint motion
-  MaskT<T> yields;             ///< the arm is to be moved by an obstacle's repulsion
+  const JointVectorT<T>& Kd;   ///< Kd of the active state (n)
+  const Vec6T<T>& pose_error;  ///< dx, for arms that do not track joints
+  MaskT<T> tracks_joints;      ///< true if the reference is a joint motion
+  MaskT<T> yields;             ///< true if an obstacle's repulsion moves the arm
   T dt;                        ///< control period [s]
 };
 
-/// What an arm's law starts from.
+/// The values that an arm's law starts with.
 struct LawNumbers {
   const double* theta;       ///< 13 n
-  const double* const* own;  ///< of each of the controller's own gains its numbers
+  const double* const* own;  ///< values of each of the controller's own gains
   double adaptation_gain = 0.0;
   double adaptation_leakage = 0.0;  ///< [1/s]
   double inertia_leakage = 0.0;     ///< [1/s]
-  double filter_share = 0.0;        ///< of the adaptation's filter; 0: none
+  double filter_share = 0.0;        ///< share of the adaptation's filter (filter_share()); 0: no filter
 };
 
 template <typename T>
@@ -50,15 +50,16 @@ class ArmLawT {
   ArmLawT& operator=(const ArmLawT&) = delete;
   virtual ~ArmLawT() = default;
 
-  /// Lets the arm in a lane begin (lane 0 of one arm).
+  /// Starts the arm in a lane (lane 0 for a single arm).
   virtual void start(int lane, const LawNumbers& numbers) = 0;
   /// Sets tau (n). Allocates nothing.
   virtual void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) = 0;
-  /// The period of the last torque() is over. learning: no joint was saturated, and adaptation is wanted.
+  /// Is called at the end of the period of the last torque(). learning: true for arms without a saturated
+  /// joint whose adaptation is wanted.
   virtual void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& /*learning*/) {}
-  /// What the law takes the arm for now (13 n).
+  /// Returns the parameters of the law's present model of the arm (13 n).
   virtual ParameterVectorT<T>& theta() = 0;
-  /// Y of the last period's q', qr', qr'', if the law has it.
+  /// Returns the motion of the last period's q', qr', qr'', from which Y follows; null if the law has none.
   virtual const SlotineLiT<T>* references_motion() const { return nullptr; }
 
  protected:
@@ -96,7 +97,7 @@ class ArmLawT {
   }
 };
 
-/// A law for arms of n joints.
+/// Makes a law for arms of n joints.
 template <typename T>
 std::unique_ptr<ArmLawT<T>> make_arm_law(ArmLawKind kind, int n);
 

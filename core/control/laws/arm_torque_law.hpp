@@ -1,5 +1,5 @@
 #pragma once
-// A law that is written for several arms, as the law of one.
+// An adapter that uses a law for several arms (arm_law.hpp) as the law of a single arm.
 
 #include <memory>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace armtune::internal {
 
-/// What such a law begins with under these gains. own: room for as many pointers as the controller has own
-/// gains; it and gains and theta outlive the result.
+/// Returns the values that such a law starts with under these gains. own: storage for the pointers to the
+/// controller's own gains. It, gains and theta must outlive the result.
 LawNumbers law_numbers(const Gains& gains, const ParameterVector& theta, double period,
                        std::vector<const double*>& own);
 

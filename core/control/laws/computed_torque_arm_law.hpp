@@ -1,6 +1,6 @@
 #pragma once
-// Computed torque in Cartesian space: the model inverted along J+ (xr'' - D (x' - xr') - J' q'). Outside the
-// task, and in states that track joints, joint motion is damped.
+// Computed torque in Cartesian space: the model is inverted along J+ (xr'' - D (x' - xr') - J' q'). Joint
+// motion is damped outside the task, and in states that track joints.
 
 #include "core/control/laws/model_arm_law.hpp"
 #include "core/control/task_resolution.hpp"
@@ -12,7 +12,7 @@ class ComputedTorqueArmLawT final : public ModelArmLawT<T> {
  public:
   using ModelArmLawT<T>::ModelArmLawT;
 
-  /// own: computed_torque_d (6), computed_torque_joint_d (1).
+  /// Uses the own gains computed_torque_d (6) and computed_torque_joint_d (1).
   void start(int lane, const LawNumbers& numbers) override {
     ModelArmLawT<T>::start(lane, numbers);
     this->put_all(lane, numbers.own[0], D_);

@@ -1,6 +1,6 @@
 #pragma once
-// The complete controller: state machine, references of the active state, the torque law that the gains name
-// (+ repulsion), saturated at the effort limits.
+// The complete controller: the state machine, the references of the active state, and the torque law that the
+// gains name. Repulsion is added, and the sum saturates at the effort limits.
 
 #include <memory>
 
@@ -11,14 +11,14 @@ namespace armtune::internal {
 
 class Controller {
  public:
-  /// gains must be valid for the model (see validate). theta (13 n): what it takes the arm for, to begin
-  /// with. period: control period [s].
+  /// gains must be valid for the model (see validate). theta (13 n): parameters of the controller's model of
+  /// the arm at the start. period: control period [s].
   Controller(std::shared_ptr<const RobotModel> model, const Gains& gains, const ParameterVector& theta,
              double period, TaskMask mask = TaskMask::kPose);
   Controller(const Controller&) = delete;  // the inverse refers to this object's Jacobian
   Controller& operator=(const Controller&) = delete;
 
-  /// One control period. Allocates nothing. The reference is valid until the next call.
+  /// Computes one control period. Allocates nothing. The returned reference is valid until the next call.
   const ControlOutput& update(const JointState& measured, const Scene& scene, double time);
 
   const ParameterVector& theta() const { return law_->theta(); }
@@ -27,9 +27,9 @@ class Controller {
   /// Returns Kd (n) of the last period if its torque contained -Kd S, else null.
   const JointVector* Kd() const { return law_->contains_Kd() ? &logic_.Kd() : nullptr; }
 
-  // Of the last period, for whoever looks at the same arm.
+  // Results of the last period, for other code that needs the same arm.
   const MeasuredArm& arm() const { return arm_; }
-  /// Y of q', qr', qr''; null: the law has none.
+  /// Returns the motion of q', qr', qr'', from which Y follows; null if the law has none.
   const SlotineLi* references_motion() const { return law_->references_motion(); }
 
  private:

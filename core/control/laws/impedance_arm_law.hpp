@@ -1,5 +1,5 @@
 #pragma once
-// Cartesian impedance:  Y theta - J^T (K dx + D (x' - xd'))  along the desired motion, and dampers in the
+// Cartesian impedance:  Y theta - J^T (K dx + D (x' - xd'))  along the desired motion, with dampers in the
 // joints.
 
 #include "core/control/laws/model_arm_law.hpp"
@@ -11,7 +11,7 @@ class ImpedanceArmLawT final : public ModelArmLawT<T> {
  public:
   explicit ImpedanceArmLawT(int n) : ModelArmLawT<T>(n) { B_.setZero(n); }
 
-  /// own: impedance_k (6), impedance_d (6), impedance_joint_d (n).
+  /// Uses the own gains impedance_k (6), impedance_d (6) and impedance_joint_d (n).
   void start(int lane, const LawNumbers& numbers) override {
     ModelArmLawT<T>::start(lane, numbers);
     this->put_all(lane, numbers.own[0], K_);
@@ -23,7 +23,7 @@ class ImpedanceArmLawT final : public ModelArmLawT<T> {
     this->model_torque(at, at.qd, at.reference.velocity, at.reference.acceleration, tau);
     const MaskT<T> in_task = this->no(at.tracks_joints);
     if (any(in_task)) {
-      // Only what is the task: a free turn of the tool is nobody's error.
+      // Only the task's part counts: a free turn of the tool is not an error.
       const TaskInverseT<T>& inverse = at.arm.inverse;
       const Vec6T<T> dx = inverse.of_task(at.pose_error);
       const Vec6T<T> dx_dot = inverse.of_task(times(at.arm.J, at.S));

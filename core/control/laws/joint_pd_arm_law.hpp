@@ -1,5 +1,5 @@
 #pragma once
-// Joint PD with gravity:  g(q) + P (q_ref - q) + D (qr' - q'),  q_ref the integral of qr'.
+// Joint PD with gravity:  g(q) + P (q_ref - q) + D (qr' - q'), where q_ref is the integral of qr'.
 
 #include "core/control/laws/model_arm_law.hpp"
 
@@ -12,7 +12,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
     for (JointVectorT<T>* x : {&P_, &D_, &q_reference_, &step_, &rest_}) x->setZero(n);
   }
 
-  /// own: joint_pd_p (n), joint_pd_d (n).
+  /// Uses the own gains joint_pd_p (n) and joint_pd_d (n).
   void start(int lane, const LawNumbers& numbers) override {
     ModelArmLawT<T>::start(lane, numbers);
     this->put_all(lane, numbers.own[0], P_);
@@ -21,7 +21,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
   }
 
   void torque(const LawPeriodT<T>& at, JointVectorT<T>& tau) override {
-    // An obstacle's repulsion is to move the arm, not to stretch a spring.
+    // An obstacle's repulsion must move the arm, not stretch a spring.
     const MaskT<T> from_here = this->either(at.yields, fresh_ > T(0.0));
     fresh_ = T(0.0);
     this->model_torque(at, rest_, rest_, rest_, tau);
@@ -32,7 +32,7 @@ class JointPdArmLawT final : public ModelArmLawT<T> {
     }
   }
 
-  /// Of a saturated joint the reference waits: it would only run ahead.
+  /// Advances the joint reference. While a joint is saturated it stops, since it would only run ahead.
   void conclude(const LawPeriodT<T>& /*at*/, const MaskT<T>& learning) override {
     for (Eigen::Index i = 0; i < step_.size(); ++i) {
       q_reference_[i] = select(learning, q_reference_[i] + step_[i], q_reference_[i]);

@@ -1,7 +1,7 @@
 #pragma once
-// Joint PD with gravity: what most arms have built in, around an integrated joint reference,
+// Joint PD with gravity, which most arms have built in, around an integrated joint reference:
 //   q_ref' = qr',   tau = g(q) + P (q_ref - q) + D (qr' - q').
-// qr' carries the task's Kp and Ki, as for the other laws. (Takegaki and Arimoto, A new feedback method for
+// qr' contains the task's Kp and Ki, as for the other laws. (Takegaki and Arimoto, A new feedback method for
 // dynamic control of manipulators, 1981.)
 
 #include "core/control/laws/controller_kind.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Every law that is written for several arms. To be included where a kind of T is compiled, and nowhere else.
+// Makes every law that is written for several arms. Include it only where such a law is compiled for a T.
 
 #include "core/control/laws/adaptive_arm_law.hpp"
 #include "core/control/laws/computed_torque_arm_law.hpp"

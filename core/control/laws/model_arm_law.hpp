@@ -1,5 +1,5 @@
 #pragma once
-// What laws that learn nothing share: theta stays what it is to begin with.
+// The common part of laws that do not learn: theta keeps its start value.
 
 #include "core/control/laws/arm_law.hpp"
 
@@ -15,7 +15,7 @@ class ModelArmLawT : public ArmLawT<T> {
   ParameterVectorT<T>& theta() override { return theta_; }
 
  protected:
-  /// M(q) a + C(q, q') v + g(q) + friction(qd) (n) of the arm that theta describes.
+  /// Computes M(q) a + C(q, q') v + g(q) + friction(qd) (n) of the arm that theta describes.
   void model_torque(const LawPeriodT<T>& at, const JointVectorT<T>& qd, const JointVectorT<T>& v,
                     const JointVectorT<T>& a, JointVectorT<T>& tau) {
     slotine_li_forward(at.chain, at.arm.poses, qd, v, a, motion_);

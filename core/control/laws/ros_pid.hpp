@@ -1,7 +1,7 @@
 #pragma once
-// The PID of one joint as ROS's control_toolbox computes it: branches `humble` (3.7) and `jazzy` (4.11, of
-// 6 May 2026). What happens to its integral depends on the anti-windup that is asked for. Parameter files
-// reach kOfContribution and kOfIntegral; a file that asks for another, or for u_max and the like, is refused.
+// The PID of one joint as computed by ROS's control_toolbox: branches `humble` (3.7) and `jazzy` (4.11, of
+// 6 May 2026). Its integral depends on the selected anti-windup. Parameter files can select kOfContribution
+// and kOfIntegral; a file that asks for another one, or for u_max and the like, is refused.
 
 #include <algorithm>
 #include <cmath>
@@ -10,18 +10,18 @@
 namespace armtune::internal {
 
 enum class AntiWindup {
-  /// The integral grows without bound; what it contributes is clamped. Humble and ROS 1 with
+  /// The integral grows without bound; its contribution is clamped. Humble and ROS 1 with
   /// `antiwindup: false`, which is their default.
   kOfContribution,
   /// The integral is clamped before it is used. Humble and ROS 1 with `antiwindup: true`; Jazzy's `legacy`.
   kOfIntegral,
-  /// Jazzy's `none`: used as it was, then it grows, then it is clamped.
+  /// Jazzy's `none`: the integral is used unchanged, then it grows, then it is clamped.
   kNone,
-  /// Jazzy's `conditional_integration`: as kNone, but while the output is saturated it rests if the error has
-  /// the output's sign.
+  /// Jazzy's `conditional_integration`: as kNone, but the integral stops while the output is saturated and
+  /// the error has the output's sign.
   kConditional,
-  /// Jazzy's `back_calculation`: as kNone, but what saturation cuts off is taken from it at the rate of
-  /// 1/tracking_time.
+  /// Jazzy's `back_calculation`: as kNone, but the part that saturation cuts off is subtracted from the
+  /// integral at the rate 1/tracking_time.
   kBackCalculation
 };
 
@@ -29,18 +29,19 @@ struct RosPidGains {
   double p = 0.0;                                           ///< [output / error]
   double i = 0.0;                                           ///< [output / (error s)]
   double d = 0.0;                                           ///< [output s / error]
-  double i_max = std::numeric_limits<double>::infinity();   ///< of the integral's contribution
-  double i_min = -std::numeric_limits<double>::infinity();  ///< below i_max
-  double u_max = std::numeric_limits<double>::infinity();   ///< of the output; Jazzy alone has it
+  double i_max = std::numeric_limits<double>::infinity();   ///< upper bound of the integral's contribution
+  double i_min = -std::numeric_limits<double>::infinity();  ///< lower bound of it, below i_max
+  double u_max = std::numeric_limits<double>::infinity();   ///< upper bound of the output; Jazzy only
   double u_min = -std::numeric_limits<double>::infinity();
   AntiWindup anti_windup = AntiWindup::kOfIntegral;
   double tracking_time = 0.0;  ///< of kBackCalculation [s]; 0: sqrt(d / i), or p / i without d
-  double deadband = 0.0;       ///< errors up to this leave the integral as it is
+  double deadband = 0.0;       ///< errors up to this leave the integral unchanged
 };
 
 class RosPid {
  public:
-  /// The output for an error (desired - measured) and its rate, dt > 0 [s] after the last. All finite.
+  /// Computes the output for an error (desired - measured) and its rate, dt > 0 [s] after the last call. All
+  /// values are finite.
   double output(const RosPidGains& gains, double error, double error_rate, double dt) {
     const bool integrates = std::abs(error) > gains.deadband;
     const double grown = integral_ + gains.i * dt * error;
@@ -65,7 +66,7 @@ class RosPid {
     return given;
   }
 
-  /// What the integral contributes, before kOfContribution clamps it.
+  /// Returns the integral's contribution, before kOfContribution clamps it.
   double integral() const { return integral_; }
 
  private:

@@ -1,19 +1,19 @@
 #pragma once
-// Gains to begin with on an arm that has none: from its inertia, its limits and its size, under the extended
-// law. A tuning's start, not its end.
+// Start gains for an arm that has none, from its inertia, its limits and its size, under the extended law.
+// They are where a tuning starts, not its result.
 
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"
 
 namespace armtune::internal {
 
-/// start, goal (n) [rad, m]: of leaveSingularity; goal lies on the task. manipulability: the smallest that
-/// the task has.
+/// Returns the start gains. start, goal (n) [rad, m]: those of leaveSingularity; goal lies on the task.
+/// manipulability: the smallest one on the task.
 ///
-/// Kd of a joint is 25 /s times the inertia it feels with the others free, 1 / (M^-1)_ii: M^-1 Kd has then no
-/// eigenvalue above 25 n /s, which periods of a few milliseconds can hold. Kp is below that rate,
-/// 5 /s of a joint and 15 /s of the task (Slotine and Li, Applied Nonlinear Control, section 9.2: S dies with
-/// M^-1 Kd, then the error with Kp).
+/// Kd of a joint is 25 /s times the inertia that it moves with the others free, 1 / (M^-1)_ii. M^-1 Kd then
+/// has no eigenvalue above 25 n /s, which is possible with control periods of a few milliseconds. Kp is below
+/// that rate, 5 /s of a joint and 15 /s of the task: S decays with M^-1 Kd, then the error with Kp (Slotine
+/// and Li, Applied Nonlinear Control, section 9.2).
 Gains starting_gains(const RobotModel& robot, const JointVector& start, const JointVector& goal,
                      double manipulability);
 

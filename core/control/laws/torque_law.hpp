@@ -1,6 +1,6 @@
 #pragma once
-// What makes a controller: from where the arm is, and what states and references ask of it, to joint torques.
-// States, references, gaze, returns, obstacles, the governor and the limits are those of every controller
+// A torque law: the part of a controller that turns the measured arm and the references into joint torques.
+// All controllers share the rest: states, references, gaze, returns, obstacles, the governor and the limits
 // (core/control/control_logic.hpp).
 
 #include "core/control/control_output.hpp"
@@ -12,24 +12,24 @@
 
 namespace armtune::internal {
 
-/// What a law is made from. model and gains outlive it; theta does not: it is to be copied, as TorqueLaw
-/// does.
+/// The data that a law is constructed from. model and gains outlive the law. theta does not and must be
+/// copied, as TorqueLaw does.
 struct LawSetup {
   const RobotModel& model;
   const Gains& gains;
-  const ParameterVector& theta;  ///< (13 n), what the controller takes the arm for (core/robot/theta.hpp)
-  double period;                 ///< of control [s]
+  const ParameterVector& theta;  ///< (13 n), of the controller's model of the arm (core/robot/theta.hpp)
+  double period;                 ///< control period [s]
   TaskMask mask;
 };
 
-/// One control period as a law sees it.
+/// The inputs of a law in one control period.
 struct LawInput {
   const JointState& measured;    ///< q, q' (n) [rad, m; /s]
   const MeasuredArm& arm;        ///< poses, J, its inverse; J' in states that track the tool
   const ControlOutput& control;  ///< state, errors, qr', qr'' and S = q' - qr' (n)
   const JointVector& Kd;         ///< of the active state (n) [N m s/rad]: joint_space_gains_d in states that
                                  ///< track joints and for laws without task_space_gains_d
-  const Scene& scene;            ///< its plan, where a joint motion is followed
+  const Scene& scene;            ///< its plan is used where a joint motion is followed
   double time;                   ///< [s]
 };
 
@@ -41,26 +41,27 @@ class TorqueLaw {
   TorqueLaw& operator=(const TorqueLaw&) = delete;
   virtual ~TorqueLaw() = default;
 
-  /// The torques (n) [N m, N] before repulsion, velocity barrier and effort limits. Allocates nothing.
+  /// Computes the torques (n) [N m, N], to which repulsion, velocity barrier and effort limits are then
+  /// applied. Allocates nothing.
   virtual void torque(const LawInput& in, JointVector& tau) = 0;
-  /// The period is over. learning: no joint was saturated, and adaptation is wanted.
+  /// Is called at the end of every period. learning: true if no joint was saturated and adaptation is wanted.
   virtual void conclude(bool /*learning*/) {}
 
-  /// What the law takes the arm for now (13 n).
+  /// Returns the parameters of the law's present model of the arm (13 n).
   virtual const ParameterVector& theta() const { return theta_; }
   /// Returns true if every torque contains -Kd S.
   virtual bool contains_Kd() const { return false; }
-  /// Y of the last period's q', qr', qr'', if the law has it.
+  /// Returns the motion of the last period's q', qr', qr'', from which Y follows; null if the law has none.
   virtual const SlotineLi* references_motion() const { return nullptr; }
 
  protected:
-  /// M(q) a + C(q, q') v + g(q) + friction(q') (n) of the arm that theta describes.
+  /// Computes M(q) a + C(q, q') v + g(q) + friction(q') (n) of the arm that theta describes.
   void model_torque(const MeasuredArm& arm, const JointVector& qd, const JointVector& v, const JointVector& a,
                     JointVector& tau) {
     slotine_li_forward(chain_, arm.poses, qd, v, a, motion_);
     slotine_li_torque(chain_, arm.poses, motion_, theta_, tau);
   }
-  /// g(q) (n) of the arm that theta describes.
+  /// Computes g(q) (n) of the arm that theta describes.
   void gravity_torque(const MeasuredArm& arm, JointVector& tau) {
     model_torque(arm, rest_, rest_, rest_, tau);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Whether gains can be those of a controller.
+// The check of a controller's gains against their limits and the number of joints.
 
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// All gains that the controller of `gains` has. Throws InputError naming the gain, its value and the limit;
-/// `source` stands in front of the message.
+/// Checks all gains of the controller that `gains` names. Throws InputError naming the gain, its value and
+/// the limit; the message begins with `source`.
 void validate(const Gains& gains, const std::vector<std::string>& joints, const std::string& source);
 
 }  // namespace armtune::internal

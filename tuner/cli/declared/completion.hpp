@@ -1,5 +1,5 @@
 #pragma once
-// Completion for shells, from what the command line was declared with.
+// Completion scripts for shells, made from the declared command line.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace armtune::internal::cli {
 
-/// bash and zsh.
+/// Returns "bash" and "zsh".
 const std::vector<std::string>& shell_names();
 
-/// A script for one of them. Commands, options, and the words and bundled names that options and positionals
-/// take are completed, else files. Throws InputError for another shell.
+/// Returns the completion script for a shell. It completes commands, options, and the words and bundled names
+/// that options and positionals take; elsewhere it completes files. Throws InputError for another shell.
 std::string completion(const DeclaredProgram& program, const std::string& shell);
 
 }  // namespace armtune::internal::cli

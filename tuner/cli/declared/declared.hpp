@@ -1,7 +1,6 @@
 #pragma once
-// What the command line was declared with, as plain data: the manual page and shell completion are made from
-// it, as
-// --help is.
+// The declared command line as plain data: its commands, options and their meanings. The manual page and
+// shell completion are made from it, as --help is.
 
 #include <string>
 #include <vector>
@@ -13,24 +12,24 @@ class App;
 namespace armtune::internal::cli {
 
 struct DeclaredOption {
-  std::vector<std::string> names;    ///< "--out"; of a positional its one name, "STUDY"
-  std::string value;                 ///< what it takes, "TEXT"; empty for a switch
-  std::string otherwise;             ///< its default; empty: none
-  std::vector<std::string> choices;  ///< the only words that it takes; empty: any
+  std::vector<std::string> names;    ///< such as "--out"; a positional has one, such as "STUDY"
+  std::string value;                 ///< type of its value, such as "TEXT"; empty for a switch
+  std::string otherwise;             ///< default; empty: none
+  std::vector<std::string> choices;  ///< the only values allowed; empty: any
   std::string meaning;
   bool positional = false;
   bool required = false;
-  bool many = false;  ///< takes several values
+  bool many = false;  ///< true if it takes several values
 };
 
 struct DeclaredCommand {
   std::string name;
   std::string meaning;
-  std::vector<DeclaredOption> options;  ///< in the order of their declaration, positionals among them
-  std::string footer;                   ///< what --help says below the options
+  std::vector<DeclaredOption> options;  ///< in the order of their declaration, including positionals
+  std::string footer;                   ///< text that --help shows below the options
 };
 
-/// The program's own options stand in `app`; its commands are in the order of --help.
+/// The whole program. `app` has its own options; `commands` are in the order of --help.
 struct DeclaredProgram {
   DeclaredCommand app;
   std::vector<DeclaredCommand> commands;
@@ -38,8 +37,8 @@ struct DeclaredProgram {
 
 DeclaredProgram declared(const CLI::App& app, const std::string& name);
 
-/// The folder of bundled data ("studies") whose names an option or positional of this name takes; empty:
-/// none.
+/// Returns the folder of bundled data, such as "studies", whose names this option or positional takes; empty
+/// if it takes none.
 std::string bundled_kind(const DeclaredOption& option);
 
 }  // namespace armtune::internal::cli

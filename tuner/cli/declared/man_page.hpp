@@ -1,5 +1,5 @@
 #pragma once
-// The manual page, from what the command line was declared with.
+// The manual page, made from the declared command line.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace armtune::internal::cli {
 
-/// armtune(1) in man(7)'s macros. `version` stands at the foot. Text that could be taken for a macro or an
-/// escape is written so that it is not.
+/// Returns armtune(1) in the macros of man(7), with `version` in the footer. Text that could be read as a
+/// macro or an escape sequence is escaped.
 std::string man_page(const DeclaredProgram& program, const std::string& version);
 
 }  // namespace armtune::internal::cli

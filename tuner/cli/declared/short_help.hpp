@@ -1,6 +1,6 @@
 #pragma once
-// Decides which options of a command --help shows, under which headings. --help-all, the manual page and the
-// documentation show every option.
+// The selection of options that --help shows for a command, and their headings. --help-all, the manual page
+// and the documentation show every option.
 
 #include <memory>
 #include <string>
@@ -24,16 +24,17 @@ struct ShortHelp {
   std::vector<OptionGroup> groups;
 };
 
-/// --help shows at most so many options of a command.
+/// Largest number of options that --help shows for a command.
 inline constexpr std::size_t kMostOptionsOfHelp = 10;
 
 const std::vector<ShortHelp>& short_helps();
 
-/// Prints the help of commands: without --help-all only the options of short_helps(). Long descriptions are
-/// wrapped. The program gets it before its commands are added, which take it over.
+/// Returns a formatter for the help of commands. Without --help-all it shows only the options of
+/// short_helps(). It wraps long descriptions. Set it before adding commands, which inherit it.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// Puts the options of every command that short_helps() names under their headings. Skips what was not built.
+/// Puts the options of every command in short_helps() under their headings. Skips what armtune was built
+/// without.
 void group_options(CLI::App& app);
 
 }  // namespace armtune::internal::cli

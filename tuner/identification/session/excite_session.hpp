@@ -1,5 +1,6 @@
 #pragma once
-// A run that designs a trajectory which shows an arm's parameters, or takes one, and simulates logs of it.
+// A run that designs a trajectory which excites an arm's parameters, or reads one from a file, and simulates
+// logs of it.
 
 #include <memory>
 #include <optional>
@@ -16,9 +17,9 @@ namespace armtune::internal {
 struct ExciteSettings {
   std::string folder;  ///< not empty
   std::shared_ptr<const RobotModel> model;
-  std::vector<Scenario> scenarios;  ///< of arms with the model's joints: a log of each
-  std::string trajectory;           ///< file to take one from; empty: one is designed
-  ExcitationOptions design;         ///< but for its progress, which is the session's own
+  std::vector<Scenario> scenarios;  ///< scenarios of arms with the model's joints: one log each
+  std::string trajectory;           ///< file to read one from; empty: one is designed
+  ExcitationOptions design;         ///< except its progress, which the session sets
   ExcitationLogOptions log;
 };
 
@@ -26,26 +27,26 @@ struct ExciteOutcome {
   Ending ending = Ending::kInterrupted;
   Excitation excitation;
   ExcitationUse use;
-  std::optional<ExcitationDesign> design;  ///< none of a trajectory that was given
-  std::vector<std::string> files;          ///< names of those in the folder
+  std::optional<ExcitationDesign> design;  ///< none if the trajectory was given
+  std::vector<std::string> files;          ///< names of the files in the folder
 };
 
-/// Hears of such a run while it is under way.
+/// An observer that is called during such a run.
 class ExciteObserver : public SessionObserver {
  public:
-  /// The trajectory is written.
+  /// Called when the trajectory is written.
   virtual void designed(const ExciteOutcome& /*so_far*/) {}
-  /// A log of it is written.
+  /// Called when a log of it is written.
   virtual void logged(const Scenario& /*scenario*/, const ExcitationLog& /*log*/) {}
 };
 
 class ExciteSession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   ExciteSession(ExciteSettings settings, SessionContext context, ExciteObserver& observer);
 
-  /// Runs it; may be called once. Throws InputError if the folder is used or the trajectory does not fit the
-  /// arm; FailedError if a file cannot be written.
+  /// Runs the session; may be called once. Throws InputError if the folder is used already or the trajectory
+  /// does not fit the arm; FailedError if a file cannot be written.
   ExciteOutcome run();
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// A run that identifies an arm from logs of its motion: the fit, doubts whether the logs are of that arm,
-// and, where it has a folder, all of its files.
+// A run that identifies an arm from logs of its motion. It fits theta, looks for reasons to doubt that the
+// logs are of that arm and, if it has a folder, writes all files.
 
 #include <memory>
 #include <string>
@@ -17,27 +17,27 @@ struct IdentifySettings {
   std::shared_ptr<const RobotModel> model;  ///< geometry, names and prior values
   std::vector<std::string> logs;            ///< paths
   LogColumns columns;
-  std::string columns_path;      ///< of the file that the columns are from; empty: of none
-  bool accept = false;           ///< write the result although the logs do not fit the model
-  IdentifyOptions options = {};  ///< but for its progress, which is the session's own
+  std::string columns_path;      ///< file that the columns were read from; empty: none
+  bool accept = false;           ///< true: write the result although the logs do not fit the model
+  IdentifyOptions options = {};  ///< except its progress, which the session sets
 };
 
 struct IdentifyOutcome {
   Ending ending = Ending::kInterrupted;
   Identification found;
   std::vector<std::string>
-      doubts;  ///< why the logs may not be of this arm, one sentence without its stop each
-  std::vector<std::string> files;  ///< names of those in the folder
-  double seconds = 0.0;            ///< that the fit took
+      doubts;  ///< reasons why the logs may not be of this arm; one sentence each, without its full stop
+  std::vector<std::string> files;  ///< names of the files in the folder
+  double seconds = 0.0;            ///< time that the fit took
 };
 
 class IdentifySession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   IdentifySession(IdentifySettings settings, SessionContext context, SessionObserver& observer);
 
-  /// Runs it; may be called once. Throws InputError if the folder is used or a log cannot be used;
-  /// FailedError if a file cannot be written.
+  /// Runs the session; may be called once. Throws InputError if the folder is used already or a log cannot be
+  /// used; FailedError if a file cannot be written.
   IdentifyOutcome run();
 
  private:

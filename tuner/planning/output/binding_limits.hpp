@@ -1,32 +1,34 @@
 #pragma once
-// Which limits a planned motion runs into, and, where there is none, what is in the way.
+// Finds the limits that hold a planned motion back. For a motion that was not found, these are the limits
+// that are in its way.
 
 #include "tuner/planning/transcription/refining_solver.hpp"
 
 namespace armtune::internal {
 
-/// A limit is active from its first to its last knot without a gap [s].
+/// A stretch of time in which a limit is active at every knot, from the first to the last of them [s].
 struct Stretch {
   double from = 0.0;
   double to = 0.0;
-  bool upper = true;  ///< which of its two bounds
+  bool upper = true;  ///< true if the upper bound is active, else the lower one
 };
 
 /// A limit of one joint or axis that holds the motion back.
 struct BindingLimit {
-  std::string limit;   ///< "velocity", "torque", "gaze"...
+  std::string limit;   ///< kind of limit: "velocity", "torque", "gaze"...
   std::string part;    ///< the joint or axis
-  double share = 0.0;  ///< of the knots at which it is active
-  double first = 0.0;  ///< s, of the first and the last of them
+  double share = 0.0;  ///< share of the knots at which the limit is active
+  double first = 0.0;  ///< times of the first and the last of these knots [s]
   double last = 0.0;
-  double value = 0.0;              ///< the one farthest beyond the limit, or at it
-  double bound = 0.0;              ///< the limit there
-  std::string unit;                ///< of both
-  double strength = 0.0;           ///< sum of its multipliers: seconds, or cost, per unit of relief
+  double value = 0.0;              ///< value farthest beyond the limit, or at it
+  double bound = 0.0;              ///< the limit at that knot
+  std::string unit;                ///< unit of value and bound
+  double strength = 0.0;           ///< sum of its multipliers: seconds, or cost, gained per unit of relief
   std::vector<Stretch> stretches;  ///< in order of time
 };
 
-/// The limits that are active, the strongest first. What a task asks for (start, goal, path) is none.
+/// Returns the active limits, the strongest first. Equations of the task (start, goal, a path without
+/// tolerance) are not limits. Limits of less than 1e-4 of the greatest strength are left out.
 std::vector<BindingLimit> binding_limits(const PlannedTrajectory& planned);
 
 }  // namespace armtune::internal

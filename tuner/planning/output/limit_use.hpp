@@ -1,6 +1,7 @@
 #pragma once
-// How far a plan uses each of its limits, at its knots and between them. The program holds torque, tool path,
-// gaze and distances at the knots; what they do between them is measured here.
+// Measures how far a plan uses each of its limits, at its knots and between them. The program keeps the
+// limits of torque, tool path, gaze and distances at the knots only. Their use between knots is measured
+// here.
 
 #include <limits>
 
@@ -9,30 +10,32 @@
 
 namespace armtune::internal {
 
+/// The use of one limit of one joint or axis.
 struct LimitUse {
   std::string limit;  ///< "position", "velocity", "acceleration", "jerk", "torque", "tool path", "gaze",
-                      ///< "distance to ..."
+                      ///< "distance to ...", "distance between links"
   std::string part;   ///< the joint or axis
   std::string unit;
   double lower = -std::numeric_limits<double>::infinity();  ///< in `unit`
   double upper = std::numeric_limits<double>::infinity();
-  double from = 0.0;  ///< where it holds [s]
+  double from = 0.0;  ///< start and end of the time in which the limit applies [s]
   double to = 0.0;
-  double at_knots = 0.0;      ///< largest share of it that is used: 1 at the limit
-  double between = 0.0;       ///< the same between the knots
-  double between_time = 0.0;  ///< when [s]
-  double share = 0.0;         ///< of the knots at which it holds the motion back
-  double strength = 0.0;      ///< as BindingLimit has it; 0 where it does not
+  double at_knots = 0.0;      ///< largest share of the limit that is used at a knot: 1 at the limit
+  double between = 0.0;       ///< largest share that is used between knots
+  double between_time = 0.0;  ///< time of this largest share between knots [s]
+  double share = 0.0;         ///< share of the knots at which the limit holds the motion back
+  double strength = 0.0;      ///< as in BindingLimit; 0 if the limit does not hold the motion back
   std::vector<Stretch> stretches;
 };
 
-/// Every limit of the task; those that hold the plan back first, the strongest at the top.
+/// Returns the use of every limit of the task. Limits that hold the plan back come first, the strongest at
+/// the top.
 std::vector<LimitUse> limit_uses(const PlanTask& task, const PlanProblem& problem,
                                  const PlannedTrajectory& planned);
 
-/// The largest use of limits of one kind ("torque", "distance"), at any time; nothing where there is none.
+/// The largest use between knots of the limits of one kind, such as "torque" or "distance".
 struct WorstUse {
-  const LimitUse* use = nullptr;  ///< null: there is no such limit
+  const LimitUse* use = nullptr;  ///< one of the uses that were given; null: no limit of this kind
   double between = 0.0;
 };
 WorstUse worst_between(const std::vector<LimitUse>& uses, const std::string& kind);

@@ -1,5 +1,5 @@
 #pragma once
-// The one declaration of the columns of a plan's CSV files: name, unit, meaning, value.
+// The one declaration of the columns of a plan's CSV files: name, unit, meaning and value of each.
 
 #include "sim/rollout/columns.hpp"
 #include "tuner/planning/output/plan_sample.hpp"
@@ -7,19 +7,21 @@
 namespace armtune::internal {
 
 struct PlanColumn {
-  std::string name;  ///< a tree with '/', no commas
+  std::string name;  ///< parts separated by '/', without commas
   std::string unit;
   std::string meaning;
   std::function<double(const PlanSample&)> value;
 };
 
-/// Of trajectory.csv: a row a knot, from which the motion between the knots follows exactly.
+/// Returns the columns of trajectory.csv, which has one row per knot. The motion between the knots follows
+/// exactly from these rows.
 std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotModel& robot);
 
-/// Of motion.csv: rows at even times, to look at; named as those of a rollout where they are the same.
+/// Returns the columns of motion.csv, whose rows are evenly spaced in time, for plots. A column that a
+/// rollout has as well bears the same name.
 std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& robot);
 
-/// Without their values, as columns.csv takes them.
+/// Returns the columns without their values, as columns.csv needs them.
 std::vector<Column> described(const std::vector<PlanColumn>& columns);
 
 }  // namespace armtune::internal

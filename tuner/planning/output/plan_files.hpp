@@ -1,5 +1,5 @@
 #pragma once
-// A planned motion as CSV.
+// The CSV files of a planned motion, as texts.
 
 #include <string>
 #include <vector>
@@ -9,14 +9,16 @@
 
 namespace armtune::internal {
 
-/// Text of trajectory.csv: a row a knot, every limit's ratio beside its value.
+/// Returns the text of trajectory.csv: one row per knot. Velocities and torques are also given as shares of
+/// the robot's limits.
 std::string trajectory_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
 
-/// Text of motion.csv: the same motion at `rows` (>= 2) even times from its start to its end.
+/// Returns the text of motion.csv: the same motion at `rows` (>= 2) evenly spaced times from its start to its
+/// end.
 std::string motion_csv(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory,
                        int rows);
 
-/// Text of limits.csv: a row for every limit.
+/// Returns the text of limits.csv: one row per limit.
 std::string limits_csv(const std::vector<LimitUse>& uses);
 std::vector<Column> limits_columns();
 

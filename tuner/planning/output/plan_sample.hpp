@@ -1,5 +1,5 @@
 #pragma once
-// The arm at one time of a plan: at a knot, or between two of them, where the motion is an exact cubic.
+// The arm at one time of a plan: at a knot, or between two knots, where the motion is an exact cubic.
 
 #include <optional>
 
@@ -8,37 +8,38 @@
 
 namespace armtune::internal {
 
-/// What a task says of the tool, beside the joints' limits.
+/// The demands of a task on the tool, besides the joints' limits.
 struct ToolDemands {
-  bool path = false;  ///< the tool is to be on a path
-  bool gaze = false;  ///< its z axis is to be at a target
+  bool path = false;  ///< true if the tool must be on a path
+  bool gaze = false;  ///< true if its z axis must point at a target
 };
 ToolDemands tool_demands(const PlanTask& task);
 
 struct PlanSample {
-  double time = 0.0;             ///< of the scenario [s]
-  JointVector q, qd, qdd, jerk;  ///< (n) [rad, m and per s, s^2, s^3]; jerk: of the interval it lies in
-  JointVector tau;               ///< (n) by inverse dynamics [N m, N]
-  double s = 0.0, sd = 0.0, sdd = 0.0;  ///< path coordinate in the path's own time, where there is one [s]
+  double time = 0.0;                    ///< time of the scenario [s]
+  JointVector q, qd, qdd, jerk;         ///< (n) [rad, m and per s, s^2, s^3]; jerk: that of its interval
+  JointVector tau;                      ///< (n) by inverse dynamics [N m, N]
+  double s = 0.0, sd = 0.0, sdd = 0.0;  ///< path coordinate in the path's own time, if the task has one [s]
   Poses poses;                          ///< at q
-  Vec3 desired = Vec3::Zero();          ///< where the path has the tool [m]
-  Vec3 target = Vec3::Zero();           ///< where the gaze is to be [m]
+  Vec3 desired = Vec3::Zero();          ///< position that the path gives the tool [m]
+  Vec3 target = Vec3::Zero();           ///< position of the gaze target [m]
   double gaze = 0.0;                    ///< angle between tool z and the line to that target [rad]
-  double clearance = INFINITY;  ///< of joints' origins that can move, and the tool, from obstacles [m]
-  LeastClearances cell;         ///< of the links from each other and the cell, where the task keeps some
+  double clearance = INFINITY;  ///< least distance of tool and movable joint origins from obstacles [m]
+  LeastClearances cell;         ///< distances of links from each other and the cell, if the task keeps any
 };
 
+/// Computes samples of a plan. Every call overwrites the sample that the call before returned.
 class PlanSampler {
  public:
-  /// Task, problem and trajectory must outlive it.
+  /// Task, problem and trajectory must outlive the sampler.
   PlanSampler(const PlanTask& task, const PlanProblem& problem, const Trajectory& trajectory);
 
-  /// At knot k as it stands in the trajectory; the jerk is that of the interval after it, of the last one
-  /// before.
+  /// Returns the sample at knot k, as the trajectory stores it. Its jerk is that of the interval after the
+  /// knot; at the last knot it is that of the interval before.
   const PlanSample& at_knot(Eigen::Index k);
-  /// Within interval k, at `part` (0 .. 1) of it.
+  /// Returns the sample within interval k, at `part` (0 .. 1) of it.
   const PlanSample& within(Eigen::Index k, double part);
-  /// At t [s], held at the ends outside.
+  /// Returns the sample at t [s]. A time outside the trajectory counts as its nearer end.
   const PlanSample& at(double t);
 
  private:

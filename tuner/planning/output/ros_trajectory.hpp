@@ -1,5 +1,5 @@
 #pragma once
-// A planned motion as a trajectory that ROS controllers take.
+// A planned motion as a trajectory message for ROS controllers.
 
 #include <string>
 #include <vector>
@@ -11,9 +11,10 @@ namespace armtune::internal {
 
 enum class RosVersion { kRos1, kRos2 };
 
-/// trajectory_msgs/JointTrajectory as YAML, for `ros2 topic pub` or `rostopic pub`: times from its own start.
-/// Numbers are floating point ones for readers of YAML 1.1 and 1.2 alike, and read back to the same bits.
-/// header: comment lines; one is added where the motion does not end at rest.
+/// Returns the motion as a trajectory_msgs/JointTrajectory in YAML, for `ros2 topic pub` or `rostopic pub`.
+/// Times count from the start of the motion. Numbers have a decimal point, so that readers of YAML 1.1 and
+/// 1.2 take them for floating point numbers; they read back to the same bits. header: comment lines; another
+/// one is added if the motion does not end at rest.
 std::string ros_trajectory(const RobotModel& robot, const Trajectory& trajectory, RosVersion version,
                            const std::vector<std::string>& header);
 

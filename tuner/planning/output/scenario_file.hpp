@@ -1,5 +1,5 @@
 #pragma once
-// A scenario in which the controller follows a plan: what `armtune simulate` takes.
+// A scenario in which the controller follows a plan, as input for `armtune simulate`.
 
 #include <string>
 
@@ -7,11 +7,13 @@
 
 namespace armtune::internal {
 
-/// Name of the file in the plan's folder, which is the scenario's name in errors.csv and reports.
+/// Returns the name of the file in the plan's folder. The scenario has the same name in errors.csv and
+/// reports.
 std::string planned_scenario_name(const PlanTask& task);
 
-/// Text of the scenario: the task's own, followed along trajectory.csv beside the file, as long as that
-/// lasts, by a controller that knows the arm.
+/// Returns the text of the scenario. It is based on the task's own scenario, and the controller follows
+/// trajectory.csv beside the file until that ends. The controller starts from the parameters of the arm's
+/// model.
 std::string planned_scenario_yaml(const PlanTask& task);
 
 }  // namespace armtune::internal

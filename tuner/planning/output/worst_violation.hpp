@@ -1,5 +1,5 @@
 #pragma once
-// Where a motion that was not found falls short: the limit in the way, when, and by how much.
+// Explains why no motion was found: which limit is in the way, when, and by how much it would be violated.
 
 #include <string>
 
@@ -11,14 +11,14 @@ namespace armtune::internal {
 struct WorstViolation {
   RowMeaning meaning;
   double time = 0.0;       ///< [s]
-  double violation = 0.0;  ///< relative to the limit; of an equation in its own unit
-  double value = 0.0;      ///< in the unit of its meaning, as the bound
+  double violation = 0.0;  ///< relative to the limit; for an equation in its own unit
+  double value = 0.0;      ///< in the unit of its meaning, like the bound
   double bound = 0.0;
   bool equation = false;
 };
 WorstViolation worst_violation(const PlannedTrajectory& planned);
 
-/// "torque of wrist_2_joint would be 31.2 N m at 0.31 s; its limit is 28 N m".
+/// Returns a sentence such as "torque of wrist_2_joint would be 31.2 N m at 0.31 s; its limit is 28 N m".
 std::string sentence(const WorstViolation& worst);
 
 }  // namespace armtune::internal

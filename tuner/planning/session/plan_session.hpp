@@ -1,6 +1,6 @@
 #pragma once
-// A run that plans a trajectory: solved, measured against its limits, and, where it has a folder, all of its
-// files. It writes nothing unless there is a solution.
+// A run that plans a trajectory. It solves the task, measures how far the solution uses its limits and, if it
+// has a folder, writes all files. Without a solution it writes nothing.
 
 #include <optional>
 #include <string>
@@ -17,24 +17,24 @@ namespace armtune::internal {
 struct PlanSettings {
   std::string folder;  ///< empty: nothing is written
   PlanTask task;
-  RosVersion ros = RosVersion::kRos2;  ///< of joint_trajectory.yaml
+  RosVersion ros = RosVersion::kRos2;  ///< version that joint_trajectory.yaml is written for
 };
 
 struct PlanOutcome {
   std::optional<PlanProblem> problem;
-  PlannedTrajectory planned;       ///< its result's status says whether there is a solution
-  std::vector<LimitUse> uses;      ///< of a solution
-  std::vector<std::string> files;  ///< names of those in the folder
-  double seconds = 0.0;            ///< that solving took
+  PlannedTrajectory planned;       ///< the status of its result tells whether there is a solution
+  std::vector<LimitUse> uses;      ///< empty without a solution
+  std::vector<std::string> files;  ///< names of the files in the folder
+  double seconds = 0.0;            ///< time that solving took
 };
 
 class PlanSession {
  public:
-  /// The observer outlives the session.
+  /// The observer must outlive the session.
   PlanSession(PlanSettings settings, SessionContext context, SessionObserver& observer);
 
-  /// Runs it; may be called once. Throws InputError if the folder is used or the task cannot be begun;
-  /// FailedError if a file cannot be written.
+  /// Runs the session; may be called once. Throws InputError if the folder is used already or the task cannot
+  /// be started; FailedError if a file cannot be written.
   PlanOutcome run();
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-// Many rows of a sparse Jacobian, stored as small dense blocks: the rows that one knot of a trajectory, or
-// one interval between two, gives to a program. The pattern is laid out once; only the values change.
+// Many rows of a sparse Jacobian, stored as small dense blocks. A block holds the rows that one knot of a
+// trajectory, or one interval between two knots, adds to a program. The pattern is laid out once; only the
+// values change.
 
 #include <Eigen/Core>
 #include <vector>
@@ -11,17 +12,17 @@ namespace armtune::internal {
 struct RowBlock {
   int first_row = 0;
   int rows = 0;
-  int first_column = 0;  ///< in BlockRows::columns
+  int first_column = 0;  ///< index into BlockRows::columns
   int columns = 0;
-  int first_value = 0;    ///< in BlockRows::values: rows x columns, row by row; a diagonal block: one a row
-  bool diagonal = false;  ///< row i depends on column i only
+  int first_value = 0;    ///< in BlockRows::values: rows x columns, row by row; if diagonal, one per row
+  bool diagonal = false;  ///< true if row i depends on column i only
 };
 
 class BlockRows {
  public:
   /// Adds rows that depend on `columns` (strictly ascending). Returns the block's index.
   int add(int rows, const std::vector<int>& columns);
-  /// Adds one row for each of `columns`, which depends on that column only.
+  /// Adds one row for each of `columns`, which depends on that column only. Returns the block's index.
   int add_diagonal(const std::vector<int>& columns);
 
   int rows() const { return rows_; }
@@ -31,9 +32,9 @@ class BlockRows {
   double* values(const RowBlock& block) { return values_.data() + block.first_value; }
   const double* values(const RowBlock& block) const { return values_.data() + block.first_value; }
 
-  /// result = J x.
+  /// Computes result = J x.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& result) const;
-  /// result += J^T y.
+  /// Computes result += J^T y.
   void add_transposed(const Eigen::VectorXd& y, Eigen::VectorXd& result) const;
 
  private:
@@ -41,7 +42,7 @@ class BlockRows {
   std::vector<RowBlock> blocks_;
   std::vector<int> columns_;
   std::vector<double> values_;
-  mutable Eigen::VectorXd gathered_;  ///< of one block
+  mutable Eigen::VectorXd gathered_;  ///< work space of one block
 };
 
 }  // namespace armtune::internal

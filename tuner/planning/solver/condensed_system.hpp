@@ -1,12 +1,12 @@
 #pragma once
-// The linear system of an interior point step, all pairs eliminated:
+// The linear system of an interior point step, after the complementarity pairs have been eliminated:
 //
 //   [H + delta I   G^T  ] [x]   [rd]      H = R^T R + C + diag(damping),
 //   [G            -yield] [y] = [e ],     yield >= 0: how far a row gives way to its multiplier.
 //
-// Rows that do not give way at all get a dual proximal part, 1/D = yield + a little, and the system condenses
-// to the positive definite K = H + delta I + G^T D G (Friedlander and Orban, Math. Prog. Comp. 4, 2012).
-// Conjugate gradients then take that part out of the rows again.
+// Rows that do not give way at all get a dual proximal part, 1/D = yield + a small constant. The system then
+// condenses to the positive definite K = H + delta I + G^T D G (Friedlander and Orban, Math. Prog. Comp. 4,
+// 2012). Conjugate gradients afterwards remove the error that the dual proximal part makes in the rows.
 
 #include "tuner/planning/solver/normal_matrix.hpp"
 #include "tuner/planning/solver/quadratic_program.hpp"
@@ -18,41 +18,41 @@ struct LinearUnknowns {
   Eigen::VectorXd y;  ///< (rows)
 };
 
-/// What a solution may leave of the right-hand sides.
+/// The residuals that a solution may leave.
 struct LinearAccuracy {
-  double sum = 0.0;   ///< of the first rows: sum of |entries|
-  double rows = 0.0;  ///< of the second rows: largest |entry|
+  double sum = 0.0;   ///< sum of |entries| in the first rows
+  double rows = 0.0;  ///< largest |entry| in the second rows
 };
 
-/// Factorised once a step, then solved for as many right-hand sides as wanted.
+/// A system that is factorised once per step, then solved for any number of right-hand sides.
 class CondensedSystem {
  public:
-  /// All three must outlive it. normal: laid out for the program's R and G, in this order; cholesky: analysed
-  /// for it.
+  /// All three arguments must outlive the system. normal: laid out for the program's R and G, in this order;
+  /// cholesky: analysed for it.
   CondensedSystem(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);
 
-  /// yield (rows, >= 0) is read again by every solve until the next call. False if K is not positive definite
-  /// with the largest delta either.
+  /// Factorises the system. False if K is not positive definite even with the largest delta. yield (rows,
+  /// >= 0): must live until the next call, since every solve reads it again.
   bool factorize(const Eigen::VectorXd& yield);
-  /// Primal proximal part of the last factorisation.
+  /// Returns the primal proximal part of the last factorisation.
   double delta() const { return delta_; }
 
-  /// Solves for (rd, e). Stops short of the accuracy where the conjugate gradients no longer help.
+  /// Solves for (rd, e). Stops before the accuracy is reached if the conjugate gradients no longer help.
   void solve(const Eigen::VectorXd& rd, const Eigen::VectorXd& e, const LinearAccuracy& accuracy,
              LinearUnknowns& found);
-  /// The same with 1/D in place of yield, by one solve with K. found.x: in, rd; out, x.
+  /// Solves the system with 1/D in place of yield, by one solve with K. found.x: rd on entry, x on return.
   void solve_proximal(const Eigen::VectorXd& e, LinearUnknowns& found);
 
-  /// result = H v.
+  /// Computes result = H v.
   void hessian_times(const Eigen::VectorXd& v, Eigen::VectorXd& result);
 
  private:
-  /// What d leaves of the second rows.
+  /// Computes the residual that d leaves in the second rows.
   void rows_left(const Eigen::VectorXd& e, const LinearUnknowns& d, Eigen::VectorXd& left);
-  /// Takes what is left of the rows (in r2_) out of d until it is `within`. Solving again for what is left
-  /// brings y nearer by (S + 1/D - yield)^-1 S, S = yield + G (H + delta)^-1 G^T: 1 but in the few directions
-  /// where active limits pin all motion. So conjugate gradients on that matrix need few steps where repeating
-  /// alone may need hundreds.
+  /// Corrects d until the residual of the second rows (in r2_) is at most `within`. Solving again for the
+  /// residual brings y nearer by (S + 1/D - yield)^-1 S, where S = yield + G (H + delta)^-1 G^T. This matrix
+  /// is 1 except in the few directions in which active limits pin all motion. Conjugate gradients on it
+  /// therefore need few steps, where repeated solving alone may need hundreds.
   void make_rows_exact(double within, LinearUnknowns& d);
 
   const QuadraticProgram& program_;

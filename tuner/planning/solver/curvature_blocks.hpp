@@ -1,6 +1,6 @@
 #pragma once
-// A sparse symmetric matrix as a sum of small dense symmetric blocks: the curvature that each knot of a
-// trajectory gives to a Lagrangian.
+// A sparse symmetric matrix as a sum of small dense symmetric blocks. A block is the curvature that one knot
+// of a trajectory, or one interval between two knots, adds to a Lagrangian.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -29,14 +29,14 @@ class CurvatureBlocks {
   }
   void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
 
-  /// result += H x.
+  /// Computes result += H x.
   void add_product(const Eigen::VectorXd& x, Eigen::VectorXd& result) const;
 
  private:
   std::vector<Block> blocks_;
   std::vector<int> columns_;
   std::vector<double> values_;
-  mutable Eigen::VectorXd gathered_;  ///< of one block
+  mutable Eigen::VectorXd gathered_;  ///< work space of one block
 };
 
 }  // namespace armtune::internal

@@ -1,8 +1,8 @@
 #pragma once
-// Primal-dual interior point method for the subproblems of a trajectory: Mehrotra's predictor and corrector
-// (SIAM J. Optim. 2, 1992) on the l1-elastic program, hard equations by the proximal method of multipliers
-// (Friedlander and Orban, Math. Prog. Comp. 4, 2012), so that each step condenses to one positive definite
-// system K dx = r, K = H + G^T D G.
+// A primal-dual interior point method for the subproblems of a trajectory. It uses Mehrotra's predictor and
+// corrector (SIAM J. Optim. 2, 1992) on the l1-elastic program. Hard equations are treated by the proximal
+// method of multipliers (Friedlander and Orban, Math. Prog. Comp. 4, 2012). Each step thereby condenses to
+// one positive definite system K dx = r, K = H + G^T D G.
 
 #include <functional>
 #include <memory>
@@ -15,11 +15,11 @@ namespace armtune::internal {
 
 struct InteriorPointOptions {
   int max_iterations = 80;
-  double stationarity = 1e-9;     ///< sum of the entries of the Lagrangian's gradient
-  double infeasibility = 1e-9;    ///< largest residual of a row
-  double complementarity = 1e-7;  ///< sum of the products of the pairs
-  double start_mu = 1.0;          ///< complementarity to start from; small after a warm start
-  std::function<bool()> go_on;    ///< asked before each iteration; false interrupts
+  double stationarity = 1e-9;     ///< tolerance of the sum of |entries| of the Lagrangian's gradient
+  double infeasibility = 1e-9;    ///< tolerance of the largest residual of a row
+  double complementarity = 1e-7;  ///< tolerance of the sum of the products of the pairs
+  double start_mu = 1.0;          ///< product of a pair to start from; small after a warm start
+  std::function<bool()> go_on;    ///< called before each iteration; false interrupts
 };
 
 struct InteriorPointResult {
@@ -31,15 +31,16 @@ struct InteriorPointResult {
   double complementarity = 0.0;  ///< sum of the products of the pairs
 };
 
-/// Keeps pattern, analysis and memory from one program to the next of the same pattern.
+/// A solver for programs of one pattern. It keeps the pattern, its analysis and the memory from one program
+/// to the next.
 class InteriorPoint {
  public:
-  /// Rows must outlive it; their patterns must not change any more.
+  /// Residuals, curvature and rows must outlive the solver; their patterns must not change any more.
   InteriorPoint(int variables, const BlockRows& residuals, const CurvatureBlocks& curvature,
                 const BlockRows& rows);
 
-  /// Solves the program. x, y: in, where to start; out, solution and multipliers of the rows (y > 0 pulls at
-  /// the upper bound).
+  /// Solves the program. x, y: the starting point on entry; on return the solution and the multipliers of the
+  /// rows (y > 0 pulls at the upper bound).
   InteriorPointResult solve(const QuadraticProgram& program, const InteriorPointOptions& options,
                             Eigen::VectorXd& x, Eigen::VectorXd& y);
 

@@ -1,5 +1,5 @@
 #pragma once
-// One program on its way through the interior point method: where it is, its residuals, one step.
+// The state of the interior point method for one program: the present point, its residuals, and one step.
 
 #include <cmath>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace armtune::internal {
 
-/// The unknowns, or one direction of them. y multiplies G x - w - over + under = 0; w lies between the
+/// The unknowns, or a direction in their space. y multiplies G x - w - over + under = 0; w lies between the
 /// bounds.
 struct InteriorUnknowns : LinearUnknowns {
-  Eigen::VectorXd w;             ///< value of the row, strictly between its bounds; of an equation the bound
-  Eigen::VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is none
+  Eigen::VectorXd w;             ///< value of each row, strictly between its bounds; of an equation the bound
+  Eigen::VectorXd upper, lower;  ///< multipliers of w's bounds, 0 where there is no bound
   Eigen::VectorXd over, under;   ///< elastic violations; their multipliers are penalty - y and penalty + y
 
   void set_zero(Eigen::Index variables, Eigen::Index rows) {
@@ -31,19 +31,21 @@ struct InteriorUnknowns : LinearUnknowns {
   }
 };
 
-/// Right-hand sides of the complementarity conditions: what is wanted of each product minus what it is.
+/// The right-hand sides of the complementarity conditions: wanted value of each product minus present value.
 struct InteriorPairs {
   Eigen::VectorXd upper, lower, over, under;
 };
 
-/// One program being solved.
+/// One program that is being solved.
 class InteriorPointIteration {
  public:
   InteriorPointIteration(const QuadraticProgram& program, NormalMatrix& normal, SparseCholesky& cholesky);
-  /// Where multipliers say that a bound is active, w starts beside that bound and y is kept.
+  /// Sets the starting point. Where the multipliers show an active bound, w starts beside that bound and y is
+  /// kept.
   void start(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double mu);
   void measure(InteriorPointResult& result);
-  /// Predictor, then corrector. False if the condensed matrix is not positive definite.
+  /// Takes one step: the predictor, then the corrector. False if the condensed matrix is not positive
+  /// definite.
   bool advance(const InteriorPointOptions& options);
   const InteriorUnknowns& at() const { return at_; }
 
@@ -59,33 +61,35 @@ class InteriorPointIteration {
   void keep_within_penalty(Eigen::Index i);
   /// Moves w, the row's value, between its bounds, and gives it multipliers.
   void start_range(Eigen::Index i, double mu);
-  /// Mean product of the pairs, here or after `part` of a direction.
+  /// Returns the mean product of the pairs at the present point (d null), or after `part` of the direction d.
   double complementarity(const InteriorUnknowns* d, double part) const;
-  /// How far each row gives way to its multiplier, by moving between its bounds (1/theta) or beyond them
-  /// (both: yield), and the linear system with it.
+  /// Computes how far each row gives way to its multiplier, and factorises the linear system with it. A row
+  /// moves between its bounds (1/theta) or beyond them; yield is the sum of both.
   bool factorize();
-  /// Every product is to become `target`; affine: the direction whose second order is made up for.
+  /// Sets the right-hand sides so that every product becomes `target`, those of elastic violations a fixed
+  /// small part of it. affine: direction whose second order terms are compensated; null: none.
   void aim(double target, const InteriorUnknowns* affine);
-  /// What moves w beside y: from its stationarity and its pairs.
+  /// Returns what moves w besides y: its stationarity residual and its pairs.
   double push_on_w(Eigen::Index i) const;
-  /// Solves the linearised conditions for the pairs aimed at; not exact: with the dual proximal part.
+  /// Solves the linearised conditions for the pairs that `aim` has set. If not exact, the error of the dual
+  /// proximal part is left in the direction.
   void direction(InteriorUnknowns& d, bool exact);
-  /// The longest part of a direction, up to 1, that keeps every pair positive.
+  /// Returns the longest part of a direction, up to 1, that keeps every pair positive.
   double longest(const InteriorUnknowns& d) const;
 
   const QuadraticProgram& program_;
   const BlockRows& G_;
   const RowBounds& bounds_;
   Eigen::Index rows_;
-  std::vector<unsigned> kind_;  ///< of each row
+  std::vector<unsigned> kind_;  ///< [row]: sum of its kinds
   CondensedSystem system_;
-  Eigen::Index count_ = 0;  ///< of pairs
+  Eigen::Index count_ = 0;  ///< number of pairs
   double mu_ = 0.0;
   InteriorUnknowns at_, predictor_, corrector_;
   InteriorPairs pairs_;
   Eigen::VectorXd rd_, rp_, rw_;  ///< residuals of stationarity, rows and w
   Eigen::VectorXd theta_, yield_, e_;
-  double rows_wanted_ = 0.0;  ///< of the linear system's rows
+  double rows_wanted_ = 0.0;  ///< largest residual allowed in the linear system's rows
 };
 
 }  // namespace armtune::internal

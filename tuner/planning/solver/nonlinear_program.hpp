@@ -1,5 +1,6 @@
 #pragma once
-// min  cost^T z + |r(z)|^2 / 2   s.t.  lower <= c(z) <= upper: what a trajectory becomes on a time grid.
+// The nonlinear program that a trajectory becomes on a time grid:
+// min  cost^T z + |r(z)|^2 / 2   s.t.  lower <= c(z) <= upper.
 
 #include <vector>
 
@@ -11,19 +12,20 @@ class NonlinearProgram {
  public:
   virtual ~NonlinearProgram() = default;
 
-  /// r(z) and c(z) into `residual` and `row`.
+  /// Computes r(z) into `residual` and c(z) into `row`.
   virtual void evaluate(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) = 0;
-  /// The same, and their Jacobians into `residuals` and `rows`, whose patterns never change.
+  /// Computes the same, and the Jacobians into `residuals` and `rows`, whose patterns never change.
   virtual void linearize(const Eigen::VectorXd& z, Eigen::VectorXd& residual, Eigen::VectorXd& row) = 0;
 
-  /// The curvature of residual^T r(z) + y^T c(z), the weights held, into `curvature`, whose pattern never
-  /// changes: what the Hessian of the Lagrangian has beside the Gauss-Newton product.
+  /// Computes the second derivatives of residual^T r(z) + y^T c(z) into `curvature`, with residual and y held
+  /// constant. The Hessian of the Lagrangian is their sum with the Gauss-Newton product. The pattern of
+  /// `curvature` never changes.
   virtual void curve(const Eigen::VectorXd& z, const Eigen::VectorXd& residual, const Eigen::VectorXd& y) = 0;
 
   int variables() const { return static_cast<int>(cost.size()); }
 
   Eigen::VectorXd cost;
-  /// > 0: squared length of a step is sum metric_i dz_i^2, about the same on every grid.
+  /// Weights > 0: the squared length of a step is sum metric_i dz_i^2, about the same on every grid.
   Eigen::VectorXd metric;
   /// Rows whose value is positive and may at most halve or double in one step.
   std::vector<Eigen::Index> halving_rows;

@@ -1,8 +1,8 @@
 #pragma once
-// Sequential quadratic programming: the Hessian is the Gauss-Newton product and the curvature that the rows
-// add, with Levenberg-Marquardt damping in place of a trust region. A filter decides on steps (Fletcher and
-// Leyffer, Math. Prog. 91, 2002); where even the subproblem must violate rows, the l1 merit function does
-// (Nocedal and Wright, Numerical Optimization, 18.5).
+// Sequential quadratic programming. The Hessian is the sum of the Gauss-Newton product and the curvature of
+// residuals and rows. Levenberg-Marquardt damping takes the place of a trust region. A filter accepts or
+// rejects steps (Fletcher and Leyffer, Math. Prog. 91, 2002). Where even the subproblem must violate rows,
+// the l1 merit function decides instead (Nocedal and Wright, Numerical Optimization, 18.5).
 
 #include <functional>
 
@@ -13,18 +13,18 @@ namespace armtune::internal {
 
 struct SequentialQuadraticOptions {
   int max_iterations = 200;
-  double stationarity = 1e-6;     ///< sum of the entries of the Lagrangian's gradient, in scaled unknowns
+  double stationarity = 1e-6;     ///< sum of |entries| of the Lagrangian's gradient, in scaled unknowns
   double violation = 1e-8;        ///< largest violation of a row
   double complementarity = 1e-6;  ///< sum of |multiplier| x distance from its bound: bounds what is lost
-  double damping = 1e-3;          ///< to begin with
+  double damping = 1e-3;          ///< initial damping
 };
 
 enum class PlanStatus { kSolved, kInfeasible, kStalled, kInterrupted };
 
 struct SequentialQuadraticProgress {
   int iteration = 0;
-  int knots = 0;                ///< of the grid it is on
-  int interior_iterations = 0;  ///< so far, of all subproblems
+  int knots = 0;                ///< number of knots of the present grid
+  int interior_iterations = 0;  ///< iterations of all subproblems so far
   double objective = 0.0;
   double violation = 0.0;
   double stationarity = 0.0;
@@ -37,13 +37,13 @@ struct SequentialQuadraticResult {
   PlanStatus status = PlanStatus::kStalled;
   SequentialQuadraticProgress last;
   Eigen::VectorXd z;
-  Eigen::VectorXd multipliers;  ///< of the rows; > 0 pulls at the upper bound
+  Eigen::VectorXd multipliers;  ///< one per row; > 0 pulls at the upper bound
 };
 
 /// Called before every iteration of the subproblems; false interrupts.
 using PlanObserver = std::function<bool(const SequentialQuadraticProgress&)>;
 
-/// Solves from z on. multipliers: empty, or where to start from.
+/// Solves the program, starting from z. multipliers: where to start from, or empty.
 SequentialQuadraticResult solve(NonlinearProgram& program, Eigen::VectorXd z, Eigen::VectorXd multipliers,
                                 const SequentialQuadraticOptions& options, const PlanObserver& observer);
 

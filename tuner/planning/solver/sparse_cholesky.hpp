@@ -8,8 +8,8 @@
 
 namespace armtune::internal {
 
-/// Upper triangle of a symmetric matrix, compressed by columns, rows ascending: what CHOLMOD factorises
-/// without transposing. The pattern stays as it is made.
+/// The upper triangle of a symmetric matrix, compressed by columns, rows ascending. CHOLMOD factorises this
+/// form without transposing. The pattern does not change after it is made.
 struct SymmetricMatrix {
   int size = 0;
   std::vector<int> column_starts;  ///< size + 1
@@ -17,7 +17,7 @@ struct SymmetricMatrix {
   std::vector<double> values;
 };
 
-/// Analysed once for a pattern, then factorised for as many values as wanted.
+/// A factorisation that is analysed once for a pattern, then computed for any number of values.
 class SparseCholesky {
  public:
   /// Analyses the pattern; the columns keep their order. Throws FailedError if memory runs out.
@@ -26,7 +26,8 @@ class SparseCholesky {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// L L^T = matrix, which has the pattern analysed. False if it is not positive definite.
+  /// Computes L with L L^T = matrix, which must have the analysed pattern. False if it is not positive
+  /// definite.
   bool factorize(const SymmetricMatrix& matrix);
   /// Solves L L^T x = x in place.
   void solve(Eigen::VectorXd& x);

@@ -1,5 +1,6 @@
 #pragma once
-// What the controller did: the part of a rollout that a plan is to do better, as its start and first guess.
+// Reads the motion of a controller from a rollout. A plan that is to improve on this motion takes its start
+// and its first guess from it.
 
 #include <optional>
 
@@ -9,11 +10,12 @@
 namespace armtune::internal {
 
 struct ControllerMotion {
-  Trajectory motion;              ///< from the plan's start to the rollout's end, a knot a row
-  std::optional<double> reached;  ///< after how long the controller was where the task ends [s]
+  Trajectory motion;              ///< from the plan's start to the rollout's end, one knot per row
+  std::optional<double> reached;  ///< kSwitch, kReturn: time until the controller met the task's end [s]
 };
 
-/// From the rollout that the task starts from. Throws InputError if it does not have the task's start.
+/// Returns the motion from the rollout that the task starts from. Throws InputError if the rollout has no row
+/// within 0.05 s of the task's start, or a value after it that is not finite.
 ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot);
 
 }  // namespace armtune::internal

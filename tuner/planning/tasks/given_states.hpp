@@ -1,16 +1,17 @@
 #pragma once
-// Start and goal where they are given whole: what rules them out is said before anything is solved.
+// Checks the start and the goal of a plan before anything is solved, so that an impossible state is reported
+// as such.
 
 #include "tuner/planning/tasks/plan_common.hpp"
 
 namespace armtune::internal {
 
-/// Throws InputError where the start is closer to an obstacle than the task allows, or where a joint cannot
-/// give the torque that the start or the goal takes.
+/// Throws InputError if the start is closer to an obstacle, the cell or another link than the task allows.
+/// Throws it also if a joint cannot give the torque that the goal, or a start with an acceleration, needs.
 void check_given_states(const PlanCommon& common);
 
-/// How far the arm at q (n) [rad, m] is at a time [s] from the nearest of the obstacles, by all points that a
-/// plan keeps clear [m]; infinite without obstacles.
+/// Returns the distance [m] of the arm at q (n) [rad, m] from the nearest obstacle at a time [s]. All points
+/// that a plan keeps clear count. The distance is infinite without obstacles.
 double clearance_at(const RobotModel& robot, const JointVector& q, double time,
                     const std::vector<MovingObstacle>& obstacles);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What all kinds of plan have in common: the arm, its start, its limits, its distance from obstacles.
+// The parts that all kinds of plan share: the arm, its start, its limits, its distance from obstacles.
 
 #include <vector>
 
@@ -10,29 +10,30 @@ namespace armtune::internal {
 
 struct PlanCommon {
   PlanTask task;
-  std::shared_ptr<const RobotModel> robot;  ///< as it really is in the scenario
+  std::shared_ptr<const RobotModel> robot;  ///< the scenario's true arm (payload, friction)
   StartState start;
-  std::optional<ControllerMotion> controller;  ///< where the task starts from a rollout
+  std::optional<ControllerMotion> controller;  ///< set if the task starts from a rollout
 
   int n() const { return robot->n(); }
-  /// The joints with their limits.
+  /// Returns the joints with their limits.
   std::vector<Coordinate> coordinates() const;
-  /// A program of these limits from this start; the task itself is still to be added.
+  /// Returns a program with these limits and this start. The demands of the task are still to be added.
   TrajectoryTask on(const TimeGrid& grid) const;
-  /// Of the task's duration, or free from a guess [s] on.
+  /// Returns a phase of the task's duration or, without one, a free phase with a first guess [s].
   Phase phase(const char* name, int intervals, double guess) const;
   TimeGrid grid(std::vector<Phase> phases) const;
-  /// The task's duration, else the controller's, else `otherwise` [s].
+  /// Returns the task's duration, else the time that the controller took, else `otherwise` [s].
   double first_duration(double otherwise) const;
-  /// What the slowest joint takes for its way (n) [rad, m] at half its velocity limit, at least 0.2 s.
+  /// Returns the time [s] that the slowest joint takes for its way (n) [rad, m] at half its velocity limit;
+  /// at least 0.2 s.
   double likely_duration(const JointVector& way) const;
-  /// What it takes to stop from the start's velocity, and as much again for the way back [s].
+  /// Returns the time to stop from the start's velocity, plus the same time for the way back [s].
   double turning_time() const;
-  /// Throws that the tool cannot be at a point [m].
+  /// Throws OutOfReach: no joint position has the tool at this point [m].
   [[noreturn]] void no_pose(const Vec3& tool) const;
 };
 
-/// From rest to the velocity limit, where no limit says how long it takes [s].
+/// Time from rest to the velocity limit that is assumed unless an acceleration limit makes it longer [s].
 inline constexpr double kAccelerationTime = 0.2;
 
 }  // namespace armtune::internal

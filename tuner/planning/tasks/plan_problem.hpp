@@ -1,5 +1,5 @@
 #pragma once
-// A task as a program on a time grid, and where to start from.
+// A plan task as a program on a time grid, with the first guess to start from.
 
 #include <limits>
 
@@ -10,22 +10,22 @@
 namespace armtune::internal {
 
 struct PlanProblem {
-  std::shared_ptr<const RobotModel> robot;  ///< as it really is in the scenario
+  std::shared_ptr<const RobotModel> robot;  ///< the scenario's true arm (payload, friction)
   TaskOnGrid task;
   TimeGrid grid;
   Trajectory guess;
-  MovingPoint gaze_target;  ///< what the plan looks at
-  /// The target that the plan looks at is the active one until then [s]; what looks there later is of no use.
+  MovingPoint gaze_target;  ///< the target that the plan looks at
+  /// Time until which this target is the active one [s]. A gaze that reaches it later is of no use.
   double target_until = std::numeric_limits<double>::infinity();
-  /// The same with its duration free, where one is given that could be.
+  /// The same problem with a free duration. Set if the task fixes a duration that could be free.
   std::shared_ptr<const PlanProblem> free_duration;
 };
 
-/// Throws InputError if no pose of the arm is on the tool's path where the plan needs one, or a rollout does
-/// not fit.
+/// Returns the problem of a task. Throws InputError if no pose of the arm is on the tool's path where the
+/// plan needs one, if start or goal break the task's limits, or if a rollout does not fit.
 PlanProblem plan_problem(const PlanTask& task);
 
-/// The target the gaze is to be at in time.
+/// Returns the motion of the gaze target; at each time it is that of the active target.
 MovingPoint active_target(const Scenario& scenario);
 
 }  // namespace armtune::internal

@@ -1,5 +1,5 @@
 #pragma once
-// The state a plan starts from.
+// The state that a plan starts from.
 
 #include "armtune/error.hpp"
 #include "tuner/planning/tasks/controller_motion.hpp"
@@ -7,7 +7,7 @@
 
 namespace armtune::internal {
 
-/// The arm cannot be where the task wants it.
+/// An error: the arm cannot reach a place that the task needs.
 class OutOfReach : public InputError {
  public:
   using InputError::InputError;
@@ -18,12 +18,14 @@ struct StartState {
   JointVector acceleration;        ///< empty: free
 };
 
-/// As the task gives it: where the controller was (null: no rollout), a state, or a pose on the path with the
-/// path's velocity. Throws InputError, OutOfReach where no pose is on the path.
+/// Returns the start state that the task gives. This is the first of these that there is: the controller's
+/// state (controller null: no rollout), a state in the task, for kMove the scenario's start, else a pose on
+/// the path. That pose has the path's velocity, or is at rest for kFastest. Throws InputError; OutOfReach if
+/// no pose is on the path.
 StartState start_state(const PlanTask& task, const RobotModel& robot, const ControllerMotion* controller);
 
-/// Where the task has an arm at rest: zero (n) if jerks are limited, since accelerations then cannot jump;
-/// else empty: any.
+/// Returns the acceleration of an arm at rest: zero (n) if the task limits jerks, since accelerations then
+/// cannot jump; else empty, which means free.
 JointVector acceleration_at_rest(const PlanTask& task);
 
 }  // namespace armtune::internal

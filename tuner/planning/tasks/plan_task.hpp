@@ -1,5 +1,5 @@
 #pragma once
-// What `armtune plan` is asked for.
+// A task for `armtune plan`, as its file gives it.
 
 #include <map>
 #include <memory>
@@ -14,12 +14,12 @@ namespace armtune::internal {
 enum class PlanKind {
   kMove,     ///< from one joint position to another
   kTrack,    ///< along the scenario's tool path with the gaze at its targets, with the least error
-  kSwitch,   ///< gaze to the next target while the path goes on
+  kSwitch,   ///< gaze to the next target while the tool stays on its path
   kReturn,   ///< to the tool's moving path, with its velocity and acceleration
   kFastest,  ///< along the tool path's curve in the least time
 };
 
-/// Every kind with the word that files use for it.
+/// Returns every kind with the word that files use for it.
 const std::vector<std::pair<PlanKind, std::string>>& plan_kinds();
 std::string name(PlanKind kind);
 
@@ -30,12 +30,13 @@ struct PlanLimits {
   JointVector jerk;          ///< n or empty (none) [rad/s^3, m/s^3]
 };
 
-/// Where the motion starts. Nothing given: on the path, gaze at the target (kMove: the scenario's start).
+/// The start of the motion. If nothing is given, it is on the path with the gaze at the target (kMove: the
+/// scenario's start).
 struct PlanStart {
   JointVector position;      ///< n or empty
   JointVector velocity;      ///< n or empty (at rest)
   JointVector acceleration;  ///< n or empty (free; 0 at rest under a jerk limit)
-  std::string rollout;       ///< a rollout's CSV: its row at the plan's start counts
+  std::string rollout;       ///< a rollout's CSV: its row at the plan's start is used
 };
 
 struct PlanTask {
@@ -43,18 +44,18 @@ struct PlanTask {
   std::string description;
   std::string source;  ///< file
   PlanKind kind = PlanKind::kMove;
-  Scenario scenario;  ///< robot as it really is (payload, friction), path, targets, obstacles
-  double at = 0.0;    ///< when it begins, on the scenario's time [s]
+  Scenario scenario;  ///< gives the true robot (payload, friction), path, targets, obstacles
+  double at = 0.0;    ///< start of the plan in the scenario's time [s]
   PlanStart start;
   JointVector goal;                ///< kMove: n
-  std::optional<double> duration;  ///< fixed [s]; none: the least
+  std::optional<double> duration;  ///< fixed duration [s]; none: the least possible
   double hold = 0.5;               ///< kSwitch: the gaze stays on target this long [s]
   bool least_error = false;        ///< kSwitch: least gaze error over a fixed duration in place of least time
-  double path_tolerance = 1e-3;    ///< of the tool along x, y, z [m]
+  double path_tolerance = 1e-3;    ///< largest tool error along x, y, z [m]
   double gaze_threshold = 0.15;    ///< [rad]
-  bool end_gaze = false;           ///< kReturn: with the gaze within its threshold at the end
-  double clearance = 0.0;          ///< of joints' origins and tool from every obstacle's surface, and of
-                                   ///< links from each other and the cell [m]; 0: none
+  bool end_gaze = false;           ///< kReturn: true if the gaze must be within its threshold at the end
+  double clearance = 0.0;          ///< least distance of joint origins and tool from obstacles' surfaces,
+                                   ///< and of links from each other and the cell [m]; 0: none
   PlanLimits limits;
   int knots = 200;
   double smoothness = 1e-9;  ///< cost of jerk beside time and errors: picks one of many optima
@@ -63,7 +64,7 @@ struct PlanTask {
 /// Reads a bundled task by name, or a file by path. Throws InputError.
 PlanTask load_plan_task(const std::string& name_or_path);
 
-/// Text of the task with every default written out.
+/// Returns the text of the task with every default written out.
 std::string plan_task_yaml(const PlanTask& task);
 
 }  // namespace armtune::internal

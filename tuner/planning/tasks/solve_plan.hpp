@@ -1,13 +1,14 @@
 #pragma once
-// A task, solved: a given duration is measured against the least first.
+// Solves the problem of a plan task. A given duration is first compared with the least possible one.
 
 #include "tuner/planning/tasks/plan_problem.hpp"
 
 namespace armtune::internal {
 
-/// The best trajectory found. Where a duration is given that could be free, and it is near the least time or
-/// below it, the plan of the least time comes first: it is found more easily than one of a given duration,
-/// says whether that is too short, and is the guess for it.
+/// Returns the best trajectory found. If the task gives a duration that could be free, and it is near the
+/// least time or below it, the plan of the least time is solved first. That plan is found more easily than
+/// one of a given duration. It shows whether the given duration is too short, and it is the guess for the
+/// plan of that duration.
 PlannedTrajectory solve_plan(const PlanProblem& problem, const SequentialQuadraticOptions& options = {},
                              const PlanObserver& observer = {});
 

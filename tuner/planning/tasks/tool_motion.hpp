@@ -1,6 +1,6 @@
 #pragma once
-// Joint motions that follow a tool path with the gaze at a target, by inverse kinematics: what plans start
-// from.
+// Joint motions that follow a tool path with the gaze at a target, by inverse kinematics. Plans take their
+// first guesses from them.
 
 #include <functional>
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace armtune::internal {
 
-/// A point that moves: position [m], velocity, acceleration at t [s].
+/// A moving point: position [m], velocity [m/s] and acceleration [m/s^2] at t [s].
 using MovingPoint = std::function<MotionPoint<Vec3>(double t)>;
 
-/// Which of several poses is the best.
+/// The criterion that picks the best of several poses.
 enum class BestPose {
   kLargestManipulability,
-  kSoonest,  ///< at the velocity limits, from the first start
+  kSoonest,  ///< reached first from `first` at the velocity limits
 };
 
-/// A joint position (n) within the limits with the tool at `tool` and, where one is given, its z axis at
-/// `target`; of those that are found from `first` and from random ones the best. None if no start leads
-/// there.
+/// Returns a joint position (n) within the limits that has the tool at `tool` and, if a target is given, its
+/// z axis at `target`. The search starts from `first` and from random positions, and the best pose found is
+/// returned. No value if no start leads to a pose.
 std::optional<JointVector> pose_at(const RobotModel& robot, const Vec3& tool,
                                    const std::optional<Vec3>& target, const JointVector& first,
                                    BestPose best);
 
-/// From q (n) at the grid's start on: the tool follows `tool` and looks at `target`. durations: of the grid's
-/// phases.
+/// Returns the motion from q (n) at the grid's start on, in which the tool follows `tool` and looks at
+/// `target`. Its durations are those of the grid's phases.
 Trajectory follow(const RobotModel& robot, const JointVector& q, const TimeGrid& grid,
                   const MovingPoint& tool, const MovingPoint& target);
 

@@ -1,11 +1,11 @@
 #pragma once
-// How a point of the arm moves with one joint, and where a term writes it.
+// The motion of a point of the arm with one joint, and the place where a term stores it.
 
 #include "core/robot/kinematics.hpp"
 
 namespace armtune::internal {
 
-/// z axis and origin of a joint in the base frame, and whether it turns.
+/// A joint's z axis and origin in the base frame; `turns` is true for a revolute joint.
 struct JointAxis {
   Vec3 z;
   Vec3 p;
@@ -17,12 +17,12 @@ inline JointAxis axis_of(const Chain& chain, const Poses& poses, int joint) {
   return {poses.R_0B[k].col(2), poses.p_0B[k], chain.motion[k] == JointMotion::kRevolute};
 }
 
-/// d p / d q_i of a point p beyond joint i.
+/// Returns d p / d q_i of a point p beyond joint i.
 inline Vec3 point_rate(const JointAxis& axis, const Vec3& p) {
   return axis.turns ? Vec3(axis.z.cross(p - axis.p)) : axis.z;
 }
 
-/// Writes d down a column of three rows of `columns` entries each.
+/// Writes d into one column of three rows, which have `columns` entries each.
 inline void put(double* rows, int columns, int column, const Vec3& d) {
   for (int i = 0; i < 3; ++i) rows[i * columns + column] = d[i];
 }

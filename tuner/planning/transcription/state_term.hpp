@@ -1,17 +1,18 @@
 #pragma once
-// A motion that is given at one knot.
+// Terms that fix the motion at one knot.
 
 #include "tuner/planning/transcription/knot_term.hpp"
 #include "tuner/record/words.hpp"
 
 namespace armtune::internal {
 
-/// Position, velocity, acceleration of every coordinate [rad, m and per s, s^2]; empty: not given.
+/// The given position, velocity and acceleration of every coordinate [rad, m and per s, s^2]; empty:
+/// not given.
 struct GivenState {
   Eigen::VectorXd position, velocity, acceleration;
 };
 
-/// Equations: the coordinates `names` move as given at the knot. units: of their positions.
+/// Returns equations by which the coordinates `names` move as given at the knot. units: of their positions.
 inline KnotTerm given_state(const std::string& name, const std::vector<std::string>& names,
                             const std::vector<std::string>& units, int knot, const GivenState& given) {
   KnotTerm term;
@@ -43,7 +44,7 @@ inline KnotTerm given_state(const std::string& name, const std::vector<std::stri
   return term;
 }
 
-/// The path coordinate has the value `s` at the knot.
+/// Returns an equation that gives the path coordinate the value `s` at the knot.
 inline KnotTerm path_coordinate_at(int knot, double s) {
   KnotTerm term;
   term.name = kept_words::kPathCoordinate;

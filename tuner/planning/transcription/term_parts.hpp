@@ -1,17 +1,17 @@
 #pragma once
-// What the terms of arm_terms.hpp begin with: their knots, their rows, their units.
+// Helpers that all terms of arm_terms.hpp share. They set up a term's knots, rows and units.
 
 #include "tuner/planning/transcription/arm_terms.hpp"
 
 namespace armtune::internal {
 
-/// A term over these knots, a row for each name.
+/// Returns a term over these knots with one row for each name.
 KnotTerm over(KnotRange knots, const std::string& name, const std::vector<std::string>& rows);
 
-/// A unit for each joint.
+/// Returns one unit for each joint, by whether it turns or slides.
 std::vector<std::string> units_by_motion(const RobotModel& robot, const char* turning, const char* sliding);
 
-/// The rows' values are lengths [m] times `factor`.
+/// Marks the rows' values as lengths [m] times `factor`.
 void in_meters(double factor, KnotTerm& term);
 
 }  // namespace armtune::internal

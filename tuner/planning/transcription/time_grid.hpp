@@ -1,5 +1,5 @@
 #pragma once
-// The time grid of a trajectory: phases of equal intervals; a phase's duration may be free.
+// The time grid of a trajectory. It consists of phases of equal intervals; a phase's duration may be free.
 
 #include <string>
 #include <vector>
@@ -9,9 +9,9 @@ namespace armtune::internal {
 struct Phase {
   std::string name;
   int intervals = 1;
-  double duration = 1.0;  ///< [s]; a free one's first guess
+  double duration = 1.0;  ///< [s]; of a free phase the first guess
   bool free = false;
-  double shortest = 1e-3;  ///< of a free duration [s]
+  double shortest = 1e-3;  ///< bounds of a free duration [s]
   double longest = 1e3;
 };
 
@@ -25,13 +25,13 @@ struct TimeGrid {
     return sum;
   }
   int knots() const { return intervals() + 1; }
-  /// First knot of a phase; that of the phase after the last one is the last knot.
+  /// Returns the first knot of a phase. For the number after the last phase it is the last knot.
   int first_knot(int phase) const {
     int knot = 0;
     for (int p = 0; p < phase; ++p) knot += phases[static_cast<std::size_t>(p)].intervals;
     return knot;
   }
-  /// The phase an interval lies in.
+  /// Returns the phase that an interval lies in.
   int phase_of(int interval) const {
     int p = 0;
     while (interval >= phases[static_cast<std::size_t>(p)].intervals)

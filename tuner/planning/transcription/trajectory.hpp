@@ -9,27 +9,29 @@
 namespace armtune::internal {
 
 struct Trajectory {
-  std::vector<double> time;                          ///< of the knots, ascending [s]
+  std::vector<double> time;                          ///< times of the knots, ascending [s]
   Eigen::MatrixXd position, velocity, acceleration;  ///< coordinates x knots
-  std::vector<double> durations;                     ///< of the phases [s]
+  std::vector<double> durations;                     ///< one per phase [s]
 };
 
-/// Position, velocity and acceleration of every coordinate at t, held at the ends outside.
+/// The position, velocity and acceleration of every coordinate at a time t [s]. Before the start and after
+/// the end they are those of the nearer end.
 struct TrajectoryPoint {
   Eigen::VectorXd position, velocity, acceleration;
 };
 TrajectoryPoint point_at(const Trajectory& trajectory, double t);
 
-/// The same motion at the knots of another grid with the same phases, whose durations become the
-/// trajectory's.
+/// Returns the same motion at the knots of another grid with the same phases. The phases take the
+/// trajectory's durations in place of the grid's.
 Trajectory on_grid(const Trajectory& trajectory, const TimeGrid& grid);
 
-/// The same way, knot by knot, in the durations of the grid, which has as many knots: faster or slower
-/// throughout, but with its own state at the start.
+/// Returns the same way through the same knots in the durations of the grid, which has as many knots. The
+/// motion is faster or slower throughout, except that the state at the start is unchanged.
 Trajectory in_durations_of(const TimeGrid& grid, Trajectory trajectory);
 
-/// Gives the motion the velocities and accelerations of the cubic spline through its positions that begins
-/// and ends with the velocities it has (de Boor, A Practical Guide to Splines, chapter IV): at least 2 knots.
+/// Replaces velocities and accelerations by those of the cubic spline through the positions. It starts
+/// and ends with the motion's own velocities (de Boor, A Practical Guide to Splines, chapter IV). The motion
+/// must have at least 2 knots.
 void make_continuous(Trajectory& motion);
 
 }  // namespace armtune::internal

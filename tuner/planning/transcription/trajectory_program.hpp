@@ -1,11 +1,14 @@
 #pragma once
-// Direct transcription of a motion with piecewise constant jerk: unknowns are position, velocity and
+// Direct transcription of a motion with piecewise constant jerk. The unknowns are position, velocity and
 // acceleration of every coordinate at every knot, and the free durations. Between knots the motion is an
 // exact cubic:
 //   q+ = q + h q' + h^2 (q''/3 + q''+/6),   q'+ = q' + h (q'' + q''+)/2.
-// Between knots q'' is linear, so its limit holds there as well; q' is a parabola whose control points q', q'
-// + h q''/2, q'+ all keep the velocity limit, and with them the parabola (Farin, Curves and Surfaces for
-// CAGD, chapter 4); so do those of q, which are q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+, with its limits.
+// The limits hold between the knots as well:
+// - q'' is linear there, so its limit holds if it holds at the knots.
+// - q' is a parabola with the control points q', q' + h q''/2, q'+. If they keep the velocity limit, so does
+//   the parabola (Farin, Curves and Surfaces for CAGD, chapter 4).
+// - q has the control points q, q + h q'/3, q + 2 h q'/3 + h^2 q''/6, q+. If they keep the position limits,
+//   so does q.
 // Betts, Practical Methods for Optimal Control Using Nonlinear Programming, chapter 4.
 
 #include <algorithm>
@@ -23,27 +26,27 @@
 
 namespace armtune::internal {
 
-/// What a value between two bounds is divided by, so that a violation is relative to its limit: the larger of
-/// the finite ones, 1 without one.
+/// Returns the number that a value between two bounds is divided by, so that a violation is relative to its
+/// limit. It is the larger magnitude of the finite bounds, or 1 if there is none above zero.
 inline double unit_of(double lower, double upper) {
   const double largest =
       std::max(std::isfinite(lower) ? std::abs(lower) : 0.0, std::isfinite(upper) ? std::abs(upper) : 0.0);
   return largest > 0.0 ? largest : 1.0;
 }
 
-/// A joint, or the path coordinate, and its limits (inf: none).
+/// A joint, or the path coordinate, with its limits (inf: none).
 struct Coordinate {
   std::string name;
-  std::string unit = "rad";  ///< of its position
+  std::string unit = "rad";  ///< unit of its position
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   double least_velocity = -std::numeric_limits<double>::infinity();
-  /// Bounds on q': of both directions the narrower.
+  /// Returns the lower bound of q': the narrower of -velocity and least_velocity.
   double lowest_velocity() const { return std::max(-velocity, least_velocity); }
   bool limits_position() const { return std::isfinite(lower) || std::isfinite(upper); }
   double position_unit() const { return unit_of(lower, upper); }
   bool limits_velocity() const { return std::isfinite(lowest_velocity()) || std::isfinite(velocity); }
-  /// What velocities are divided by, so that a violation is relative to the limit.
+  /// Returns the number that velocities are divided by, so that a violation is relative to the limit.
   double velocity_unit() const { return std::isfinite(velocity) ? velocity : velocity_scale; }
   double velocity = std::numeric_limits<double>::infinity();
   double acceleration = std::numeric_limits<double>::infinity();
@@ -64,15 +67,15 @@ struct TrajectoryTask {
   std::vector<KnotTerm> terms;
   Smoothness smoothness;
   double duration_cost = 0.0;  ///< per second of free durations
-  double penalty = 10.0;       ///< of a violated limit, whose value counts relative to the limit
+  double penalty = 10.0;       ///< cost of a violation, which is relative to its limit
 };
 
-/// What a row of the program is, in the user's words.
+/// The meaning of a row of the program, in the user's words.
 struct RowMeaning {
   std::string limit;  ///< "velocity", "torque", "tool path"...
   std::string part;   ///< joint or axis
   int knot = 0;
-  std::string unit;  ///< of its value as `natural` gives it
+  std::string unit;  ///< unit of the value that `natural` returns
 };
 
 class TrajectoryProgram : public NonlinearProgram {
@@ -89,9 +92,9 @@ class TrajectoryProgram : public NonlinearProgram {
   Eigen::VectorXd unknowns(const Trajectory& trajectory) const;
   Trajectory trajectory(const Eigen::VectorXd& z) const;
   RowMeaning meaning(Eigen::Index row) const;
-  /// What a row's value or bound is in the unit of its meaning.
+  /// Returns a row's value or bound in the unit of its meaning.
   double natural(Eigen::Index row, double value) const;
-  /// Multipliers of this program's rows, guessed from those of the same task on a coarser grid.
+  /// Returns a guess of this program's multipliers from those of the same task on a coarser grid.
   Eigen::VectorXd multipliers_from(const TrajectoryProgram& coarse, const Eigen::VectorXd& y) const;
 
  private:
@@ -99,28 +102,28 @@ class TrajectoryProgram : public NonlinearProgram {
   struct RowGroup {
     Eigen::Index first_row;
     std::string limit;
-    int kind;     ///< how `meaning` reads the offset
-    int term;     ///< or coordinate
+    int kind;     ///< tells `meaning` how to read the offset
+    int term;     ///< index of the term, or of the coordinate
     int width;    ///< rows of a knot
-    int order;    ///< of the derivative that it bounds, where it bounds one
-    double size;  ///< what a value of 1 stands for, where it bounds a coordinate
+    int order;    ///< order of the derivative that it bounds, if it bounds one
+    double size;  ///< size that a value of 1 stands for, if it bounds a coordinate
   };
   struct TermBlocks {
-    int first_block = 0;  ///< one a knot, in `rows` or `residuals`
+    int first_block = 0;  ///< in `rows` or `residuals`, one block per knot
   };
-  /// Of one knot the coordinates one after another, each with its derivatives: as it couples with its own at
-  /// the next knot only, the Cholesky factor then fills in least.
+  /// Returns an unknown's column. The coordinates of a knot follow one another, each with its derivatives.
+  /// A coordinate couples with itself at the next knot only, so the Cholesky factor then fills in least.
   int column(int knot, int order, int coordinate) const;
   bool is_acceleration(int column) const { return column < 3 * m_ * task_.grid.knots() && column % 3 == 2; }
   double scale(int order, int coordinate) const;
   const RowGroup& group_of(Eigen::Index row) const;
-  /// The coordinates whose jerk, or whose velocity or position between knots, the group limits.
+  /// Returns the coordinates whose jerk, or whose velocity or position between knots, the group limits.
   const std::vector<int>& limited(const RowGroup& group) const {
     return group.kind == kJerk     ? jerk_limited_
            : group.kind == kInside ? velocity_limited_
                                    : position_limited_;
   }
-  /// Of those the one that a row at this offset in the group is of.
+  /// Returns the one of these coordinates that a row at this offset in the group belongs to.
   const Coordinate& limited_at(const RowGroup& group, int offset) const {
     const int rows_each = group.kind == kInsidePosition ? 2 : 1;
     const auto place = static_cast<std::size_t>(offset % group.width / rows_each);
@@ -146,16 +149,16 @@ class TrajectoryProgram : public NonlinearProgram {
                   bool derivatives);
 
   TrajectoryTask task_;
-  int m_ = 0;  ///< coordinates
+  int m_ = 0;  ///< number of coordinates
   int joints_ = 0;
-  std::vector<int> duration_column_;  ///< of each phase; -1: fixed
+  std::vector<int> duration_column_;  ///< [phase]; -1: fixed
   std::vector<int> phase_of_interval_;
-  /// Blocks in rows.
+  /// Blocks in `rows`.
   int first_dynamics_ = 0, first_jerk_ = 0, first_inside_ = 0, first_inside_position_ = 0;
   std::vector<int> jerk_limited_, velocity_limited_, position_limited_;  ///< coordinates
-  std::vector<int> interval_curvature_;  ///< of each interval: its first block, -1: none
-  std::vector<int> knot_curvature_;      ///< of each knot: its block, -1: none
-  int first_smooth_ = -1;                ///< block in residuals; -1: none
+  std::vector<int> interval_curvature_;  ///< [interval]: its first block, -1: none
+  std::vector<int> knot_curvature_;      ///< [knot]: its block, -1: none
+  int first_smooth_ = -1;                ///< block in `residuals`; -1: none
   std::vector<TermBlocks> term_blocks_;
   std::vector<double> lower_, upper_, penalty_;
   std::vector<RowGroup> groups_;

@@ -1,5 +1,5 @@
 #pragma once
-// What happened in a rollout that a plan can be compared with: target switches, returns, laps.
+// Finds the events of a rollout that a plan can be compared with: target switches, returns, laps.
 
 #include <string>
 #include <vector>
@@ -16,50 +16,50 @@ enum class EventKind {
   kLap,     ///< reached: rms of the gaze angle over one turn of the path [rad]
 };
 std::string name(EventKind kind);
-/// Of what is reached.
+/// Returns the unit of `reached` for this kind.
 std::string unit(EventKind kind);
 
-/// What became of it.
+/// The way in which an event ended.
 enum class EventOutcome {
   kReached,
   kAlreadyThere,  ///< there was nothing to reach: 0 s
   kNotReached,    ///< the next switch came first
   kCutByEnd,      ///< the rollout ended first
-  kCutByState,    ///< the controller turned to something else first: an obstacle
+  kCutByState,    ///< the controller entered another state first, to avoid an obstacle
 };
-/// In a reader's words.
+/// Returns the outcome in a reader's words.
 std::string words(EventOutcome outcome);
 
 struct Event {
   EventKind kind = EventKind::kSwitch;
   EventOutcome outcome = EventOutcome::kReached;
-  double time = 0.0;     ///< when it begins [s]
-  double end = 0.0;      ///< what ended it at the latest: next switch, end of rollout, state or turn [s]
-  double reached = 0.0;  ///< NaN: not before its end
-  ControlState state = ControlState::kFollowTrajectory;  ///< in charge when it begins
-  /// kSwitch: until the gaze is under its threshold for good, whatever state is in charge, or until the next
-  /// switch or the end [s]: what reacquisition/time is the largest of.
+  double time = 0.0;     ///< begin of the event [s]
+  double end = 0.0;      ///< its latest end: next switch, end of the rollout, of the state or of the turn [s]
+  double reached = 0.0;  ///< as its kind defines it; NaN: not reached before the end
+  ControlState state = ControlState::kFollowTrajectory;  ///< state of the controller at its beginning
+  /// kSwitch: time until the gaze is under its threshold for good in any state, or else until the next switch
+  /// or the end [s]. The metric reacquisition/time is the largest of these times.
   double settled = 0.0;
   double gaze = 0.0;     ///< angle to the active target at its beginning [rad]
   JointVector position;  ///< (n) at its beginning [rad, m]
   JointVector velocity;
-  /// Largest distance of the tool from the path along an axis meanwhile [m]. Of a switch: as long as a plan
-  /// for it lasts, which is until it was reached and kSwitchHold beyond; to its end if it was not.
+  /// Largest distance of the tool from the path along an axis during the event [m]. For a switch that was
+  /// reached, only the time of a plan for it counts: until it was reached, and kSwitchHold more.
   double path_error = 0.0;
   /// Least distance of a joint or the tool from an obstacle's surface at the same times [m]; infinite without
   /// obstacles.
   double nearest = 0.0;
-  std::vector<double> times;  ///< kLap: of the rows that its rms is over [s]
+  std::vector<double> times;  ///< kLap: times of the rows that its rms is over [s]
 };
 
-/// A planned switch counts if the gaze stays on target so long [s].
+/// Time that the gaze must stay on target for a planned switch to count [s].
 inline constexpr double kSwitchHold = 0.5;
 
-/// In order of time. rollout: rollout_<scenario>.csv, in whose rows times are counted; gaze_threshold: below
-/// it a target counts as acquired [rad]. A switch that begins while the path is followed is judged for as
-/// long as it is; one that begins on the way back to it, or aside of an obstacle, until the next. Those
-/// before the path is first reached are left out, and so are turns that are not whole. Throws InputError if a
-/// column is missing.
+/// Returns the events in order of time. rollout: rollout_<scenario>.csv, in whose rows times are counted;
+/// gaze_threshold: angle below which a target is acquired [rad]. A switch that begins while the path is
+/// followed is judged until the path is left. A switch that begins in another state, such as a return or an
+/// evasion, is judged until the next switch. Switches before the path is first reached are left out, and so
+/// are incomplete turns. Throws InputError if a column is missing.
 std::vector<Event> events_of(const CsvTable& rollout, const Scenario& scenario, double gaze_threshold);
 
 }  // namespace armtune::internal

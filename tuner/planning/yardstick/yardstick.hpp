@@ -1,6 +1,6 @@
 #pragma once
-// How good could any controller be? Each event of a rollout beside the best that the arm's limits allow from
-// the same state on.
+// Shows how good any controller could be. Each event of a rollout is compared with the best that the arm's
+// limits allow from the same state on.
 
 #include "tuner/planning/tasks/plan_task.hpp"
 #include "tuner/planning/transcription/refining_solver.hpp"
@@ -12,54 +12,56 @@ struct YardstickOptions {
   double velocity = 1.0;  ///< shares of the arm's limits
   double effort = 1.0;
   double gaze_threshold = 0.15;  ///< [rad]
-  /// Of a switch's plan [m]; wider where the rollout itself is farther from the path meanwhile.
+  /// Path tolerance of a switch's plan [m]. It is wider if the rollout itself is farther from the path
+  /// meanwhile.
   double path_tolerance = 1e-3;
-  /// Of every joint's origin from every obstacle's surface [m], where the scenario has any; 0: none. Less
-  /// where the rollout itself comes nearer meanwhile.
+  /// Distance that tool and joint origins keep from every obstacle's surface [m], if the scenario has any; 0:
+  /// none. It is smaller if the rollout itself comes nearer meanwhile.
   double clearance = 0.0;
-  /// Of each plan; a lap's has more where an interval would be longer than 25 ms, or 12.5 ms if targets
-  /// switch.
+  /// Knots of each plan. A lap's plan has more if an interval would otherwise be longer than 25 ms, or 12.5
+  /// ms if targets switch.
   int knots = 120;
 };
 
-/// What the limit is.
+/// The way in which the limit was found, or why there is none.
 enum class MeasureStatus {
   kSolved,
   kWithoutClearance,  ///< solved, but only with the obstacles left out
-  kPastNextSwitch,    ///< solved, but not even the best is there before the targets switch again
-  kThereAtOnce,       ///< 0: the gaze is within its threshold, or the tool on the path, when it begins
+  kPastNextSwitch,    ///< solved, but even the best plan gets there only after the targets switch again
+  kThereAtOnce,       ///< limit 0: at its beginning the gaze is within its threshold, or the tool on the path
   kInfeasible,
   kNotSolved,
   kInterrupted,
 };
-/// In a reader's words.
+/// Returns the status in a reader's words.
 std::string words(MeasureStatus status);
 
 struct Measure {
   std::string scenario;
   Event event;
   MeasureStatus status = MeasureStatus::kNotSolved;
-  double limit = 0.0;        ///< least possible of what `reached` counts; NaN where none was found
-  double clearance = 0.0;    ///< that the plan keeps [m]; NaN without obstacles or with them left out
-  std::string held_back_by;  ///< "velocity of wrist_2_joint", "nothing"; empty where nothing was planned
-  /// reached / limit; NaN where either is not there or the limit is 0.
+  double limit = 0.0;        ///< least possible value of the event's `reached`; NaN if none was found
+  double clearance = 0.0;    ///< kept by the plan [m]; NaN without obstacles or with them left out
+  std::string held_back_by;  ///< "velocity of wrist_2_joint"; empty: no limit holds it back, or no plan
+  /// Returns reached / limit; NaN if either is missing or the limit is 0.
   double ratio() const;
 };
 
-/// The plan that an event is compared with. It stays as far from obstacles as the options say, or, where the
-/// arm is nearer when the event begins, as it is then.
+/// Returns the task of the plan that an event is compared with. The plan stays as far from obstacles as the
+/// options say or, if the rollout comes nearer during the event, as the rollout does.
 PlanTask task_of(const Event& event, const Scenario& scenario, const YardstickOptions& options);
 
-/// Rms of the gaze angle of a motion (a column a knot) at the times given [rad]: the mean that a lap's
-/// rollout is judged by, whatever the knots.
+/// Returns the rms of the gaze angle of a motion (a column a knot) at the given times [rad]. A lap's rollout
+/// is judged by the same mean, whatever the knots are.
 double gaze_rms(const Scenario& scenario, const RobotModel& robot, const Trajectory& trajectory,
                 const std::vector<double>& times);
 
+/// Plans the best for an event and returns it as a limit.
 Measure measure(const Event& event, const Scenario& scenario, const YardstickOptions& options,
                 const PlanObserver& observer);
 
-/// The limit of that of a scenario's switches which took longest, which is the one that reacquisition/time is
-/// of [s]. NaN where it has none, or where there is no switch.
+/// Returns the limit of the scenario's switch that took longest [s]; the metric reacquisition/time is that of
+/// this switch. NaN if the switch has no limit, or if there is no switch.
 double reacquisition_limit(const std::vector<Measure>& measures, const std::string& scenario);
 
 }  // namespace armtune::internal
