@@ -38,14 +38,14 @@ void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool
   columns.push_back({tree + "velocity", revolute ? "rad/s" : "m/s", "true joint velocity",
                      [i](const Observation& o) { return (*o.qd)[i]; }});
   columns.push_back(
-      {tree + "velocity_ratio", "1", "largest |velocity| over its limit since the row before",
+      {tree + "velocity_ratio", "1", "largest |velocity| over its limit since the previous row",
        [i, velocity_limit](const Observation& o) { return std::abs((*o.qd)[i]) / velocity_limit; },
        Over::kLargest});
   columns.push_back({tree + "torque", revolute ? "N m" : "N", "commanded torque after saturation",
                      [i](const Observation& o) { return o.control->torque[i]; }});
   columns.push_back(
       {tree + "torque_ratio", "1",
-       "largest |torque| over its limit since the row before, as commanded, before saturation",
+       "largest |torque| over its limit since the previous row, as commanded, before saturation",
        [i, effort_limit](const Observation& o) { return std::abs(o.control->commanded[i]) / effort_limit; },
        Over::kLargest});
 }
@@ -77,10 +77,10 @@ void add_clearance(std::vector<Column>& columns, const Scenario& scenario) {
          Over::kSmallest});
   };
   add("clearance/self", Clearance::kSelf,
-      "least distance between two links that are not neighbours since the row before");
+      "least distance between two links that are not neighbours since the previous row");
   add("clearance/cell", Clearance::kCell,
-      "least distance of a link from a part of the cell since the row before");
-  add("clearance/floor", Clearance::kFloor, "least height of a link above the floor since the row before");
+      "least distance of a link from a part of the cell since the previous row");
+  add("clearance/floor", Clearance::kFloor, "least height of a link above the floor since the previous row");
   add_vector(columns, "closest/of", "m", "the point of the arm that is closest to what it must not touch",
              [seen](const Observation& o) { return seen(o).closest().on_a; });
   add_vector(columns, "closest/to", "m", "the point that it is closest to",

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/common/message_text.hpp"
+#include "sim/scenario/name_key.hpp"
 #include "sim/scenario/path_file.hpp"
 #include "sim/scenario/solid_keys.hpp"
 #include "sim/yaml/map_reader.hpp"
@@ -25,16 +26,16 @@ Cell read_cell(const yaml::Node& node, std::vector<std::string>& inputs) {
   if (const yaml::Node* parts = map.optional("parts")) {
     for (const yaml::Node& item : parts->items()) {
       yaml::MapReader part(item);
-      const yaml::Node& name = part.required("name");
-      const bool known = std::any_of(cell.parts.begin(), cell.parts.end(), [&name](const CellPart& other) {
-        return other.name == name.as_string();
-      });
-      if (known) name.fail(fmt::format("{} is the name of two parts; rename one", shown(name.as_string())));
-      if (name.as_string() == kFloorName)
-        name.fail(fmt::format("'{}' is what reports call the cell's 'floor'; rename the part", kFloorName));
+      const std::string name = read_name(part);
+      const bool known = std::any_of(cell.parts.begin(), cell.parts.end(),
+                                     [&name](const CellPart& other) { return other.name == name; });
+      const yaml::Node& named = part.required("name");
+      if (known) named.fail(fmt::format("{} is the name of two parts; rename one", shown(name)));
+      if (name == kFloorName)
+        named.fail(fmt::format("'{}' is what reports call the cell's 'floor'; rename the part", kFloorName));
       const Solid solid = read_solid(part);
       const Mat3 R_0S = read_turn(part);
-      cell.parts.push_back({name.as_string(), solid, R_0S, read_path(part, inputs)});
+      cell.parts.push_back({name, solid, R_0S, read_path(part, inputs)});
       part.finish();
     }
   }

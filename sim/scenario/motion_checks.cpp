@@ -79,8 +79,7 @@ void MotionChecks::steps() const {
       const auto check = [&](const char* what, double value, double wanted, double most) {
         if (std::abs(value - wanted) <= most) return;
         throw InputError(fmt::format(
-            "{}: joint/{}/{} is {:.9g}, {:.3g} beside the motion from the row before, whose acceleration is linear "
-            "between rows; at most {:g}: give more rows, more digits, or accelerations that fit",
+            "{}: joint/{}/{} is {:.9g}, differs by {:.3g} from the motion that follows from the previous row with an acceleration that is linear between rows; at most {:g} is allowed: give more rows, more digits, or accelerations that fit",
             points_.where(k + 1), robot_.joints[static_cast<std::size_t>(i)].name, what, value,
             std::abs(value - wanted), most));
       };

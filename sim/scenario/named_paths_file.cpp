@@ -9,6 +9,7 @@
 
 #include "core/common/message_text.hpp"
 #include "core/common/nearest.hpp"
+#include "sim/scenario/name_key.hpp"
 #include "sim/scenario/path_file.hpp"
 #include "sim/scenario/random_targets.hpp"
 
@@ -28,7 +29,7 @@ void refuse_second_of_name(const std::vector<Named>& all, const yaml::Node& node
 
 /// Of an item that may have keys of its own beside them.
 NamedPath read_named_path(yaml::MapReader& map, std::vector<std::string>& inputs) {
-  const std::string name = map.required("name").as_string();
+  const std::string name = read_name(map);
   return {name, read_path(map, inputs)};
 }
 

@@ -60,6 +60,9 @@ struct Camera {
   double bandwidth = 15.0;  ///< of the filter that estimates position, velocity, acceleration [rad/s]
 };
 
+/// The name of all scenarios together in files of results. No scenario may have it.
+inline constexpr const char* kAllScenarios = "all";
+
 struct Scenario {
   std::string name;
   std::string description;

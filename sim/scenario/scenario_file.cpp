@@ -218,14 +218,17 @@ Scenario load_scenario(const std::string& name_or_path) {
   map.ignore("base");
   scenario.name = stem(path);
   check_result_name(scenario.name, path);
+  if (scenario.name == kAllScenarios)
+    throw InputError(
+        fmt::format("{}: results call all scenarios together '{}'; rename the file", path, kAllScenarios));
   scenario.source = path;
   scenario.description = map.string("description", "");
   const yaml::Node& robot_node = map.required("robot");
   const std::string robot = robot_node.as_string();
   const std::string robot_folder = folder_of(robot_node.file());
   scenario.robot = load_robot(robot, robot_folder);
-  if (!is_urdf(robot)) scenario.inputs.push_back(find_data_file("robots", robot, robot_folder));
-  scenario.inputs.push_back(scenario.robot->source);
+  for (std::string& file : robot_files(robot, *scenario.robot, robot_folder))
+    scenario.inputs.push_back(std::move(file));
   const auto joints = joint_names(*scenario.robot);
 
   const yaml::Node& period = map.required("control_period");

@@ -100,9 +100,7 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   }
   if (is_off_path(walk)) {
     return fmt::format(
-        "from its start {} cannot keep to the path, {} by {:.3g} m, though it can have its tool there; move "
-        "the path, or "
-        "give another start",
+        "from its start {} deviates from the path, {} by {:.3g} m, although it can reach that point; move the path, or give another start",
         scenario.robot->name, place(walk.error), walk.error.value);
   }
   if (walk.margin.value >= 0.0) {

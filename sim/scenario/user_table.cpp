@@ -50,7 +50,7 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].find(',') != std::string_view::npos) {
         throw InputError(fmt::format(
-            "{}:{}: the cell {} of this file, whose cells are separated by {}, has a comma; write numbers with a point",
+            "{}:{}: the cell {} of this file, whose cells are separated by {}, contains a comma; write numbers with a decimal point",
             path, number, shown(std::string(cells[i])), separator_name(separator)));
       }
       result += i > 0 ? "," : "";

@@ -122,10 +122,9 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
                       path, line_of(k), knot.position.norm(), kMostTurn));
     }
     if (!(knot.velocity.norm() <= kFastest && knot.acceleration.norm() <= kFastest)) {
-      throw InputError(
-          fmt::format("{}:{}: the turn here asks for {:.3g} rad/s and {:.3g} rad/s^2; at most {:.0e} of "
-                      "both: give it more time",
-                      path, line_of(k), knot.velocity.norm(), knot.acceleration.norm(), kFastest));
+      throw InputError(fmt::format(
+          "{}:{}: the turn here takes {:.3g} rad/s and {:.3g} rad/s^2, and each may be {:.0e} at most; give it more time",
+          path, line_of(k), knot.velocity.norm(), knot.acceleration.norm(), kFastest));
     }
   }
   return turning;

@@ -33,6 +33,11 @@ TEST(ExciteAndIdentify, LeadFromARobotFileToARunThatStartsFromWhatWasFound) {
   EXPECT_THAT(identified.out, HasSubstr("52 base parameters of 78"));
   const auto table = test::read_csv(found + "/base_parameters.csv");
   EXPECT_EQ(table.rows.size(), 52U);
+  for (const std::string& run : {excite, found}) {
+    EXPECT_THAT(test::read_text(run + "/run.yaml"),
+                testing::AllOf(HasSubstr("ur10.yaml"), HasSubstr("ur10.urdf")))
+        << "the robot YAML has figures of the model, too";
+  }
 
   // A log with every torque turned leaves nothing behind unless it is asked for.
   const std::string map = folder.write(
@@ -90,11 +95,16 @@ TEST(ExciteAndIdentify, BadInputEndsWithTwoAndSaysWhatToDo) {
   const Finished fast =
       run_program({"excite", "ur10", "--frequency", "5", "--harmonics", "5", "--out", folder / "out"});
   EXPECT_EQ(fast.exit_code, 2);
-  EXPECT_THAT(fast.err, HasSubstr("5 harmonics of 5 Hz; the fastest may have 20 Hz"));
+  EXPECT_THAT(fast.err, HasSubstr("5 harmonics of 5 Hz; the highest frequency may be 20 Hz"));
   const Finished fades =
       run_program({"excite", "ur10", "--duration", "3", "--fade", "2", "--out", folder / "out"});
   EXPECT_EQ(fades.exit_code, 2);
   EXPECT_THAT(fades.err, HasSubstr("two fades of 2 s do not fit in 3 s"));
+  // Of the UR5e's joint names, and another arm.
+  const Finished other =
+      run_program({"excite", "ur5e", "--scenario", "moving_target", "--out", folder / "out"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, testing::AllOf(HasSubstr("ur10"), HasSubstr("ur5e")));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 

@@ -12,6 +12,7 @@
 #include "sim/yaml/document.hpp"
 #include "tests/cli/support/program.hpp"
 #include "tests/tuner/support/short_study.hpp"
+#include "tuner/cli/session_printer.hpp"
 #include "tuner/cli/set_labels.hpp"
 
 namespace armtune::internal {
@@ -53,6 +54,23 @@ TEST(Names, ThatNoFileOfResultsCouldHaveAreRefusedBeforeAnythingIsSimulated) {
   }
 }
 
+TEST(Names, NoScenarioHasTheNameOfAllOfThem) {
+  const ShortStudy files;
+  fs::copy_file(files / "short.yaml", files / "all.yaml");
+  const Finished done = run_program({"margins", files / "gains.yaml", "--scenarios", files / "all.yaml"});
+  EXPECT_EQ(done.exit_code, 2) << done.err;
+  EXPECT_THAT(done.err, testing::AllOf(HasSubstr("all.yaml"), HasSubstr("rename")));
+}
+
+TEST(Names, InWarningsCommandNoTerminal) {
+  testing::internal::CaptureStderr();
+  cli::print_warning("scenario \x1b[31mx\nis not there");
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(text, HasSubstr("is not there"));
+  EXPECT_TRUE(is_harmless(text)) << testing::PrintToString(text);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+}
+
 TEST(Names, TheLongestThatIsAcceptedServesForEveryFile) {
   const ShortStudy files;
   const std::string scenario = files / (std::string(kLongestName, 's') + ".yaml");
@@ -84,6 +102,9 @@ TEST(Names, OfComparedSetsAreAllDifferent) {
   EXPECT_THAT(cli::set_labels({"scenario.yaml", "metric.yaml", "unit"}),
               testing::ElementsAre("scenario_2", "metric_2", "unit_2"))
       << "comparison.csv has columns of these names";
+  const std::string here = fs::current_path().filename().string();
+  EXPECT_THAT(cli::set_labels({"p/a//", "p/b/.", "p/c/../d"}), testing::ElementsAre("a", "b", "d"));
+  EXPECT_THAT(cli::set_labels({"."}), testing::ElementsAre(here));
   std::vector<std::string> sets;
   for (int i = 0; i < 40; ++i)
     sets.push_back(std::to_string(i) + "/a" + (i % 3 == 0 ? "" : "_" + std::to_string(i)));

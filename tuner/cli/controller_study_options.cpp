@@ -12,9 +12,9 @@ namespace armtune::internal::cli {
 void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inputs, bool required) {
   CLI::Option* robot = command.add_option(
       "--robot", inputs.robot, "the arm: an expanded URDF, a robot YAML, or a bundled robot such as ur5e");
-  CLI::Option* controllers =
-      command.add_option("--controllers", inputs.controllers,
-                         "ROS parameter file with a joint_trajectory_controller, as it lies in a package");
+  CLI::Option* controllers = command.add_option(
+      "--controllers", inputs.controllers,
+      "ROS parameter file with a joint_trajectory_controller, unmodified from a ROS package");
   CLI::Option* trajectory =
       command
           .add_option(

@@ -38,11 +38,12 @@ JointVector center_in_si(const RobotModel& model, const std::vector<double>& deg
 ExciteSettings settings_of(const Arguments& args) {
   ExciteSettings settings = args.settings;
   settings.model = load_robot(args.robot);
+  settings.robot_files = robot_files(args.robot, *settings.model);
   for (const std::string& name : args.scenarios) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
-    if (joint_names(robot) != joint_names(*settings.model)) {
-      throw InputError(
-          fmt::format("{}: its robot {} is not {}; give --robot", name, robot.name, settings.model->name));
+    if (robot.name != settings.model->name || joint_names(robot) != joint_names(*settings.model)) {
+      throw InputError(fmt::format("{}: its robot is {}, not {}; name that robot, or a scenario of {}", name,
+                                   robot.name, settings.model->name, settings.model->name));
     }
   }
   ExcitationOptions& design = settings.design;

@@ -95,7 +95,7 @@ void add_export_command(CLI::App& app, int& exit_code) {
       "every node); of --into the controller, where the file has several");
   command->add_option(
       "--robot", args->what.robot,
-      "the arm that the gains are for (default: that of the run's study; of gains alone ur10)");
+      "the arm that the gains are for (default: the arm of the run's study; ur10 if only gains are given)");
   into->needs(command->add_option("--out", args->file, "new file (default: to the screen)"));
   command->footer(
       "A comment at the top says which study, seed and inputs the gains came from, how much of the joints'\n"

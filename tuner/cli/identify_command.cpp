@@ -21,6 +21,7 @@ struct Arguments {
 int run(const Arguments& args) {
   IdentifySettings settings = args.settings;
   settings.model = load_robot(args.robot);
+  settings.robot_files = robot_files(args.robot, *settings.model);
   const std::string& columns = settings.columns_path;
   settings.columns =
       columns.empty() ? default_log_columns(*settings.model) : load_log_columns(columns, *settings.model);
@@ -63,7 +64,7 @@ void add_identify_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--torque-delay", settings.options.rows.torque_delay,
-          "the logged torque acts so much later [s]; a torque held from its row on: half a control period")
+          "delay of the logged torque [s]; half a control period if each row's torque is held until the next row")
       ->capture_default_str();
   command->add_flag("--robust", settings.options.robust,
                     "give outliers less weight (Huber), in several passes over the logs");

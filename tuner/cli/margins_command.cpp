@@ -102,11 +102,12 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "margins", "Find stability margins by bisection: extra delay, gain, control rate, noise");
   command->add_option("RUN_OR_GAINS", args->set, "a run folder, bundled gains or a YAML file")->required();
-  command->add_option("--scenarios", args->scenarios,
-                      "where it must stand; unless given, the run's study says, or fixed_target, "
-                      "moving_target, target_switch, obstacle_pass and their realistic_ variants");
+  command->add_option(
+      "--scenarios", args->scenarios,
+      "scenarios that are simulated (default: those of the run's study; of gains alone fixed_target, "
+      "moving_target, target_switch, obstacle_pass and their realistic_ variants");
   command->add_option("--limit", args->limits,
-                      "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
+                      "METRIC<=VALUE or METRIC>=VALUE, may be repeated (default: joint "
                       "velocities and positions inside the arm's own, and no obstacle touched");
   add_stepper_option(*command, args->stepper);
   command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml");

@@ -12,6 +12,7 @@
 #include "core/common/file_path.hpp"
 #include "tuner/cli/interrupt.hpp"
 #include "tuner/cli/on_ranks.hpp"
+#include "tuner/cli/session_printer.hpp"
 #include "tuner/ranks/transport.hpp"
 
 namespace armtune::internal::cli {
@@ -106,11 +107,10 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   std::error_code gone;
   fs::current_path(begun.working_folder, gone);
   if (gone && rank_place().rank == 0) {
-    fmt::print(stderr,
-               "armtune: warning: {}, where the run was begun, is not there; relative paths of its command "
-               "line begin "
-               "here instead\n",
-               begun.working_folder);
+    print_warning(fmt::format(
+        "{}, where the run was begun, is not there; relative paths of its command line begin here "
+        "instead",
+        begun.working_folder));
   }
   return all;
 }

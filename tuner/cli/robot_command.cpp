@@ -294,8 +294,7 @@ void add_robot_command(CLI::App& app, int&) {
   command
       ->add_option(
           "--task", *task,
-          "new folder for a first task: a circle where the arm moves well, gains with which it was seen "
-          "to complete that, and a study that tunes them")
+          "new folder for a first task: a circle where the arm moves well, gains that complete it in simulation, and a study that tunes them")
       ->excludes("--sidecar");
   auto options = std::make_shared<TaskOptions>();
   command

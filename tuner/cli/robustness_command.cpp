@@ -82,7 +82,7 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option(
       "--limit", args->limits,
-      "METRIC<=VALUE or METRIC>=VALUE, as often as there are limits; unless given, joint "
+      "METRIC<=VALUE or METRIC>=VALUE, may be repeated (default: joint "
       "velocities and positions inside the arm's own, and no obstacle touched, which the first "
       "--limit replaces");
   CLI::Option* payload = nullptr;
@@ -98,10 +98,10 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
       ->group("Uncertainty (uniform)");
   add_stepper_option(*command, args->stepper);
-  add_run_options(*command,
-                  "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: "
-                  "runs/robustness_<time>; with --sample none)",
-                  args->settings.place, args->settings.options.workers, args->settings.deadline);
+  add_run_options(
+      *command,
+      "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: runs/robustness_<time>; with --sample no folder is written)",
+      args->settings.place, args->settings.options.workers, args->settings.deadline);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");

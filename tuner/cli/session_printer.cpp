@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/common/message_text.hpp"
 #include "tuner/cli/interrupt.hpp"
 
 namespace armtune::internal::cli {
@@ -15,7 +16,7 @@ std::string to_text(const Progress& progress) {
 }
 
 void print_warning(const std::string& sentence) {
-  fmt::print(stderr, "armtune: warning: {}\n", sentence);
+  fmt::print(stderr, "armtune: warning: {}\n", one_line(sentence));
 }
 
 void print_can_resume(const std::string& folder) {

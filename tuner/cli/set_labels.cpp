@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "armtune/error.hpp"
 #include "core/common/file_name.hpp"
@@ -18,7 +19,11 @@ namespace {
 constexpr std::array<std::string_view, 3> kOtherColumns = {"scenario", "metric", "unit"};
 
 std::string name_of(const std::string& set) {
-  const std::filesystem::path path(set.ends_with('/') ? set.substr(0, set.size() - 1) : set);
+  std::error_code none;
+  std::filesystem::path path =
+      std::filesystem::absolute(set, none).lexically_normal();  // "." has a name, too
+  if (none) path = set;
+  if (!path.has_filename()) path = path.parent_path();  // of "folder//"
   std::string name = path.has_extension() ? stem(path.string()) : path.filename().string();
   std::replace(name.begin(), name.end(), ',', '_');
   return name;

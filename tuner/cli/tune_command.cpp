@@ -94,8 +94,9 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
                   settings.workers, settings.deadline);
   command
-      ->add_option("--max-evaluations", args->max_evaluations,
-                   "budget, start and sweep included (default: the study's)")
+      ->add_option(
+          "--max-evaluations", args->max_evaluations,
+          "number of evaluations, those of the start and of the sweep of single gains included (default: the study's)")
       ->check(CLI::Range(1L, 1000000000L));
   command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
       ->check(CLI::Range(0L, 1000000000000L));

@@ -100,8 +100,9 @@ void TunePrinter::began(const Study& study, std::size_t recalled) {
 
 void TunePrinter::verified(const TuneOutcome& so_far) {
   if (!so_far.robust.empty()) {
-    say(fmt::format("Each metric as the study folds it{}:\n\n{}The arm of the scenario itself:\n\n",
-                    robust_text(study_), comparison_table(so_far.robust, headline_metrics())));
+    say(fmt::format(
+        "Each metric, combined as the study combines it{}:\n\n{}The arm of the scenario itself:\n\n",
+        robust_text(study_), comparison_table(so_far.robust, headline_metrics())));
   }
   say(comparison_table(so_far.sets, headline_metrics()));
   print_gains(study_, so_far.result);

@@ -54,9 +54,7 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
       "bundled names or files; unless given, the run's own, as its study.yaml or run.yaml says");
   command->add_option("--out", args->out,
                       "file to write in place of RUN/yardstick.csv; run and report then stay as they are");
-  command
-      ->add_option("--velocity", args->options.velocity,
-                   "share of the velocity limits that counts as the limit")
+  command->add_option("--velocity", args->options.velocity, "factor on the velocity limits, for a reserve")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
   command->add_option("--effort", args->options.effort, "share of the effort limits")

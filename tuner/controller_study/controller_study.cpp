@@ -259,8 +259,9 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
                        scenario_yaml(moves[k], arm, inputs, controller, 1.0 / *rate));
   }
   if (!undamped.empty())
-    files.notes.push_back(fmt::format("d of {} is 0 in {}: damping is tuned as well",
-                                      fmt::join(undamped, ", "), inputs.controllers));
+    files.notes.push_back(
+        fmt::format("d of {} is 0 in {}; it is tuned as well, because the joints may need damping",
+                    fmt::join(undamped, ", "), inputs.controllers));
   if (!arm.yaml.empty()) {
     texts.emplace_back("robot.yaml", arm.yaml);
     files.notes.push_back(fmt::format(

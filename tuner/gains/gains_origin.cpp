@@ -83,7 +83,7 @@ void add_margins(const std::string& folder, Rows& rows) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto text = [&](const char* column) { return table.text(row, table.column(column)); };
     const auto number = [&](const char* column) { return table.number(row, table.column(column)); };
-    if (text("scenario") != "all") continue;
+    if (text("scenario") != kAllScenarios) continue;
     const double stands = number("stands");
     std::string words = "none";
     if (!std::isnan(stands)) {

@@ -189,8 +189,8 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
     }
   }
   if (o.frequency * o.harmonics > kFastestHarmonic) {
-    throw InputError(fmt::format("{} harmonics of {} Hz; the fastest may have {} Hz", o.harmonics,
-                                 o.frequency, kFastestHarmonic));
+    throw InputError(fmt::format("{} harmonics of {} Hz; the highest frequency may be {} Hz at most",
+                                 o.harmonics, o.frequency, kFastestHarmonic));
   }
   if (o.fade > 0.5 * o.duration)
     throw InputError(fmt::format("two fades of {} s do not fit in {} s", o.fade, o.duration));

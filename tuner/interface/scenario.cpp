@@ -54,6 +54,8 @@ void Scenario::set_name(const std::string& name) {
     throw InputError(
         fmt::format("name: {}; give one of letters, digits, '_', '-' and '.'", internal::shown(name)));
   }
+  if (name == internal::kAllScenarios)
+    throw InputError(fmt::format("name: results call all scenarios together '{}'; give another", name));
   inside_ = changed(*inside_, [&](internal::Scenario& s) { s.name = name; });
   files_.reset();
 }

@@ -70,8 +70,8 @@ std::string margins_csv(const std::vector<Scenario>& scenarios, const std::vecto
     }
     const auto smallest = least(scenarios, margins, kind);
     if (!smallest) continue;
-    text +=
-        row(*smallest, "all", smallest->fails ? smallest->scenario + ": " + smallest->reason : std::string());
+    text += row(*smallest, kAllScenarios,
+                smallest->fails ? smallest->scenario + ": " + smallest->reason : std::string());
   }
   return text;
 }

@@ -115,7 +115,7 @@ void write_gains(const Study& study, const TuneResult& result, const std::string
       gains_yaml(
           result.best.gains,
           {fmt::format("{}, study {}, seed {}", title_of(outcome_of(result)), study.name, study.solver.seed),
-           fmt::format("objective {:.6g} of the start's 1, largest velocity ratio {:.4f}{}, {}{}",
+           fmt::format("objective {:.6g} (start: 1), largest velocity ratio {:.4f}{}, {}{}",
                        result.best.objective, largest_velocity_ratio(study, result.best), robust_text(study),
                        result.best.feasible ? "feasible" : "NOT feasible",
                        result.best.engine == Engine::kSimbody ? "" : "; not yet judged by simbody")}));

@@ -32,7 +32,7 @@ std::string rotors_text(const RobotModel& robot) {
     return fmt::format("{} has no rotor inertia, as its file gives none", robot.name);
   }
   return fmt::format(
-      "{} of {} without rotor inertia, as its file gives none; of its other joints what it gives",
+      "{} of {} without rotor inertia, because its file gives none; for its other joints the values of the file",
       fmt::join(without, ", "), robot.name);
 }
 

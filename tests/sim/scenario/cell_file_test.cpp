@@ -29,6 +29,14 @@ TEST(CellFile, NoPartIsCalledAsTheFloorIs) {
       AllOf(HasSubstr("cell.yaml:1"), HasSubstr("rename the part")));
 }
 
+TEST(CellFile, ANameThatNoTerminalCanShowIsRefused) {
+  for (const char* name : {"\\e[33mpart", "a\\u2028b", "\\r"}) {
+    const std::string part =
+        fmt::format("parts: [{{name: \"{}\", sphere: {{radius: 0.1}}, center: [1, 0, 0]}}]", name);
+    EXPECT_THAT(test::refusal([&] { cell(part); }), AllOf(HasSubstr("cell.yaml:1"), HasSubstr("rename")));
+  }
+}
+
 TEST(CellFile, HasAFloorAndPartsThatRestOrMove) {
   const Cell read = cell(
       "floor: -0.4\n"

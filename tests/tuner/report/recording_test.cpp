@@ -87,7 +87,7 @@ TEST(Recording, ThePagesKinematicsPutTheToolWhereItWas) {
 }
 
 TEST(Recording, ObstaclesAreAsFarFromJointsAndToolAsTheRolloutSaw) {
-  // Of every period: the column is the least since the row before.
+  // Of every period: the column is the least since the previous row.
   const CsvTable table = test::recording_of(recorded().scenario, recorded().gains, 1);
   const auto run = run_of(table, &recorded().shown(), &recorded().arm(), {});
   const Arm& arm = recorded().arm();

@@ -1,0 +1,19 @@
+#include "sim/scenario/name_key.hpp"
+
+#include <fmt/format.h>
+
+#include "core/common/message_text.hpp"
+#include "core/common/utf8.hpp"
+
+namespace armtune::internal {
+
+std::string read_name(yaml::MapReader& map) {
+  const yaml::Node& node = map.required("name");
+  std::string name = node.as_string();
+  if (is_printable(name)) return name;
+  node.fail(fmt::format(
+      "the name {} holds a control character or a line separator, which no message can show; rename it",
+      shown(name)));
+}
+
+}  // namespace armtune::internal
