@@ -6,8 +6,9 @@
 
 namespace armtune::internal::report {
 
-/// Returns one table per scenario, in the order in which they first appear. Its rows are the metrics of which
-/// any set has a value, headline metrics first. errors: one per set, empty if there is no file.
+/// Returns one table per scenario, in the order of their first appearance. A table has a row for each metric
+/// that has a value in at least one set, headline metrics first. errors: one per set, empty if there is no
+/// file.
 std::vector<Table> tables_of(const std::vector<std::optional<CsvTable>>& errors);
 
 /// Keeps the rows of headline metrics and of `wanted`.

@@ -10,8 +10,8 @@
 
 namespace armtune::internal {
 
-/// The way in which the values of a metric over the samples become one number. For a metric of which more is
-/// better, small values are the bad ones.
+/// The way in which the values of a metric over the samples are combined into one number. Large values are
+/// the bad ones, or small values if more of the metric is better.
 enum class RiskMeasure {
   kMean,
   kQuantile,               ///< the value that a share `level` of the samples keeps

@@ -12,8 +12,8 @@
 
 namespace armtune::internal {
 
-/// The places of the points of parameter i among all points, the first of which is the best: a step below it,
-/// a step above it, and back to the start.
+/// The places of the three points of parameter i in the list of all points, which begins with the best point.
+/// They are the best point with this parameter a step lower, a step higher, and at its start.
 struct PointsOf {
   std::size_t below, above, reset;
 };

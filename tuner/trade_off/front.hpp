@@ -1,6 +1,6 @@
 #pragma once
-// Dominance among points with several costs, of which less is better: the points that no other point beats in
-// every cost, and the hypervolume.
+// Dominance among points with several costs, where lower costs are better. Finds the points that no other
+// point beats in every cost, and the hypervolume.
 
 #include <cstddef>
 #include <vector>
