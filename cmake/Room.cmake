@@ -24,14 +24,12 @@ if(ARMTUNE_COVERAGE)
   target_link_options(armtune_options INTERFACE --coverage)
 endif()
 
-# armtune_precompile(TARGET HEADER...): what nearly every file includes is parsed once, where ARMTUNE_PRECOMPILE is on.
+# armtune_precompile(TARGET HEADER...): parses once what nearly every file of the target includes.
 function(armtune_precompile TARGET)
-  if(ARMTUNE_PRECOMPILE)
-    target_precompile_headers(${TARGET} PRIVATE <Eigen/Dense> <functional> <map> <optional> <string> <vector> ${ARGN})
-    # So that ccache knows one from another.
-    target_compile_options(${TARGET} PRIVATE
-      $<$<CXX_COMPILER_ID:Clang>:-Xclang;-fno-pch-timestamp> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
-  endif()
+  target_precompile_headers(${TARGET} PRIVATE <Eigen/Dense> <functional> <map> <optional> <string> <vector> ${ARGN})
+  # So that ccache knows one from another.
+  target_compile_options(${TARGET} PRIVATE
+    $<$<CXX_COMPILER_ID:Clang>:-Xclang;-fno-pch-timestamp> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
 function(armtune_room NAME)
@@ -48,5 +46,7 @@ function(armtune_room NAME)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(armtune_${NAME} PUBLIC cxx_std_20)
   target_link_libraries(armtune_${NAME} PRIVATE $<BUILD_INTERFACE:armtune_options>)
-  armtune_precompile(armtune_${NAME})
+  if(ARMTUNE_PRECOMPILE)
+    armtune_precompile(armtune_${NAME})
+  endif()
 endfunction()
