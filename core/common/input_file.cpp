@@ -1,12 +1,14 @@
 #include "core/common/input_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -25,6 +27,37 @@ std::unique_ptr<std::map<std::string, Bytes>>
     record;               // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 std::mutex record_mutex;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
+constexpr std::size_t kBlock = 1U << 20;
+
+/// A file, pipe or device that is read. A stream of the standard library would wait for a pipe through
+/// signals; here one ends the wait.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::string& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  ~OpenFile() {
+    if (is_open()) ::close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
+
+  /// Waits for bytes and returns their number: 0 at the end, below 0 with errno after a failure, EINTR after
+  /// a signal.
+  ssize_t read(char* to, std::size_t most) const {
+    while (true) {
+      pollfd wanted{descriptor_, POLLIN, 0};
+      if (::poll(&wanted, 1, -1) < 0) return -1;
+      const ssize_t read = ::read(descriptor_, to, most);
+      if (read >= 0 || errno != EAGAIN) return read;  // another reader of the pipe may have been faster
+    }
+  }
+
+ private:
+  int descriptor_;
+};
+
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
@@ -36,26 +69,25 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
   const auto refuse_large = [&] {
     refuse(fmt::format("larger than {} MB; expected a smaller file", max_bytes >> 20));
   };
-  constexpr std::size_t kBlock = 1U << 20;
   std::size_t block = kBlock;
-  std::string text;
   if (status.type() == std::filesystem::file_type::regular) {
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
     if (!ignored && size > max_bytes) refuse_large();
     if (!ignored) block = static_cast<std::size_t>(size) + 1;  // with one more, its end is seen at once
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse("cannot be opened: " + std::generic_category().message(errno));
+  const OpenFile file(path);
+  if (!file.is_open()) refuse("cannot be opened: " + std::generic_category().message(errno));
   // Block by block, and not by its size: a pipe has none, and a file may grow.
-  while (file && text.size() <= max_bytes) {
+  std::string text;
+  for (std::size_t got = 1; got > 0 && text.size() <= max_bytes; block = kBlock) {
     const std::size_t before = text.size();
     text.resize(before + std::min(block, max_bytes + 1 - before));
-    file.read(&text[before], static_cast<std::streamsize>(text.size() - before));
-    text.resize(before + static_cast<std::size_t>(file.gcount()));
-    block = kBlock;
+    const ssize_t read = file.read(&text[before], text.size() - before);
+    if (read < 0 && errno == EINTR) refuse("reading it was interrupted");
+    if (read < 0) refuse("cannot be read: " + std::generic_category().message(errno));
+    got = static_cast<std::size_t>(read);
+    text.resize(before + got);
   }
-  if (file.bad()) refuse("cannot be read");
   if (text.size() > max_bytes) refuse_large();
   return text;
 }

@@ -9,7 +9,8 @@ namespace armtune::internal {
 
 /// Returns the content of the file; pipes and devices are read like files. Throws InputError with the path if
 /// it is missing, is a directory, cannot be opened or read, or holds more than `max_bytes`; reading stops
-/// there. `kind` is the name of the expected content in messages: "a URDF file".
+/// there. It also throws if a signal interrupts the wait for a pipe. `kind` is the name of the expected
+/// content in messages: "a URDF file".
 std::string read_file(const std::string& path, std::size_t max_bytes, const std::string& kind);
 
 /// Does the same for a file that the user named. While an InputRecord lives, the file is read once and every

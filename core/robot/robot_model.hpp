@@ -29,7 +29,8 @@ struct JointInfo {
 
 struct RobotModel {
   std::string name;
-  std::string source;  ///< the file it came from
+  std::string source;              ///< the URDF file, for messages
+  std::vector<std::string> files;  ///< all files that it was read from: a robot YAML, if any, and the URDF
   std::string base_link;
   std::string tip_link;  ///< the link in which the tool frame is given
   std::vector<JointInfo> joints;

@@ -31,6 +31,7 @@ class ArmBuilder {
   ArmBuilder(const std::string& source, const UrdfOptions& options, MissingData* missing)
       : options_(options), missing_(missing) {
     model_.source = source;
+    model_.files = {source};
   }
 
   RobotModel build(const UrdfTree& tree) {

@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kMostTriangles = 500000;
 constexpr double kRod = 1e-3;  // m
 
-/// Nothing where `why` says what is wrong with it.
-std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf, std::string& why) {
+/// Nothing where `why` says what is wrong with it. The file is added to `meshes`.
+std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
+                                  std::vector<std::string>& meshes, std::string& why) {
   const auto path = mesh_path(shape.file, urdf);
   if (!path) {
     why = fmt::format("no such file in the robot's folder, nor in one that {} names", kMeshFolders);
@@ -29,6 +30,7 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf, s
     why = fmt::format("no binary STL file of up to {} triangles; convert it", kMostTriangles);
     return std::nullopt;
   }
+  if (std::find(meshes.begin(), meshes.end(), *path) == meshes.end()) meshes.push_back(*path);
   std::vector<Vec3> points;
   points.reserve(corners->size() / 3);
   for (std::size_t i = 0; i + 2 < corners->size(); i += 3) {
@@ -40,7 +42,8 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf, s
   return hull;
 }
 
-std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf, std::string& why) {
+std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf, std::vector<std::string>& meshes,
+                              std::string& why) {
   switch (shape.kind) {
     case ShapeKind::kBox:
       return box(shape.size);
@@ -56,7 +59,7 @@ std::optional<Solid> solid_of(const Shape& shape, const std::string& urdf, std::
     case ShapeKind::kMesh:
       break;
   }
-  return hull_of_mesh(shape, urdf, why);
+  return hull_of_mesh(shape, urdf, meshes, why);
 }
 
 /// The shapes of one link that count, those without size last.
@@ -117,7 +120,7 @@ ArmSolids arm_solids(const RobotModel& robot) {
     bool whole = true;
     for (const Shape* shape : shapes) {
       std::string why;
-      const auto solid = solid_of(*shape, robot.source, why);
+      const auto solid = solid_of(*shape, robot.source, arm.meshes, why);
       const std::string& what = shape->file.empty() ? shape->link_name : shape->file;
       if (!solid) arm.unread.push_back(fmt::format("{}: {}", what, why));
       whole = whole && solid;

@@ -18,6 +18,7 @@ struct ArmSolid {
 struct ArmSolids {
   std::vector<ArmSolid> solids;
   std::vector<std::string> unknown;  ///< links with a shape that could not be read, and bodies without any
+  std::vector<std::string> meshes;   ///< files that shapes were read from, each once
   std::vector<std::string> unread;   ///< shapes that could not be read, with why: "NAME: no such file ..."
 };
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
+
+#include "armtune/error.hpp"
+#include "core/common/input_file.hpp"
 
 namespace armtune::internal {
 namespace {
@@ -16,7 +18,7 @@ constexpr std::size_t kHeader = 84;    // 80 bytes of anything, then the number 
 constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of anything
 constexpr std::size_t kNormal = 12;
 
-std::uint32_t u32(const std::vector<char>& bytes, std::size_t at) {
+std::uint32_t u32(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
   return value;
@@ -28,8 +30,12 @@ std::optional<std::vector<float>> read_binary_stl(const std::string& path, std::
   std::error_code error;
   const auto size = fs::file_size(path, error);
   if (error || size < kHeader || size > kHeader + kTriangle * most) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  std::string bytes;
+  try {
+    bytes = read_input_file(path, kHeader + kTriangle * most, "a mesh");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
   if (bytes.size() < kHeader) return std::nullopt;
   const std::size_t count = u32(bytes, kHeader - 4);
   if (count == 0 || count > most || bytes.size() != kHeader + kTriangle * count) return std::nullopt;

@@ -92,18 +92,13 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
   return file;
 }
 
-std::vector<std::string> robot_files(const std::string& name_or_path, const RobotModel& model,
-                                     const std::string& relative_to) {
-  if (is_urdf(name_or_path)) return {model.source};
-  return {find_data_file("robots", name_or_path, relative_to), model.source};
-}
-
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to) {
   const RobotFile file = read_robot_file(name_or_path, relative_to);
   auto model = std::make_shared<RobotModel>(read_urdf(file.urdf, file.options));
   model->link_radii = shape_radii(*model);
   if (file.root) {
+    model->files.insert(model->files.begin(), file.path);
     Chain& chain = model->chain;
     const auto joints = joint_names(*model);
     const std::array<JointVector*, kJointKeys.size()> values{&chain.viscous_friction, &chain.coulomb_friction,

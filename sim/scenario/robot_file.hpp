@@ -38,11 +38,6 @@ RobotFile read_robot_file(const std::string& name_or_path, const std::string& re
 std::shared_ptr<const RobotModel> load_robot(const std::string& name_or_path,
                                              const std::string& relative_to = {});
 
-/// Returns the files that load_robot read such a model from: the robot YAML, if it is one, and the URDF.
-/// Arguments as those of load_robot. Throws InputError.
-std::vector<std::string> robot_files(const std::string& name_or_path, const RobotModel& model,
-                                     const std::string& relative_to = {});
-
 /// Returns the cell that a robot file gives the arm (cell_file.hpp), or nothing if it gives none. Files that
 /// it names are added to `inputs`. Throws InputError.
 std::optional<Cell> cell_of(const RobotFile& file, std::vector<std::string>& inputs);

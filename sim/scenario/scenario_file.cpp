@@ -206,6 +206,7 @@ void read_clearance(const yaml::Node* node, const RobotFile& robot, Scenario& sc
       cell->parts.push_back({obstacle.name, sphere(obstacle.radius), Mat3::Identity(), obstacle.path, true});
   }
   scenario.clearance = std::make_shared<const ClearanceModel>(scenario.robot, std::move(*cell));
+  for (const std::string& mesh : scenario.clearance->arm().meshes) scenario.inputs.push_back(mesh);
 }
 
 }  // namespace
@@ -227,8 +228,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   const std::string robot = robot_node.as_string();
   const std::string robot_folder = folder_of(robot_node.file());
   scenario.robot = load_robot(robot, robot_folder);
-  for (std::string& file : robot_files(robot, *scenario.robot, robot_folder))
-    scenario.inputs.push_back(std::move(file));
+  for (const std::string& file : scenario.robot->files) scenario.inputs.push_back(file);
   const auto joints = joint_names(*scenario.robot);
 
   const yaml::Node& period = map.required("control_period");

@@ -23,15 +23,16 @@ Finished run_unprinted(const std::vector<std::string>& arguments, const std::str
 
 class FullOutput : public testing::Test {
  protected:
-  /// Expects that the command fails for its output alone, and leaves these files.
+  /// Expects that the command fails for its output alone, and leaves these files in the folder that it was
+  /// told of. An empty name stands for that path itself, where the result is one file.
   void expect_results(std::vector<std::string> arguments, const std::vector<std::string>& results) {
-    const std::string run = files_ / arguments.front();
+    const std::string run = files_ / ("out_" + arguments.front());
     arguments.insert(arguments.end(), {"--out", run});
     const Finished done = run_unprinted(arguments, files_ / "");
     EXPECT_EQ(done.exit_code, 1) << done.err;
     EXPECT_THAT(done.err, testing::HasSubstr("armtune: "));
     for (const std::string& file : results)
-      EXPECT_TRUE(fs::exists(run + "/" + file)) << arguments.front() << " lost " << file;
+      EXPECT_TRUE(fs::exists(file.empty() ? run : run + "/" + file)) << arguments.front() << " lost " << file;
   }
 
   const ShortStudy files_;
@@ -68,6 +69,28 @@ TEST_F(FullOutput, OfASearchLosesNoneEither) {
   for (const char* file :
        {"gains.yaml", "errors.csv", "run.yaml", "margins.csv", "sensitivity.csv", "verdict.yaml"})
     EXPECT_TRUE(fs::exists(run + "/" + file)) << file;
+}
+
+TEST_F(FullOutput, OfAnalysesOfARunLosesNone) {
+  const std::string run = files_ / "run";
+  ASSERT_THAT(test::run_program({"tune", files_.path(), "--out", run, "--no-analysis"}).exit_code,
+              testing::AnyOf(0, 3));
+  expect_results({"margins", run}, {"margins.csv", "run.yaml"});
+  expect_results({"sensitivity", run}, {"sensitivity.csv", "reduced_study.yaml", "run.yaml"});
+  expect_results({"yardstick", run, "--knots", "40"}, {""});
+  expect_results({"export", run}, {""});
+  expect_results({"report", run}, {""});
+}
+
+TEST_F(FullOutput, OfPlansLogsAndTasksLosesNone) {
+  expect_results({"plan", "ur10_move", "--knots", "12"}, {"trajectory.csv", "limits.csv", "run.yaml"});
+  expect_results({"excite", "ur10", "--scenario", "moving_target", "--evaluations", "20"},
+                 {"excitation.yaml", "trajectory.csv", "log_moving_target.csv", "run.yaml"});
+  expect_results({"identify", files_ / "out_excite/log_moving_target.csv", "--robot", "ur10", "--accept"},
+                 {"theta.yaml", "base_parameters.csv", "robot.urdf", "robot.yaml", "run.yaml"});
+  expect_results({"pareto", files_.path(), "--criteria", "objective", "effort_rate/rms", "--levels", "2",
+                  "--max-evaluations", "6"},
+                 {"pareto.csv", "points/01.yaml", "study.yaml", "run.yaml"});
 }
 
 // Where nothing could be written nothing was found either, as far as a script can tell.

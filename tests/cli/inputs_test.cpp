@@ -1,8 +1,11 @@
 // Files that are edited while a run uses them.
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -93,6 +96,24 @@ TEST(Inputs, FromAPipeAreReadOnceAndHashed) {
   ASSERT_EQ(done.exit_code, 0) << done.err;
   const yaml::Node told = yaml::parse_file(files / "run/run.yaml");
   EXPECT_EQ(told.find("inputs")->find("/dev/stdin")->as_string(), hash_of_file(files / "gains.yaml"));
+}
+
+TEST(Inputs, OneInterruptEndsTheWaitForAPipe) {
+  const ShortStudy files;
+  const std::string pipe = files / "gains.fifo";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  test::Program waiting({"simulate", files / "short.yaml", "--gains", pipe}, files / "");
+  // It can be opened for writing as soon as somebody reads it.
+  int writer = -1;
+  while (writer < 0 && waiting.running()) {
+    writer = ::open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  waiting.interrupt();
+  const Finished done = waiting.wait();
+  ::close(writer);
+  EXPECT_EQ(done.exit_code, 130) << done.err;
+  EXPECT_THAT(done.err, testing::AllOf(testing::HasSubstr("gains.fifo"), testing::HasSubstr("interrupted")));
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ class RunFiles : public testing::Test {
   static void SetUpTestSuite() {
     made_ = std::make_unique<test::ShortStudy>();
     ASSERT_EQ(run_program({"tune", made_->path(), "--out", *made_ / "run", "--no-analysis"}).exit_code, 0);
+    ASSERT_EQ(run_program({"margins", *made_ / "run", "--out", *made_ / "margins"}).exit_code, 0);
+    fs::copy_file(*made_ / "margins/margins.csv", *made_ / "run/margins.csv");
   }
   static void TearDownTestSuite() { made_.reset(); }
 
@@ -47,6 +49,7 @@ class RunFiles : public testing::Test {
       {{"export", "RUN"}, "gains.yaml"},
       {{"export", "RUN"}, "run.yaml"},
       {{"export", "RUN"}, "errors.csv"},
+      {{"export", "RUN"}, "margins.csv"},
       {{"compare", "published", "RUN", "--scenarios", "moving_target"}, "gains.yaml"},
       {{"compare", "published", "RUN"}, "study.yaml"},
       {{"robustness", "RUN", "--samples", "2"}, "study.yaml"},

@@ -38,7 +38,6 @@ JointVector center_in_si(const RobotModel& model, const std::vector<double>& deg
 ExciteSettings settings_of(const Arguments& args) {
   ExciteSettings settings = args.settings;
   settings.model = load_robot(args.robot);
-  settings.robot_files = robot_files(args.robot, *settings.model);
   for (const std::string& name : args.scenarios) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
     if (robot.name != settings.model->name || joint_names(robot) != joint_names(*settings.model)) {

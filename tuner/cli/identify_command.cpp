@@ -21,7 +21,6 @@ struct Arguments {
 int run(const Arguments& args) {
   IdentifySettings settings = args.settings;
   settings.model = load_robot(args.robot);
-  settings.robot_files = robot_files(args.robot, *settings.model);
   const std::string& columns = settings.columns_path;
   settings.columns =
       columns.empty() ? default_log_columns(*settings.model) : load_log_columns(columns, *settings.model);

@@ -79,7 +79,7 @@ int report(const std::exception_ptr& failure) {
     std::rethrow_exception(failure);
   } catch (const InputError& e) {
     fmt::print(stderr, "armtune: {}\n", e.what());
-    return kBadInput;
+    return stop_requested() ? kInterrupted : kBadInput;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "armtune: failed: the memory was not enough; allow more, or ask for less at once\n");
   } catch (const std::exception& e) {

@@ -34,9 +34,10 @@ std::string plain_name(const std::string& path) {
 std::set<std::string> copies_in(const std::string& folder) {
   std::set<std::string> names;
   std::error_code none;
+  const fs::path copies = fs::path(folder) / kInputCopies;
+  if (fs::symlink_status(copies, none).type() != fs::file_type::directory) return names;
   const std::string partial = partial_path("");
-  for (fs::directory_iterator file(fs::path(folder) / kInputCopies, none), end; !none && file != end;
-       file.increment(none)) {
+  for (fs::directory_iterator file(copies, none), end; !none && file != end; file.increment(none)) {
     const std::string name = file->path().filename().string();
     std::error_code gone;
     if (file->symlink_status(gone).type() == fs::file_type::regular && !name.ends_with(partial))

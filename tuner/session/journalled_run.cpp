@@ -45,7 +45,9 @@ std::unique_ptr<Journal> begin(const std::string& folder, const RunHeader& heade
     journal = Journal::begin(folder + "/" + kJournal, header);
     keep_inputs(folder, inputs);
   } catch (...) {  // it is not to be in the way of another try
-    journal ? discard_run(folder) : discard_folder(folder);
+    const bool begun = journal != nullptr;
+    journal.reset();  // where files that can be opened were lacking, its own is needed to remove the others
+    begun ? discard_run(folder) : discard_folder(folder);
     throw;
   }
   return journal;
@@ -53,11 +55,11 @@ std::unique_ptr<Journal> begin(const std::string& folder, const RunHeader& heade
 
 std::unique_ptr<Journal> resume(const std::string& folder, const RunHeader& header,
                                 const std::vector<std::string>& inputs, SessionObserver& observer) {
+  refuse_links(folder);
   std::string warning;
   auto journal = Journal::resume(journal_in(folder), header, warning, kPatience);
   if (!warning.empty()) observer.warned(warning);
   if (journal->exit_code()) return journal;
-  refuse_links(folder);
   keep_inputs(folder, inputs);
   return journal;
 }

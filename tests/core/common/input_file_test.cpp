@@ -2,8 +2,14 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/stat.h>
 
+#include <atomic>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include "tests/sim/support/files.hpp"
@@ -75,6 +81,43 @@ TEST(InputRecord, ASmallerLimitHoldsForWhatIsRecorded) {
   const InputRecord record;
   read(path);
   EXPECT_THAT(test::refusal([&] { (void)read_input_file(path, 5, "a text"); }), testing::HasSubstr(path));
+}
+
+TEST(ReadFile, APipeIsWaitedForAndReadToItsEnd) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  std::thread writer([&path] {
+    std::ofstream pipe(path);
+    for (const char* part : {"one ", "two ", "three"}) {
+      pipe << part << std::flush;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  const std::string text = read_file(path, kMost, "a text");
+  writer.join();
+  EXPECT_EQ(text, "one two three");
+}
+
+TEST(ReadFile, ASignalEndsTheWaitForAPipe) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const auto before = std::signal(SIGUSR1, [](int) {});
+  std::atomic<bool> ended{false};
+  std::string refusal;
+  std::thread reader([&] {
+    refusal = test::refusal([&] { (void)read_file(path, kMost, "a text"); });
+    ended = true;
+  });
+  // Again until it arrives in the wait itself; without an end the test runs into its limit.
+  while (!ended) {
+    pthread_kill(reader.native_handle(), SIGUSR1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  reader.join();
+  std::signal(SIGUSR1, before);
+  EXPECT_THAT(refusal, testing::AllOf(testing::HasSubstr(path), testing::HasSubstr("interrupted")));
 }
 
 TEST(ReadInputFile, APathThatNoFileCouldNameIsRefusedAndShownEscaped) {

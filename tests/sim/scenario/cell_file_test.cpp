@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "core/common/input_file.hpp"
 #include "core/control/obstacle_distance.hpp"
 #include "sim/cell/clearance_model.hpp"
 #include "sim/scenario/path_walk.hpp"
@@ -170,6 +175,51 @@ TEST(ScenarioCell, TakesTheCellOfTheRobotUnlessItHasItsOwn) {
   EXPECT_TRUE(own.clearance->cell().parts.empty());
   folder.write("arm.yaml", kRobot);
   EXPECT_FALSE(load_scenario(folder.write("c.yaml", text)).clearance);
+}
+
+/// A binary STL file of a tetrahedron with edges along the axes [m].
+std::string tetrahedron(float edge) {
+  const std::array<std::array<float, 3>, 4> corners{{{0, 0, 0}, {edge, 0, 0}, {0, edge, 0}, {0, 0, edge}}};
+  std::string bytes(80, '\0');
+  const auto add = [&bytes](auto value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);  // STL and x86-64 are little-endian
+  };
+  add(std::uint32_t{4});
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    for (int i = 0; i < 3; ++i) add(0.0F);  // the normal
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      if (corner == left_out) continue;
+      for (const float coordinate : corners[corner]) add(coordinate);
+    }
+    add(std::uint16_t{0});
+  }
+  return bytes;
+}
+
+TEST(ScenarioCell, MeshesThatDistancesComeFromAreInputs) {
+  const test::TemporaryFolder folder;
+  std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur5e.urdf");
+  const std::string link = "<link name=\"forearm_link\">";
+  ASSERT_NE(urdf.find(link), std::string::npos);
+  const std::string shape = "<geometry><mesh filename=\"link.stl\"/></geometry>";
+  urdf.insert(urdf.find(link) + link.size(), "<collision>" + shape + "</collision><visual>" + shape +
+                                                 "</visual>" + "<collision>" + shape + "</collision>");
+  folder.write("arm.urdf", urdf);
+  folder.write("arm.yaml", "urdf: arm.urdf\nrotor_inertia: estimated\n");
+  const std::string mesh = folder.write("link.stl", tetrahedron(0.1F));
+  const std::string text =
+      "robot: arm.yaml\ncontrol_period: 0.002\nduration: 1\nstart_position_deg: [0, -90, 90, -90, -90, 0]\n"
+      "path: {hold: [0.4, 0.1, 0.4]}\ntargets: [{name: a, hold: [0.4, 0.1, 0]}]\ntheta_start: {model_scale: 1}\n";
+  const auto meshes_of = [&](const std::string& name, const std::string& scenario) {
+    const Scenario read = load_scenario(folder.write(name, scenario));
+    return std::count(read.inputs.begin(), read.inputs.end(), mesh);
+  };
+  const InputRecord record;
+  EXPECT_EQ(meshes_of("bare.yaml", text), 0) << "no distance comes from it";
+  EXPECT_EQ(recorded_input(mesh), nullptr);
+  EXPECT_EQ(meshes_of("cell.yaml", text + "cell: {floor: -1}\n"), 1);
+  ASSERT_NE(recorded_input(mesh), nullptr);
+  EXPECT_EQ(*recorded_input(mesh), tetrahedron(0.1F));
 }
 
 TEST(ScenarioCell, ObstaclesWithABodyAreParts) {

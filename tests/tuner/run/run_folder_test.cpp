@@ -117,6 +117,16 @@ TEST(Provenance, CopiesMadeAtTheBeginningAreThoseThatRunYamlNames) {
   EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(own)), std::nullopt);
 }
 
+TEST(Provenance, CopiesBehindALinkAreNotTheRuns) {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder / "run");
+  fs::create_directories(folder / "elsewhere");
+  const std::string file = folder.write("elsewhere/01_a.yaml", "first\n");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "run/inputs");
+  EXPECT_EQ(copy_of_hash(folder / "run", hash_of_file(file)), std::nullopt);
+  EXPECT_EQ(where_copies_are(folder / "run"), "");
+}
+
 TEST(Provenance, ACopyThatSomebodyChangedIsNotTakenForTheInput) {
   const test::TemporaryFolder folder;
   fs::create_directories(folder / "run");

@@ -28,7 +28,7 @@ ExciteOutcome ExciteSession::run() {
   }
   Provenance p;
   p.command = context_.invocation.line;
-  p.inputs = settings_.robot_files.empty() ? std::vector{settings_.model->source} : settings_.robot_files;
+  p.inputs = settings_.model->files;
   add_inputs(settings_.scenarios, p.inputs);
   if (!settings_.trajectory.empty()) p.inputs.push_back(settings_.trajectory);
   p.seed = settings_.design.seed;

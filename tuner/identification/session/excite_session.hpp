@@ -17,10 +17,9 @@ namespace armtune::internal {
 struct ExciteSettings {
   std::string folder;  ///< not empty
   std::shared_ptr<const RobotModel> model;
-  std::vector<std::string> robot_files;  ///< files that the model was read from; empty: its source
-  std::vector<Scenario> scenarios;       ///< scenarios of arms with the model's joints: one log each
-  std::string trajectory;                ///< file to read one from; empty: one is designed
-  ExcitationOptions design;              ///< except its progress, which the session sets
+  std::vector<Scenario> scenarios;  ///< scenarios of arms with the model's joints: one log each
+  std::string trajectory;           ///< file to read one from; empty: one is designed
+  ExcitationOptions design;         ///< except its progress, which the session sets
   ExcitationLogOptions log;
 };
 

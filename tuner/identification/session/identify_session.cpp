@@ -84,7 +84,7 @@ void IdentifySession::write_files() {
   p.command = context_.invocation.line;
   for (std::size_t i = 0; i < settings_.logs.size(); ++i)
     p.streamed.emplace_back(settings_.logs[i], found.log_hashes[i]);
-  p.inputs = settings_.robot_files.empty() ? std::vector{model.source} : settings_.robot_files;
+  p.inputs = model.files;
   if (!settings_.columns_path.empty()) p.inputs.push_back(settings_.columns_path);
   p.wall_seconds = outcome_.seconds;
   p.extra = {{"samples", fmt::format("{}", found.samples)},

@@ -15,7 +15,6 @@ namespace armtune::internal {
 struct IdentifySettings {
   std::string folder;                       ///< empty: nothing is written
   std::shared_ptr<const RobotModel> model;  ///< geometry, names and prior values
-  std::vector<std::string> robot_files;     ///< files that the model was read from; empty: its source
   std::vector<std::string> logs;            ///< paths
   LogColumns columns;
   std::string columns_path;      ///< file that the columns were read from; empty: none
