@@ -154,6 +154,7 @@ class Passes {
       throw InputError(fmt::format("{}: {} rows for {} base parameters are too few; log longer",
                                    logs_.front(), fitted_.count() * model_.n(), base_.rank()));
     }
+    check_motion(model_, instants_.kept(), logs_name(logs_));
     check_units(model_, instants_.kept(), logs_name(logs_));
   }
 
@@ -197,9 +198,8 @@ Identification identify(const RobotModel& model, const std::vector<std::string>&
   found.made_physical = fit.changed;
   found.fitted = unexplained(passes.fitted(), found.base, found.theta, file_theta);
   found.held_out = unexplained(passes.held_out(), found.base, found.theta, file_theta);
-  found.torque_noise = passes.instants().row_torque_noise();
-  found.comparison =
-      compare_with_robot_file(model, passes.instants().kept(), passes.instants().torque_noise());
+  found.torque_noise = passes.instants().torque_noise();
+  found.comparison = compare_with_robot_file(model, passes.instants().kept(), found.torque_noise);
   if (!found.comparison.mistake) check_positions(model, passes.instants().kept(), logs_name(logs));
   return found;
 }

@@ -12,11 +12,15 @@
 namespace armtune::internal {
 namespace {
 
-constexpr double kShare = 0.05;      ///< of the instants may lie outside: someone pushed the arm, a spike
-constexpr double kOtherUnit = 3.0;   ///< times the largest position limit
-constexpr double kOverRange = 0.1;   ///< of a position's range
-constexpr double kOverRate = 2.0;    ///< times the velocity limit
-constexpr double kOverEffort = 2.0;  ///< times the effort limit
+constexpr double kShare = 0.05;        ///< of the instants may lie outside: someone pushed the arm, a spike
+constexpr double kLeastMotion = 0.01;  ///< range of a position [rad, m]
+constexpr double kOtherUnit = 3.0;     ///< times the largest position limit
+constexpr double kOverRange = 0.1;     ///< of a position's range
+constexpr double kOverRate = 2.0;      ///< times the velocity limit
+constexpr double kOverEffort = 2.0;    ///< times the effort limit
+/// An arm that moves in another unit of torque needs at least this share of some joint's effort limit, once
+/// the unit is put right. Torques that are ten times too large, or of a stronger arm, need less.
+constexpr double kLeastEffort = 0.05;
 constexpr double kDegree = M_PI / 180.0;
 
 struct Unit {
@@ -51,7 +55,8 @@ class LimitCheck {
  public:
   LimitCheck(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs,
              int joint)
-      : info_(model.joints[static_cast<std::size_t>(joint)]),
+      : model_(model),
+        info_(model.joints[static_cast<std::size_t>(joint)]),
         effort_(effort_words(model, joint)),
         revolute_(model.chain.motion[static_cast<std::size_t>(joint)] == JointMotion::kRevolute),
         instants_(instants),
@@ -93,9 +98,10 @@ class LimitCheck {
     const double size = high_value(instants_, [&](const LogInstant& at) { return at.torque[joint_]; });
     const double limit = kOverEffort * info_.limits.effort;
     if (size <= limit) return;
+    const double thousandth = some_thousandth_is_felt() ? 1e-3 : 1.0;
     fail(fmt::format("its {} is {:.4g} {}, but its effort limit in the robot file is {:.4g} {}", effort_.name,
                      size, effort_.unit, info_.limits.effort, effort_.unit) +
-         hint(size, limit, {{1e-3, effort_.thousandth}}, "torque"));
+         hint(size, limit, {{thousandth, effort_.thousandth}}, "torque"));
   }
 
   void torque_is_there() const {
@@ -111,11 +117,20 @@ class LimitCheck {
         "its position is as large as {:.4g} {}, but its limits in the robot file are {:.4g} and {:.4g} {}",
         size, unit(), info_.limits.lower, info_.limits.upper, unit());
   }
+  /// True if a thousandth of some joint's torque is what an arm of this strength needs.
+  bool some_thousandth_is_felt() const {
+    for (int j = 0; j < static_cast<int>(model_.joints.size()); ++j) {
+      const double size = high_value(instants_, [j](const LogInstant& at) { return at.torque[j]; });
+      if (1e-3 * size > kLeastEffort * model_.joints[static_cast<std::size_t>(j)].limits.effort) return true;
+    }
+    return false;
+  }
   const char* unit() const { return revolute_ ? "rad" : "m"; }
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(fmt::format("{}: joint {}: {}", logs_, info_.name, what));
   }
 
+  const RobotModel& model_;
   const JointInfo& info_;
   EffortWords effort_;
   bool revolute_;
@@ -125,6 +140,21 @@ class LimitCheck {
 };
 
 }  // namespace
+
+void check_motion(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs) {
+  if (instants.empty()) return;
+  JointVector lowest = instants.front().q;
+  JointVector highest = lowest;
+  for (const LogInstant& at : instants) {
+    lowest = lowest.cwiseMin(at.q);
+    highest = highest.cwiseMax(at.q);
+  }
+  if ((highest - lowest).maxCoeff() > kLeastMotion) return;
+  throw InputError(fmt::format(
+      "{}: no joint moves by more than {} rad or m, which says next to nothing about the masses of {}; log a "
+      "motion of all joints, such as one that `armtune excite` designs, or check the columns of `position`",
+      logs, kLeastMotion, model.name));
+}
 
 void check_units(const RobotModel& model, const std::vector<LogInstant>& instants, const std::string& logs) {
   using Check = void (LimitCheck::*)() const;

@@ -36,6 +36,10 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t") == std::string_view::npos;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   const std::size_t count = std::min(names.size(), kShownNames);
   return fmt::format("{}{}",
@@ -62,7 +66,10 @@ LogFile::LogFile(const std::string& path, const LogColumns& columns)
 }
 
 void LogFile::read_header() {
-  if (!lines_.next()) throw InputError(fmt::format("{}: is empty; a log begins with column names", path_));
+  do {
+    if (!lines_.next()) throw InputError(fmt::format("{}: is empty; a log begins with column names", path_));
+  } while (is_blank(lines_.text()));
+  header_line_ = lines_.number();
   std::string_view line = lines_.text();
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
@@ -79,22 +86,21 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
   const auto found = std::find(header_.begin(), header_.end(), column.name);
   if (found == header_.end()) {
     if (!has_names_) {
-      throw InputError(
-          fmt::format("{}:1: there is no column '{}', because the first line holds numbers and no names; add "
-                      "a line of names, or "
-                      "call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
-                      path_, column.name, header_.size()));
+      throw InputError(fmt::format(
+          "{}:{}: there is no column '{}', because the first line holds numbers and no names; add a line of "
+          "names, or call the {} columns \"1\", \"2\" and so on in a column map (--columns FILE)",
+          path_, header_line_, column.name, header_.size()));
     }
     throw InputError(fmt::format(
-        "{}:1: there is no column '{}' among these, separated by {}: {}{}; a column map (--columns FILE) "
-        "says "
-        "which column holds what",
-        path_, column.name, separator_name(separator_), listed(header_), suggestion(column.name, header_)));
+        "{}:{}: there is no column '{}' among these, separated by {}: {}{}; a column map (--columns FILE) "
+        "says which column holds what",
+        path_, header_line_, column.name, separator_name(separator_), listed(header_),
+        suggestion(column.name, header_)));
   }
   if (std::find(found + 1, header_.end(), column.name) == header_.end())
     return static_cast<std::size_t>(found - header_.begin());
-  throw InputError(
-      fmt::format("{}:1: two columns are called '{}'; remove or rename one", path_, column.name));
+  throw InputError(fmt::format("{}:{}: two columns are called '{}'; remove or rename one", path_,
+                               header_line_, column.name));
 }
 
 std::vector<std::size_t> LogFile::places_of(const std::vector<LogColumn>& columns) const {
@@ -119,7 +125,8 @@ void LogFile::read_ahead() {
   check_rate(ahead_.back().time - ahead_[half].time, samples_ - 1 - static_cast<long>(half));
   stretch_begin_ = ahead_.back().time;
   for (std::size_t k = 1; k < ahead_.size(); ++k) {
-    check_step(ahead_[k].time - ahead_[k - 1].time, static_cast<long>(k) + (has_names_ ? 2 : 1));
+    check_step(ahead_[k].time - ahead_[k - 1].time,
+               header_line_ + static_cast<long>(k) + (has_names_ ? 1 : 0));
   }
 }
 
@@ -145,16 +152,22 @@ void LogFile::check_step(double step, long line) const {
 
 bool LogFile::read_row() {
   if (!lines_.next()) return false;
-  if (lines_.text().find_first_not_of(" \t") == std::string_view::npos) {
+  if (is_blank(lines_.text())) {
     const long empty = lines_.number();
     while (lines_.next()) {
-      if (lines_.text().find_first_not_of(" \t") != std::string_view::npos)
+      if (!is_blank(lines_.text()))
         throw InputError(fmt::format("{}:{}: an empty line inside the log; remove it", path_, empty));
     }
     return false;
   }
   split_cells(lines_.text(), separator_, cells_);
   if (cells_.size() != header_.size()) {
+    const std::string_view line = lines_.text();
+    if (std::count(line.begin(), line.end(), '"') % 2 != 0) {
+      throw InputError(fmt::format(
+          "{}:{}: a quoted text does not end on its line; remove that column, or the line breaks inside it",
+          path_, lines_.number()));
+    }
     throw InputError(
         fmt::format("{}:{}: has {} cells, but the first line has {}; the log may have been cut off", path_,
                     lines_.number(), cells_.size(), header_.size()));

@@ -20,10 +20,10 @@ struct LogSample {
   JointVector torque;
 };
 
-/// Reads a log from its start. If the first line holds numbers only, the log has no column names, and its
-/// columns are called 1, 2, 3 and so on. Throws InputError with file, line and column for a log that is not
-/// intact: missing or doubled columns, lines of more than 1 MB, rows of another length, text that is not a
-/// finite number, times that do not rise evenly.
+/// Reads a log from its start. Blank lines before it are skipped. If the first line holds numbers only, the
+/// log has no column names, and its columns are called 1, 2, 3 and so on. Throws InputError with file, line
+/// and column for a log that is not intact: missing or doubled columns, lines of more than 1 MB, rows of
+/// another length, text that is not a finite number, times that do not rise evenly.
 class LogFile {
  public:
   LogFile(const std::string& path, const LogColumns& columns);
@@ -58,7 +58,8 @@ class LogFile {
   LogLines lines_;
   char separator_ = ',';
   std::vector<std::string> header_;
-  bool has_names_ = true;  ///< true if the first line holds the names of the columns
+  long header_line_ = 1;   ///< the first line that is not blank
+  bool has_names_ = true;  ///< true if it holds the names of the columns
   std::vector<std::string_view> cells_;
   std::size_t time_place_ = 0;
   std::vector<std::size_t> position_places_, velocity_places_, torque_places_;

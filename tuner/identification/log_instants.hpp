@@ -1,6 +1,8 @@
 #pragma once
 // A few instants of the logs' filtered motion, spread evenly over all that was read, and the noise of the
 // torques. They allow many comparisons of a log with the robot file without reading the log again.
+// The motion has passed the same filters as the rows of the regression. Behind the first filter alone, the
+// noise of the positions would make accelerations out of nothing for a joint that stands still.
 
 #include <vector>
 
@@ -39,11 +41,10 @@ class Sampled {
 
 class LogInstants {
  public:
-  /// Starts the next log. The arguments are the Euclidean norms of the filters' weights: of the filter that
-  /// the instants' torques come from, and of that of the regression's rows.
-  void begin_log(double filter_norm, double row_filter_norm) {
+  /// Starts the next log. filter_norm: Euclidean norm of the weights of the filters that the instants'
+  /// torques have passed.
+  void begin_log(double filter_norm) {
     filter_norm_ = filter_norm;
-    row_filter_norm_ = row_filter_norm;
     last_.resize(0);
   }
   /// Takes the torques of the next sample (n), as they were logged.
@@ -51,12 +52,10 @@ class LogInstants {
   void add(const LogInstant& instant) { instants_.add(instant); }
 
   const std::vector<LogInstant>& kept() const { return instants_.kept(); }
-  /// Returns the standard deviation of the noise of the instants' torques (n), if it is white in the samples.
-  /// It comes from the median of the second differences. A smooth torque hardly has any, and the edges of
-  /// friction are rare.
+  /// Returns the standard deviation of the noise of the instants' torques (n), which are those of the
+  /// regression's rows, if the noise is white in the samples. It comes from the median of the second
+  /// differences. A smooth torque hardly has any, and the edges of friction are rare.
   JointVector torque_noise() const { return filter_norm_ * logged_torque_noise(); }
-  /// Returns the same for the torques in the regression's rows (n).
-  JointVector row_torque_noise() const { return row_filter_norm_ * logged_torque_noise(); }
 
  private:
   JointVector logged_torque_noise() const;
@@ -65,7 +64,6 @@ class LogInstants {
   Sampled<JointVector> second_differences_;
   JointVector last_, before_last_;
   double filter_norm_ = 1.0;
-  double row_filter_norm_ = 1.0;
 };
 
 }  // namespace armtune::internal

@@ -43,7 +43,10 @@ PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimat
   const Eigen::MatrixXd C = information(base, estimate, prior);
   const Eigen::MatrixXd Q = base.map.transpose() * C * base.map + cone.metric();
   const Eigen::VectorXd c = base.map.transpose() * (C * estimate.theta) + cone.metric() * prior;
-  return cone.minimum(Q, c, {});
+  PhysicalMinimum minimum = cone.minimum(Q, c, {});
+  if (!minimum.theta.allFinite())
+    throw InputError("theta cannot be completed, because the logs excite too little; log more motion");
+  return minimum;
 }
 
 }  // namespace armtune::internal

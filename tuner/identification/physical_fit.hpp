@@ -12,7 +12,8 @@
 namespace armtune::internal {
 
 /// Returns the fitted theta. prior (13 n), valid: the robot file's theta, weighted as if each link were known
-/// within 100 %. Throws InputError if the covariance of the estimate is not positive definite.
+/// within 100 %. Throws InputError if the covariance of the estimate is not positive definite, or if no
+/// finite theta is found.
 PhysicalMinimum physical_fit(const BaseParameters& base, const Estimate& estimate,
                              const ParameterVector& prior);
 

@@ -22,7 +22,8 @@ constexpr double kVelocityMismatch = 0.2;
 constexpr double kSlow = 0.1;
 /// Samples per second of a filtered signal, in units of its cutoff: its content ends at 1.5 of it.
 constexpr double kRate = 4.0;
-
+/// Columns that go through the second filter beside the rows: position, velocity and acceleration.
+constexpr int kMotion = 3;
 /// Longest time between samples [s] that a controller's log is likely to have.
 constexpr double kSlowest = 0.05;
 
@@ -72,8 +73,9 @@ Eigen::Index channels(const RobotModel& model, const LogFile& log) {
   return (log.has_velocities() ? 3 : 2) * static_cast<Eigen::Index>(model.n());
 }
 
-Eigen::Index rows_size(const RobotModel& model, const BaseParameters& base) {
-  return static_cast<Eigen::Index>(model.n()) * (base.rank() + 1);
+/// Every joint's row of the regression and its motion.
+Eigen::Index window_size(const RobotModel& model, const BaseParameters& base) {
+  return static_cast<Eigen::Index>(model.n()) * (base.rank() + 1 + kMotion);
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
       row_filter_(low_pass(options.cutoff, period_ * motion_step_)),
       row_step_(decimation(options.cutoff, period_ * motion_step_)),
       motion_(channels(model, log), motion_filter_.length(), motion_step_),
-      rows_(rows_size(model, base), row_filter_.length(), row_step_),
+      rows_(window_size(model, base), row_filter_.length(), row_step_),
       velocity_products_(JointVector::Zero(model.n())),
       velocity_squares_(JointVector::Zero(model.n())) {
   const double longest = 0.1 * low_pass_half_length(checked(options, log));
@@ -99,7 +101,7 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
     throw InputError(fmt::format("--torque-delay is {} s; at this cutoff it must lie within {:.3g} s of zero",
                                  options.torque_delay, longest));
   }
-  instants_.begin_log(torque_filter_.value.norm(), norm_of_both(torque_filter_, row_filter_, motion_step_));
+  instants_.begin_log(norm_of_both(torque_filter_, row_filter_, motion_step_));
 }
 
 Eigen::VectorXd RowStream::regressor_rows() {
@@ -108,14 +110,13 @@ Eigen::VectorXd RowStream::regressor_rows() {
   const JointVector qd = motion_.sum(motion_filter_.first, 0, n);
   const JointVector qdd = motion_.sum(motion_filter_.second, 0, n);
   const Eigen::VectorXd tau = motion_.sum(torque_filter_.value, n, n);
-  instants_.add({q, qd, qdd, tau});
   if (log_.has_velocities()) compare_velocities(qd);
   forward_kinematics(model_.chain, q, poses_);
   slotine_li_forward(model_.chain, poses_, qd, qd, qdd, slotine_li_);
   slotine_li_regressor(model_.chain, poses_, slotine_li_, Y_);
-  Eigen::MatrixXd rows(n, base_.rank() + 1);
+  Eigen::MatrixXd rows(n, base_.rank() + 1 + kMotion);
   for (int b = 0; b < base_.rank(); ++b) rows.col(b) = Y_.col(base_.independent[static_cast<std::size_t>(b)]);
-  rows.rightCols<1>() = tau;
+  rows.rightCols<1 + kMotion>() << tau, q, qd, qdd;
   return rows.reshaped();
 }
 
@@ -149,7 +150,11 @@ bool RowStream::next(Eigen::MatrixXd& rows) {
     sample << logged->q, logged->torque, logged->qd;
     if (!motion_.push(sample)) continue;
     if (!rows_.push(regressor_rows())) continue;
-    rows = rows_.sum(row_filter_.value, 0, rows_size(model_, base_)).reshaped(n, base_.rank() + 1);
+    const Eigen::MatrixXd all =
+        rows_.sum(row_filter_.value, 0, window_size(model_, base_)).reshaped(n, base_.rank() + 1 + kMotion);
+    rows = all.leftCols(base_.rank() + 1);
+    const auto motion = all.rightCols<kMotion>();
+    instants_.add({motion.col(0), motion.col(1), motion.col(2), rows.rightCols<1>()});
     return true;
   }
   return false;

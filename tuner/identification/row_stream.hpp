@@ -25,7 +25,8 @@ struct RowOptions {
 
 class RowStream {
  public:
-  /// All arguments must outlive the stream. `instants` receives a sample of the filtered motion. Throws
+  /// All arguments must outlive the stream. `instants` receives a sample of the motion and the torques
+  /// behind both filters. Throws
   /// InputError if the cutoff is not above zero, if the log is too coarse for it, or if the torque delay is
   /// too long for it. A log that is too short has no rows.
   RowStream(const RobotModel& model, const BaseParameters& base, LogFile& log, const RowOptions& options,
@@ -45,6 +46,7 @@ class RowStream {
   double row_period() const { return period_ * motion_step_ * row_step_; }
 
  private:
+  /// Returns the newest instant's rows, each with its joint's motion, one column after the other.
   Eigen::VectorXd regressor_rows();
   void compare_velocities(const JointVector& qd);
 

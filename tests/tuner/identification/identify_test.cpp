@@ -16,6 +16,7 @@
 #include "tuner/identification/excitation_design.hpp"
 #include "tuner/identification/excitation_log.hpp"
 #include "tuner/identification/identification_files.hpp"
+#include "tuner/identification/theta_doubts.hpp"
 #include "tuner/run/file_hash.hpp"
 
 namespace armtune::internal {
@@ -101,6 +102,34 @@ class Identify : public ::testing::Test {
     ExcitationLogOptions options;
     options.torque_noise = torque_noise;
     return folder_.write(name, log_csv(arm_, simulate_excitation(scenario, exciting_, options, kNever)));
+  }
+  /// A log in which only some joints move, with torques by inverse dynamics and noise of both sensors.
+  ExcitationLog log_of_some_joints(const std::vector<int>& moving, const ParameterVector& truth,
+                                   double position_noise) const {
+    std::mt19937 generator(39);
+    std::normal_distribution<double> normal;
+    ExcitationLog log;
+    SlotineLi motion;
+    for (double t = 0.0; t < 12.0; t += 0.002) {
+      const MotionPoint<JointVector> all = exciting_.at(t);
+      LogSample sample;
+      sample.time = t;
+      sample.q = exciting_.center;
+      sample.qd = JointVector::Zero(arm_.n());
+      JointVector qdd = JointVector::Zero(arm_.n());
+      for (const int j : moving) {
+        sample.q[j] = all.position[j];
+        sample.qd[j] = all.velocity[j];
+        qdd[j] = all.acceleration[j];
+      }
+      const Poses poses = test::poses_at(arm_.chain, sample.q);
+      slotine_li_forward(arm_.chain, poses, sample.qd, sample.qd, qdd, motion);
+      slotine_li_torque(arm_.chain, poses, motion, truth, sample.torque);
+      sample.torque += test::random_vector(generator, arm_.n(), 0.3);
+      for (double& position : sample.q) position += position_noise * normal(generator);
+      log.samples.push_back(sample);
+    }
+    return log;
   }
   Identification identified(const std::vector<std::string>& logs, const IdentifyOptions& options = {}) {
     return identify(arm_, logs, default_log_columns(arm_), options, kNever);
@@ -272,28 +301,9 @@ TEST_F(Identify, TheResidualsAreThoseOfTheThetaThatIsWritten) {
 }
 
 TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
-  // The other joints stand perfectly still, as encoders show it; torque by inverse dynamics.
+  // The other joints stand perfectly still, as encoders show it.
   const ParameterVector truth = true_theta(differing_arm(39, 1.0));
-  std::mt19937 generator(39);
-  ExcitationLog alone;
-  SlotineLi motion;
-  for (double t = 0.0; t < 12.0; t += 0.002) {
-    const MotionPoint<JointVector> moving = exciting_.at(t);
-    LogSample sample;
-    sample.time = t;
-    sample.q = exciting_.center;
-    sample.qd = JointVector::Zero(arm_.n());
-    JointVector qdd = JointVector::Zero(arm_.n());
-    sample.q[1] = moving.position[1];
-    sample.qd[1] = moving.velocity[1];
-    qdd[1] = moving.acceleration[1];
-    const Poses poses = test::poses_at(arm_.chain, sample.q);
-    slotine_li_forward(arm_.chain, poses, sample.qd, sample.qd, qdd, motion);
-    slotine_li_torque(arm_.chain, poses, motion, truth, sample.torque);
-    sample.torque += test::random_vector(generator, arm_.n(), 0.3);
-    alone.samples.push_back(sample);
-  }
-  const std::string path = folder_.write("alone.csv", log_csv(arm_, alone));
+  const std::string path = folder_.write("alone.csv", log_csv(arm_, log_of_some_joints({1}, truth, 0.0)));
   const Identification found = identified({path});
   const ParameterVector file = theta_of(arm_.chain);
   EXPECT_GT(found.estimate.not_excited.size(), 20U);
@@ -323,6 +333,33 @@ TEST_F(Identify, WhatOneMovingJointDoesNotExciteKeepsItsPriorAndIsListed) {
     if (of_still_joint) {
       EXPECT_TRUE(listed) << found.base.names[static_cast<std::size_t>(b)];
     }
+  }
+}
+
+TEST_F(Identify, ARightLogInWhichAJointStandsStillIsNotDoubted) {
+  const ParameterVector truth = true_theta(differing_arm(41, 1.0));
+  for (int still = 0; still < arm_.n(); ++still) {
+    std::vector<int> moving;
+    for (int j = 0; j < arm_.n(); ++j) {
+      if (j != still) moving.push_back(j);
+    }
+    for (const double noise : {1e-4, 1e-3}) {
+      const std::string path =
+          folder_.write("still.csv", log_csv(arm_, log_of_some_joints(moving, truth, noise)));
+      const Identification found = identified({path});
+      EXPECT_FALSE(found.comparison.mistake.has_value())
+          << still << ", noise " << noise << ": " << to_text(*found.comparison.mistake, arm_);
+      EXPECT_THAT(theta_doubts(arm_, found), testing::IsEmpty()) << still << ", noise " << noise;
+    }
+  }
+}
+
+TEST_F(Identify, ALogWithoutMotionIsRefused) {
+  const ParameterVector truth = true_theta(differing_arm(42, 1.0));
+  for (const double noise : {0.0, 1e-4}) {
+    ExcitationLog still = log_of_some_joints({}, truth, noise);
+    const std::string path = folder_.write("still.csv", log_csv(arm_, still));
+    EXPECT_THAT(test::refusal([&] { identified({path}); }), testing::HasSubstr("no joint moves")) << noise;
   }
 }
 

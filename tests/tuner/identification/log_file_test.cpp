@@ -77,6 +77,21 @@ TEST_F(Logs, AByteOrderMarkIsSkippedAndALastRowNeedsNoLineEnd) {
   EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(7, 8)));
 }
 
+TEST_F(Logs, BlankLinesBeforeTheNamesAreSkippedAndCounted) {
+  const auto samples = read("\n \r\nt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8\n");
+  ASSERT_EQ(samples.size(), 2U);
+  EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(7, 8)));
+  EXPECT_THAT(refused("\n\nt,q1,q2,tau1\n"), HasSubstr("log.csv:3: there is no column 'tau2'"));
+  EXPECT_THAT(refused("\nt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8\n3,5,6,7,8\n"),
+              HasSubstr("log.csv:4: a step of"));
+  EXPECT_THAT(refused("\n\n"), HasSubstr("is empty"));
+}
+
+TEST_F(Logs, AQuotedTextThatGoesOnOverItsLineIsNamed) {
+  EXPECT_THAT(refused("t,q1,q2,tau1,tau2,note\n0,1,2,3,4,\"a\nb\"\n1,5,6,7,8,c\n"),
+              AllOf(HasSubstr("log.csv:2:"), HasSubstr("does not end on its line")));
+}
+
 TEST_F(Logs, TwoColumnsOfOneNameAreRefusedWhereTheyAreNeeded) {
   EXPECT_THAT(refused("t,q1,q2,tau1,tau2,q1\n"), HasSubstr("log.csv:1: two columns are called 'q1'"));
   EXPECT_EQ(read("t,q1,q2,tau1,tau2,note,note\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n").size(), 2U);

@@ -209,6 +209,27 @@ TEST_F(LogMistakes, SentencesHaveTheUnitsOfTheJointsKind) {
   }
 }
 
+TEST_F(LogMistakes, AUnitIsNamedOnlyWhereTheTorquesAreThoseOfAnArmInIt) {
+  const auto refused = [this](double scale) {
+    std::vector<LogInstant> log = log_;
+    for (LogInstant& at : log) at.torque *= scale;
+    return test::refusal([&] { check_units(model_, log, "log.csv"); });
+  };
+  EXPECT_THAT(refused(1000.0), AllOf(HasSubstr("in N mm it would fit"), HasSubstr("scale: 0.001")));
+  for (const double scale : {10.0, 30.0})
+    EXPECT_THAT(refused(scale),
+                AllOf(HasSubstr("effort limit"), HasSubstr("--robot"), Not(HasSubstr("N mm"))))
+        << scale;
+}
+
+TEST_F(LogMistakes, ALogWithoutMotionIsRefused) {
+  for (LogInstant& at : log_) at = log_.front();
+  EXPECT_THAT(test::refusal([&] { check_motion(model_, log_, "log.csv"); }),
+              AllOf(HasSubstr("log.csv: no joint moves"), HasSubstr("armtune excite")));
+  log_.back().q[3] += 0.02;
+  EXPECT_NO_THROW(check_motion(model_, log_, "log.csv"));
+}
+
 TEST_F(LogMistakes, LimitsOfASlidingJointAreForces) {
   model_.chain.motion[1] = JointMotion::kPrismatic;
   for (LogInstant& at : log_) {
