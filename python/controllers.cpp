@@ -25,7 +25,7 @@ struct Period {
 
   const LawState& now() const {
     if (state != nullptr) return *state;
-    throw std::runtime_error("the control period is over: copy what is to be kept");
+    throw std::runtime_error("this control period is over; copy its values while the law is called");
   }
 };
 
@@ -44,7 +44,7 @@ auto told(const std::string& name, Function function) {
   try {
     return function();
   } catch (const py::cast_error&) {
-    throw FailedError(fmt::format("controller {}: what its function returned is no list of numbers", name));
+    throw FailedError(fmt::format("controller {}: its function did not return a list of numbers", name));
   }
 }
 
@@ -63,8 +63,8 @@ class PythonLaw final : public Law {
       return function_(period).cast<Vector>();
     });
     if (given.size() != tau.size())
-      throw FailedError(fmt::format("controller {}: {} torques were returned, the arm has {} joints", name_,
-                                    given.size(), tau.size()));
+      throw FailedError(fmt::format("controller {}: {} torques were returned, but the arm has {} joints",
+                                    name_, given.size(), tau.size()));
     tau = given;
   }
 
@@ -77,7 +77,7 @@ GainShape shape_of(const std::string& word) {
   if (word == "scalar") return GainShape::kScalar;
   if (word == "task") return GainShape::kTask;
   if (word == "joints") return GainShape::kJoints;
-  throw py::value_error(fmt::format("shape: {}, must be scalar, task or joints", word));
+  throw py::value_error(fmt::format("shape: {}; it must be scalar, task or joints", word));
 }
 
 /// A gain's declaration from a dict with the names of GainDeclaration's fields.
@@ -104,7 +104,8 @@ GainDeclaration declared(const py::dict& given) {
     else if (name == "upper_factor")
       gain.upper_factor = value.cast<double>();
     else
-      throw py::value_error(fmt::format("own: a gain has no '{}'", name));
+      throw py::value_error(
+          fmt::format("own: a gain has no key '{}'; see help(armtune.register_controller)", name));
   }
   return gain;
 }
@@ -146,27 +147,34 @@ void bind_controllers(py::module_& module) {
   };
   py::class_<Period, std::shared_ptr<Period>>(
       module, "ControlPeriod", made_by_armtune(),
-      "One control period as a law sees it. It lasts for the call alone.")
-      .def_property_readonly("position", vector(&LawState::position), "q, measured (n) [rad, m]")
-      .def_property_readonly("velocity", vector(&LawState::velocity), "q', measured (n) [rad/s, m/s]")
-      .def_property_readonly("reference_velocity", vector(&LawState::reference_velocity), "qr' (n)")
-      .def_property_readonly("reference_acceleration", vector(&LawState::reference_acceleration), "qr'' (n)")
-      .def_property_readonly("sliding", vector(&LawState::sliding), "S = q' - qr' (n)")
-      .def_property_readonly("damping", vector(&LawState::damping), "Kd of the active state (n)")
+      "The inputs of a law in one control period, valid during the call only.")
+      .def_property_readonly("position", vector(&LawState::position),
+                             "Measured joint positions q (n) [rad, m].")
+      .def_property_readonly("velocity", vector(&LawState::velocity),
+                             "Measured joint velocities q' (n) [rad/s, m/s].")
+      .def_property_readonly("reference_velocity", vector(&LawState::reference_velocity),
+                             "Reference joint velocities qr' (n) [rad/s, m/s].")
+      .def_property_readonly("reference_acceleration", vector(&LawState::reference_acceleration),
+                             "Reference joint accelerations qr'' (n) [rad/s^2, m/s^2].")
+      .def_property_readonly("sliding", vector(&LawState::sliding), "Sliding variable S = q' - qr' (n).")
+      .def_property_readonly("damping", vector(&LawState::damping),
+                             "Damping gains Kd of the active controller state (n).")
       .def_property_readonly(
           "jacobian", [](const Period& self) { return Eigen::MatrixXd(self.now().jacobian()); },
-          "Of the tool (6 x n).")
+          "Jacobian of the tool, linear rows first, in the base frame (6 x n).")
       .def_property_readonly("state", [](const Period& self) { return self.now().state(); })
       .def_property_readonly("tracks_joints", [](const Period& self) { return self.now().tracks_joints(); })
       .def("model_torque", &model_torque, py::arg("v"), py::arg("a"),
-           "M(q) a + C(q, q') v + g(q) + friction(q') (n) of the arm as the controller knows it.");
+           "Returns M(q) a + C(q, q') v + g(q) + friction(q') (n) by the controller's model of the arm.");
   module.def(
       "register_controller", &register_python, py::arg("name"), py::arg("make"), py::kw_only(),
       py::arg("own") = std::vector<py::dict>(), py::arg("uses") = std::vector<std::string>(),
       py::arg("meaning") = "", py::arg("start") = py::none(),
-      "Adds a kind of controller for this process. make(robot, gains, period) returns a function of a ControlPeriod that "
-      "returns the torques (n) [N m, N]. own: dicts with shape (scalar, task, joints), name, unit, meaning, otherwise. "
-      "start(robot, q, gains) sets own gains to begin with.");
+      "Adds a kind of controller in this process. make(robot, gains, period) returns a function that takes "
+      "a ControlPeriod and returns the torques (n) [N m, N]. own: the controller's own gains, each a dict "
+      "with the keys shape (scalar, task or joints), name, unit, meaning and otherwise (default value). "
+      "Optional keys are positive, in_loop, lower_factor and upper_factor. uses: the names of armtune's "
+      "gains that it uses. start(robot, q, gains) sets the start values of its own gains.");
 }
 
 }  // namespace armtune::internal::python

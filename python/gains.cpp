@@ -61,8 +61,9 @@ ForceGains force_gains_of(const std::string& name, const py::object& value, py::
   const bool points = given.ndim() == 1 && given.size() == n;
   const bool rows = given.ndim() == 2 && given.shape(0) == n && given.shape(1) == n;
   if (!points && !rows)
-    throw InputError(fmt::format("{}: {} numbers, must be {}, one for each force point, or {} lists of {}",
-                                 name, given.size(), n, n, n));
+    throw InputError(
+        fmt::format("{}: {} numbers are given; give {}, one for each force point, or {} lists of {}", name,
+                    given.size(), n, n, n));
   return Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
 }
 
@@ -73,7 +74,7 @@ void assign(armtune::Gains& self, const std::string& name, const py::object& val
   } else if (const auto* reference = std::get_if<SlerpReference Gains::*>(&field.member)) {
     const auto word = value.cast<std::string>();
     if (word != "start" && word != "current")
-      throw InputError(fmt::format("{}: '{}' is not start or current", name, word));
+      throw InputError(fmt::format("{}: '{}' is not valid; give start or current", name, word));
     self.inside().** reference = word == "start" ? SlerpReference::kStart : SlerpReference::kCurrent;
   } else {
     const auto values = numbers(self.inside(), field);
@@ -87,7 +88,7 @@ void assign(armtune::Gains& self, const std::string& name, const py::object& val
     }
     const auto given = value.cast<std::vector<double>>();
     if (given.size() != values.size())
-      throw InputError(fmt::format("{}: {} numbers, must be {}", name, given.size(), values.size()));
+      throw InputError(fmt::format("{}: {} numbers are given; give {}", name, given.size(), values.size()));
     std::copy(given.begin(), given.end(), values.begin());
   }
 }
@@ -100,7 +101,8 @@ void set(armtune::Gains& self, const std::string& name, const py::object& value)
     const char* kind = field.is_number()                                     ? "numbers"
                        : std::holds_alternative<bool Gains::*>(field.member) ? "True or False"
                                                                              : "a word";
-    throw py::type_error(fmt::format("{}: {}, must be {}", name, py::repr(value).cast<std::string>(), kind));
+    throw py::type_error(
+        fmt::format("{}: {} is not valid; give {}", name, py::repr(value).cast<std::string>(), kind));
   }
 }
 
@@ -120,15 +122,16 @@ armtune::GainsFormat format_of(const std::string& name) {
 
 void bind_gains(py::module_& module) {
   py::class_<armtune::Gains>(module, "Gains", made_by_armtune(),
-                             "A controller's gains for one arm, by the names of its gains file.")
+                             "The gains of a controller for one arm, by the names in a gains file.")
       .def_property_readonly("joints", &armtune::Gains::joints,
                              "Names of the arm's joints, in the order of joint vectors.")
       .def_property_readonly("controller",
                              [](const armtune::Gains& self) { return self.inside().controller; })
       .def("keys", &names, "Names of the gains.")
       .def("__getitem__", &get, py::arg("name"),
-           "Numbers: a NumPy array onto them, without a copy, so that writing into it changes the gains. "
-           "force_control_gains is n x n where each force point has a gain for every joint.")
+           "Returns the numbers of a gain as a NumPy array. Writing into the array changes the gains. "
+           "Switches and words are returned as bool and str. force_control_gains is n x n if each force "
+           "point has a gain for every joint.")
       .def("__setitem__", &set, py::arg("name"), py::arg("value"))
       .def("__iter__", [](const armtune::Gains& self) { return py::iter(py::cast(names(self))); })
       .def("__contains__",
@@ -143,13 +146,14 @@ void bind_gains(py::module_& module) {
       .def(
           "text",
           [](const armtune::Gains& self, const std::string& format) { return self.text(format_of(format)); },
-          py::arg("format") = "yaml", "The gains as a file: yaml, ros1 or ros2.")
+          py::arg("format") = "yaml", "Returns the text of a gains file in the format yaml, ros1 or ros2.")
       .def(
           "save",
           [](const armtune::Gains& self, const std::filesystem::path& path, const std::string& format) {
             self.save(path.string(), format_of(format));
           },
-          py::arg("path"), py::arg("format") = "yaml", "Writes that, whole or not at all.")
+          py::arg("path"), py::arg("format") = "yaml",
+          "Writes a gains file. After an error there is no partial file.")
       .def("__repr__", [](const armtune::Gains& self) {
         return fmt::format("<armtune.Gains of {} for {} joints>", self.inside().controller,
                            self.joints().size());
@@ -160,7 +164,7 @@ void bind_gains(py::module_& module) {
         return armtune::Gains::load(name.string(), scenario.robot());
       },
       py::arg("name"), py::arg("scenario"),
-      "Bundled gains by name, or a gains file by path, for a scenario's arm.");
+      "Loads bundled gains by name, or a gains file by path, for the arm of a scenario.");
 }
 
 }  // namespace armtune::internal::python

@@ -22,24 +22,24 @@ namespace armtune::internal::python {
 namespace {
 
 void bind_plan(py::module_& module) {
-  py::class_<PlanLimit>(module, "PlanLimit", made_by_armtune(), "How far a plan uses one of its limits.")
+  py::class_<PlanLimit>(module, "PlanLimit", made_by_armtune(), "The share of one limit that a plan uses.")
       .def_readonly("limit", &PlanLimit::limit)
       .def_readonly("part", &PlanLimit::part, "The joint or axis.")
-      .def_readonly("used", &PlanLimit::used, "Largest share of it at any time: 1 at the limit.")
-      .def_readonly("time", &PlanLimit::time, "Of that [s]; nan: at a knot.")
-      .def_readonly("binds", &PlanLimit::binds, "It holds the motion back somewhere.");
-  py::class_<Plan>(module, "Plan", made_by_armtune(), "A motion of n joints at N moments.")
+      .def_readonly("used", &PlanLimit::used, "Largest share of the limit used at any time; 1: at the limit.")
+      .def_readonly("time", &PlanLimit::time, "When that share is used [s]; nan: at a knot.")
+      .def_readonly("binds", &PlanLimit::binds, "True if the limit restricts the motion somewhere.");
+  py::class_<Plan>(module, "Plan", made_by_armtune(), "A planned motion of n joints at N times.")
       .def_readonly("solved", &Plan::solved)
       .def_readonly("status", &Plan::status)
       .def_property_readonly("headline", [](const Plan& self) { return as_utf8(self.headline); })
-      .def_readonly("duration", &Plan::duration, "[s]")
+      .def_readonly("duration", &Plan::duration, "Duration [s].")
       .def_readonly("joints", &Plan::joints)
-      .def_readonly("time", &Plan::time, "N [s]")
-      .def_readonly("position", &Plan::position, "N lists of n [rad, m]")
-      .def_readonly("velocity", &Plan::velocity, "N lists of n [rad/s, m/s]")
-      .def_readonly("effort", &Plan::effort, "N lists of n [N m, N]")
-      .def_readonly("limits", &Plan::limits, "Those that hold it back first.")
-      .def_readonly("files", &Plan::files, "Names of those in the run's folder.");
+      .def_readonly("time", &Plan::time, "N times [s].")
+      .def_readonly("position", &Plan::position, "N lists of n positions [rad, m].")
+      .def_readonly("velocity", &Plan::velocity, "N lists of n velocities [rad/s, m/s].")
+      .def_readonly("effort", &Plan::effort, "N lists of n efforts [N m, N].")
+      .def_readonly("limits", &Plan::limits, "Use of every limit, those that restrict the motion first.")
+      .def_readonly("files", &Plan::files, "Names of the files in the run folder.");
   module.def(
       "plan",
       [](const std::filesystem::path& task, const MaybePath& folder, py::object progress) {
@@ -52,16 +52,16 @@ void bind_plan(py::module_& module) {
 }
 
 void bind_identify(py::module_& module) {
-  py::class_<Residuals>(module, "Residuals", made_by_armtune(), "RMS torques of every joint [N m, N].")
-      .def_readonly("torque", &Residuals::torque, "The measured torque itself.")
-      .def_readonly("by_theta", &Residuals::by_theta, "Left unexplained by what was identified.")
-      .def_readonly("by_file", &Residuals::by_file, "Left unexplained by the robot as it was given.");
-  py::class_<Identified>(module, "Identified", made_by_armtune(), "An arm's parameters from logs.")
-      .def_readonly("theta", &Identified::theta, "13 numbers for each joint, of an arm that can exist.")
-      .def_readonly("fitted", &Identified::fitted, "On the samples of the fit.")
-      .def_readonly("held_out", &Identified::held_out, "On those left out of it.")
-      .def_readonly("doubts", &Identified::doubts, "Why the logs may not be of this arm.")
-      .def_readonly("files", &Identified::files, "Names of those in the run's folder.");
+  py::class_<Residuals>(module, "Residuals", made_by_armtune(), "RMS torques of each joint [N m, N].")
+      .def_readonly("torque", &Residuals::torque, "The measured torque.")
+      .def_readonly("by_theta", &Residuals::by_theta, "The part not explained by the identified parameters.")
+      .def_readonly("by_file", &Residuals::by_file, "The part not explained by the given robot.");
+  py::class_<Identified>(module, "Identified", made_by_armtune(), "An arm's parameters, found from logs.")
+      .def_readonly("theta", &Identified::theta, "13 parameters for each joint, physically possible.")
+      .def_readonly("fitted", &Identified::fitted, "Residuals on the samples used in the fit.")
+      .def_readonly("held_out", &Identified::held_out, "Residuals on the samples left out of the fit.")
+      .def_readonly("doubts", &Identified::doubts, "Why the logs may be of another arm, one sentence each.")
+      .def_readonly("files", &Identified::files, "Names of the files in the run folder.");
   module.def(
       "identify",
       [](const Robot& robot, const std::vector<std::filesystem::path>& logs, const MaybePath& columns,
@@ -75,7 +75,7 @@ void bind_identify(py::module_& module) {
       py::arg("robot"), py::arg("logs"), py::kw_only(), py::arg("columns") = py::none(),
       py::arg("robust") = false, py::arg("accept") = false, py::arg("folder") = py::none(),
       py::arg("progress") = py::none(),
-      "Identifies an arm from logs of its motion. columns: a YAML file that names theirs.");
+      "Identifies an arm from logs of its motion. columns: a YAML file that names the columns of the logs.");
 }
 
 }  // namespace
@@ -91,11 +91,11 @@ void bind_models(py::module_& module) {
       [](const std::filesystem::path& folder, const std::filesystem::path& path) {
         write_report(folder.string(), path.string());
       },
-      py::arg("folder"), py::arg("path"),
-      "Writes the page of a run's folder to a path that does not exist yet.");
-  module.def("versions", &armtune::versions, "(name, version) of armtune and every library in use.");
+      py::arg("folder"), py::arg("path"), "Writes the report page of a run folder to a new file.");
+  module.def("versions", &armtune::versions,
+             "Returns (name, version) of armtune and of every library in use.");
   module.def("bundled", &armtune::bundled, py::arg("folder"),
-             "Names of what is bundled: robots, scenarios, gains, studies, tasks, theta.");
+             "Returns names of bundled files. folder: robots, scenarios, gains, studies, tasks or theta.");
 }
 
 }  // namespace armtune::internal::python

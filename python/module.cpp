@@ -17,7 +17,8 @@ namespace armtune::internal::python {
 namespace {
 
 PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
-  PyErr_Format(PyExc_TypeError, "%s: only armtune's functions, such as load_scenario and simulate, make one",
+  PyErr_Format(PyExc_TypeError,
+               "%s: cannot be created directly; functions of armtune return it, such as simulate",
                type->tp_name);
   return nullptr;
 }
@@ -26,7 +27,7 @@ PyObject* refuse_new(PyTypeObject* type, PyObject*, PyObject*) {
 
 void raise_interrupted(py::object result) {
   const py::object type = py::module_::import("armtune").attr("Interrupted");
-  const py::object error = type("interrupted; .result has what was found");
+  const py::object error = type("interrupted; the attribute 'result' holds what was found");
   error.attr("result") = std::move(result);
   PyErr_SetObject(type.ptr(), error.ptr());
   throw py::error_already_set();
@@ -39,12 +40,12 @@ void issue_warnings(const std::vector<std::string>& sentences) {
 }
 
 void bind_progress(py::module_& module) {
-  py::class_<Progress>(module, "Progress", made_by_armtune(), "How far a part of the work is.")
-      .def_readonly("work", &Progress::work, "What is done.")
+  py::class_<Progress>(module, "Progress", made_by_armtune(), "Progress of one part of the work.")
+      .def_readonly("work", &Progress::work, "Name of the part.")
       .def_readonly("done", &Progress::done)
-      .def_readonly("all", &Progress::all, "Units of done; 0: not known.")
-      .def_readonly("seconds_left", &Progress::seconds_left, "About; nan: not known.")
-      .def_readonly("detail", &Progress::detail, "The best so far, or where the work stands.");
+      .def_readonly("all", &Progress::all, "Final value of done; 0 if not known.")
+      .def_readonly("seconds_left", &Progress::seconds_left, "Estimated time left [s]; nan if not known.")
+      .def_readonly("detail", &Progress::detail, "The best result so far, or the state of the work.");
 }
 
 py::custom_type_setup made_by_armtune() {
@@ -78,7 +79,8 @@ PYBIND11_MODULE(_armtune, module) {
   py::module_::import("atexit").attr("register")(py::cpp_function(&python::end_all_work));
   module.def(
       "arithmetic", [] { return std::pair(arithmetic().level, arithmetic().fingerprint); },
-      "Which variants of sin, exp ... this process computes with: level and fingerprint.");
+      "Returns level and fingerprint of the variants of sin, exp ... that this process uses.");
   module.def("baseline_tunables", &baseline_tunables, py::arg("set"),
-             "A value of GLIBC_TUNABLES that asks for the variants that every x86-64 processor has.");
+             "Returns a value of GLIBC_TUNABLES that selects the variants of every x86-64 processor. set: "
+             "the user's value.");
 }

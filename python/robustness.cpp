@@ -19,18 +19,19 @@ using armtune::Scenario;
 
 void bind_robustness(py::module_& module) {
   py::class_<RobustnessSample>(module, "RobustnessSample", made_by_armtune(),
-                               "One random arm in every scenario.")
+                               "One random arm, simulated in every scenario.")
       .def_readonly("number", &RobustnessSample::number)
-      .def_readonly("rollouts", &RobustnessSample::rollouts, "One for each scenario, without recordings.")
+      .def_readonly("rollouts", &RobustnessSample::rollouts,
+                    "One rollout for each scenario, without recordings.")
       .def_readonly("broken", &RobustnessSample::broken,
-                    "The limit that was broken first in each scenario; empty: none.")
+                    "For each scenario the limit that was broken first; empty if none was.")
       .def_property_readonly("keeps_all", &RobustnessSample::keeps_all);
-  py::class_<Robustness>(module, "Robustness", made_by_armtune(), "Gains on random arms.")
+  py::class_<Robustness>(module, "Robustness", made_by_armtune(), "Results of gains on random arms.")
       .def_readonly("samples", &Robustness::samples)
       .def_property_readonly("yield_", &Robustness::yield,
                              "Share of the samples that keep every limit; nan without samples.")
       .def_readonly("verdict", &Robustness::verdict)
-      .def_readonly("files", &Robustness::files, "Names of those in the run's folder.");
+      .def_readonly("files", &Robustness::files, "Names of the files in the run folder.");
   module.def(
       "robustness",
       [](const std::vector<Scenario>& scenarios, const Gains& gains, std::uint64_t samples,
@@ -47,17 +48,19 @@ void bind_robustness(py::module_& module) {
       py::arg("perturbation") = std::map<std::string, double>(), py::arg("engine") = "simbody",
       py::arg("folder") = py::none(), py::arg("resume") = false, py::arg("workers") = 1,
       py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Gains on arms that differ at random. perturbation: widths of mass, center, inertia, rotor, friction, payload, delay, noise, theta, target_speed.");
+      "Simulates gains on random arms. perturbation: widths of the random differences by name: mass, center, "
+      "inertia, rotor, friction, payload, delay, noise, theta, target_speed. Names left out have default "
+      "widths.");
 
   py::class_<Margin>(module, "Margin", made_by_armtune(),
-                     "How far one quantity can be pushed in one scenario.")
+                     "A stability margin: how far one quantity can change in one scenario.")
       .def_readonly("kind", &Margin::kind)
       .def_readonly("unit", &Margin::unit)
       .def_readonly("scenario", &Margin::scenario)
       .def_readonly("nominal", &Margin::nominal)
-      .def_readonly("stands", &Margin::stands, "The last value that stood; None: not even the nominal one.")
+      .def_readonly("stands", &Margin::stands, "The last value that passed; None if the nominal value fails.")
       .def_readonly("fails", &Margin::fails,
-                    "Its neighbour that did not; None: everything that was tried stood.")
+                    "The next value, which failed; None if every value tried passed.")
       .def_readonly("reason", &Margin::reason)
       .def("__repr__", [](const Margin& self) {
         return as_utf8(fmt::format("<armtune.Margin {} in {}: {} {}>", self.kind, self.scenario,
@@ -75,7 +78,8 @@ void bind_robustness(py::module_& module) {
       },
       py::arg("scenarios"), py::arg("gains"), py::kw_only(), py::arg("engine") = "simbody",
       py::arg("workers") = 1, py::arg("progress") = py::none(),
-      "The stability margins of the closed loop in each scenario: delay, gain, control rate, velocity noise.");
+      "Finds the stability margins of the closed loop in each scenario: delay, gain, control rate and "
+      "velocity noise.");
 }
 
 }  // namespace armtune::internal::python

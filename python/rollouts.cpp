@@ -26,7 +26,7 @@ py::object column(const py::object& self, const std::string& name) {
   const std::vector<std::string>& names = rollout.columns();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw py::key_error(fmt::format("{}: no such column; rollout.keys() names them", name));
+    throw py::key_error(fmt::format("{}: no such column; rollout.keys() lists the columns", name));
   const auto place = static_cast<std::size_t>(found - names.begin());
   return view(rollout.values().data() + place, rollout.rows(), names.size(), self, false);
 }
@@ -72,7 +72,7 @@ py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object
   try {
     sets = gains.cast<std::vector<Gains>>();
   } catch (const py::cast_error&) {
-    throw py::type_error("gains: must be Gains or a list of them");
+    throw py::type_error("gains: must be a Gains object or a list of them");
   }
   return py::cast(watched(std::move(progress), [&](const Watch& watch) {
     options.watch = watch;
@@ -83,37 +83,37 @@ py::object simulate_any(const std::vector<Scenario>& scenarios, const py::object
 std::string errors_text(const std::vector<const Rollout*>& rollouts) {
   std::vector<Rollout> all;
   for (const Rollout* rollout : rollouts) {
-    if (rollout == nullptr) throw py::type_error("rollouts: None is no Rollout");
+    if (rollout == nullptr) throw py::type_error("rollouts: None is in the list; give Rollout objects only");
     all.push_back(*rollout);
   }
   return armtune::errors_csv(all);
 }
 
 void bind_scenario(py::module_& module) {
-  py::class_<Robot>(module, "Robot", made_by_armtune(), "An arm: joints and limits.")
+  py::class_<Robot>(module, "Robot", made_by_armtune(), "An arm with its joints and limits.")
       .def_property_readonly("name", [](const Robot& self) { return as_utf8(self.name()); })
       .def_property_readonly("joints", &Robot::joints,
-                             "Names, from the base to the tool: the order of joint vectors.")
+                             "Joint names from the base to the tool, in the order of joint vectors.")
       .def_property_readonly("velocity_limits", &Robot::velocity_limits, "[rad/s, m/s]")
       .def_property_readonly("effort_limits", &Robot::effort_limits, "[N m, N]")
       .def_property_readonly("lower_position_limits", &Robot::lower_position_limits, "[rad, m]")
       .def_property_readonly("upper_position_limits", &Robot::upper_position_limits, "[rad, m]");
   module.def(
       "load_robot", [](const std::filesystem::path& name) { return Robot::load(name.string()); },
-      py::arg("name"), "A bundled robot by name, or a robot file or URDF by path.");
+      py::arg("name"), "Loads a bundled robot by name, or a robot file or URDF by path.");
 
   py::class_<Scenario>(module, "Scenario", made_by_armtune(),
-                       "A task for an arm: path, targets, obstacles, and what is not ideal.")
+                       "A task for an arm: path, targets, obstacles and disturbances.")
       .def_property(
           "name", [](const Scenario& self) { return as_utf8(self.name()); }, &Scenario::set_name,
-          "What its results are called by: of two variants that are simulated together one needs another.")
+          "Name of its results. Scenarios that are simulated together need different names.")
       .def_property("duration", &Scenario::duration, &Scenario::set_duration, "Simulated time [s].")
-      .def_property_readonly("control_period", &Scenario::control_period, "[s]")
+      .def_property_readonly("control_period", &Scenario::control_period, "Control period [s].")
       .def_property_readonly("robot", &Scenario::robot)
       .def_property_readonly("joints", [](const Scenario& self) { return self.robot().joints(); });
   module.def(
       "load_scenario", [](const std::filesystem::path& name) { return Scenario::load(name.string()); },
-      py::arg("name"), "A bundled scenario by name, or a file by path.");
+      py::arg("name"), "Loads a bundled scenario by name, or a file by path.");
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ void bind_scenario(py::module_& module) {
 armtune::Engine engine_of(const std::string& name) {
   if (name == "simbody") return armtune::Engine::kSimbody;
   if (name == "native") return armtune::Engine::kNative;
-  throw py::value_error(fmt::format("engine: {}, must be simbody or native", name));
+  throw py::value_error(fmt::format("engine: {}; it must be simbody or native", name));
 }
 
 void bind_rollouts(py::module_& module) {
@@ -129,46 +129,49 @@ void bind_rollouts(py::module_& module) {
   py::class_<Rollout>(module, "Rollout", made_by_armtune(),
                       "A simulated scenario: its outcome, metrics and time series.")
       .def_property_readonly("scenario", [](const Rollout& self) { return as_utf8(self.scenario()); })
-      .def_property_readonly("status", &Rollout::status, "'completed', or what became of it.")
+      .def_property_readonly("status", &Rollout::status,
+                             "completed, diverged, no_samples (the task was never tracked) or interrupted.")
       .def_property_readonly("completed", &Rollout::completed)
       .def_property_readonly(
           "reason", [](const Rollout& self) { return as_utf8(self.reason()); },
-          "When, where and why it ended; empty if completed.")
+          "When, where and why it did not complete; empty if it completed.")
       .def_property_readonly("metrics", &Rollout::metrics,
-                             "Every metric by name, SI units; nan where there is no value.")
+                             "Every metric by name, in SI units; nan if it has no value.")
       .def_property_readonly(
           "broken_limits", &Rollout::broken_limits,
-          "The arm's own limits that were passed, each in a sentence; None where nobody looked: of several gain sets, random arms and own objectives.")
+          "The arm's limits that were exceeded, one sentence each. None if they were not checked: for "
+          "several gain sets, random arms, and objectives of your own.")
       .def_property_readonly(
           "columns", &columns,
           "All columns by name, as read-only NumPy arrays without a copy: pandas.DataFrame(rollout.columns).")
       .def("keys", &Rollout::columns, "Names of the columns.")
       .def("__getitem__", &column, py::arg("name"),
-           "A column as a read-only NumPy array onto the rollout's own numbers, without a copy.")
+           "Returns a column as a read-only NumPy array, without a copy.")
       .def("__contains__",
            [](const Rollout& self, const std::string& name) {
              return std::find(self.columns().begin(), self.columns().end(), name) != self.columns().end();
            })
       .def("__iter__", [](const Rollout& self) { return py::iter(py::cast(self.columns())); })
-      .def("__len__", &Rollout::rows, "Rows: recorded moments.")
+      .def("__len__", &Rollout::rows, "Number of rows, one for each recorded time.")
       .def("__bool__", [](const Rollout&) { return true; })
       .def("__repr__", [](const Rollout& self) { return as_utf8(repr_of(self)); });
   module.def(
       "simulate", &simulate_any, py::arg("scenarios"), py::arg("gains"), py::kw_only(),
       py::arg("engine") = "simbody", py::arg("workers") = 1, py::arg("record_every") = 5,
       py::arg("stepper") = "midpoint", py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "Scenarios under gains, in parallel: a list of rollouts. With a list of gains a list of such lists, without "
-      "recordings; in the native engine several of them share a processor's vector registers.");
+      "Simulates scenarios in parallel and returns a list of rollouts. If gains is a list, it returns one "
+      "such list for each gain set, without recordings. The native engine then computes several rollouts "
+      "side by side in a processor's vector registers.");
   module.def(
       "errors_csv",
       [](const std::vector<const Rollout*>& rollouts) { return as_utf8(errors_text(rollouts)); },
-      py::arg("rollouts"), "The text of errors.csv: one row per rollout, every metric.");
+      py::arg("rollouts"), "Returns the text of errors.csv: one row for each rollout, with every metric.");
   module.def(
       "write_errors",
       [](const std::vector<const Rollout*>& rollouts, const std::filesystem::path& path) {
         write_text_file(path.string(), errors_text(rollouts));
       },
-      py::arg("rollouts"), py::arg("path"), "Writes errors.csv, whole or not at all.");
+      py::arg("rollouts"), py::arg("path"), "Writes errors.csv. After an error there is no partial file.");
 }
 
 }  // namespace armtune::internal::python

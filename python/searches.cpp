@@ -70,17 +70,17 @@ py::array coordinates(const Tuned& tuned) {
 
 void bind_verdict(py::module_& module) {
   py::class_<Check>(module, "Check", made_by_armtune(),
-                    "One simulation check that was made, with its worst place.")
+                    "One simulation check, with the scenario, joint and time of its worst value.")
       .def_property_readonly("name", [](const Check& self) { return name(self.kind); })
       .def_readonly("passed", &Check::passed)
       .def_readonly("scenario", &Check::scenario)
       .def_readonly("arm", &Check::arm)
       .def_readonly("joint", &Check::joint)
-      .def_readonly("time", &Check::time, "[s]; nan where it says nothing")
+      .def_readonly("time", &Check::time, "Time of the value [s]; nan if it has no time.")
       .def_readonly("value", &Check::value)
       .def_readonly("threshold", &Check::threshold)
       .def_readonly("unit", &Check::unit)
-      .def_readonly("detail", &Check::detail, "One clause, such as the constraint's name.")
+      .def_readonly("detail", &Check::detail, "Further information, such as the name of the constraint.")
       .def("__str__", [](const Check& self) { return as_utf8(to_text(self)); });
   py::class_<Verdict>(module, "Verdict", made_by_armtune(),
                       "Which simulation checks passed, what was not checked, and what the checks assume.")
@@ -94,33 +94,34 @@ void bind_verdict(py::module_& module) {
 
 void bind_study(py::module_& module) {
   py::class_<Study>(module, "Study", made_by_armtune(),
-                    "What is tuned, over which scenarios, for what, inside which limits.")
+                    "The gains to tune, the scenarios, the objective and the constraints.")
       .def_property_readonly("name", [](const Study& self) { return as_utf8(self.name()); })
       .def_property_readonly("scenarios", &Study::scenarios)
       .def_property_readonly("start", &Study::start)
-      .def_property_readonly("parameters", &Study::parameters, "Names of the numbers that are tuned.")
+      .def_property_readonly("parameters", &Study::parameters, "Names of the tuned numbers.")
       .def_property("max_evaluations", &Study::max_evaluations, &Study::set_max_evaluations,
-                    "Budget, start and sweep included.")
+                    "Budget of evaluations; those of the start and of the sweep count too.")
       .def_property(
           "seed", &Study::seed,
           [](Study& self, std::int64_t seed) {
-            if (seed < 0) throw py::value_error(fmt::format("seed: {}, must not be negative", seed));
+            if (seed < 0) throw py::value_error(fmt::format("seed: {}; it must not be negative", seed));
             self.set_seed(static_cast<std::uint64_t>(seed));
           },
-          "Of algorithms that draw random numbers.");
+          "Seed of algorithms that use random numbers.");
   module.def(
       "load_study",
       [](const std::filesystem::path& name, const std::string& controller) {
         return Study::load(name.string(), controller);
       },
       py::arg("name"), py::arg("controller") = "",
-      "A bundled study by name, or a file by path; with another controller than its gains are for.");
+      "Loads a bundled study by name, or a file by path. controller: the controller to tune, if not the "
+      "study's.");
   module.def(
       "make_study", &make_study, py::arg("description"), py::kw_only(), py::arg("scenarios") = py::none(),
       py::arg("gains") = py::none(), py::arg("objective") = py::none(),
-      "A study of a dict (or text) with the keys of a study file. scenarios, gains: in place of those keys. "
-      "objective: a function of a list of rollouts, one for each scenario, that returns a number above zero; less is "
-      "better. It takes the place of the key 'objective'.");
+      "Makes a study from a dict or text with the keys of a study file. scenarios, gains: replace the keys "
+      "'scenarios' and 'gains'. objective: a function that replaces the key 'objective'. It takes a list of "
+      "rollouts, one for each scenario, and returns a number above zero; less is better.");
 }
 
 }  // namespace
@@ -128,19 +129,19 @@ void bind_study(py::module_& module) {
 void bind_searches(py::module_& module) {
   bind_verdict(module);
   bind_study(module);
-  py::class_<Tuned>(module, "Tuned", made_by_armtune(), "A search that is over.")
-      .def_readonly("start", &Tuned::start, "The gains it began with.")
-      .def_readonly("best", &Tuned::best, "The best gains: feasible, if any were.")
-      .def_readonly("objective", &Tuned::objective, "Of the best; the start scores 1.")
-      .def_readonly("feasible", &Tuned::feasible, "Whether the best keeps every limit of the study.")
+  py::class_<Tuned>(module, "Tuned", made_by_armtune(), "The result of a search.")
+      .def_readonly("start", &Tuned::start, "The start gains.")
+      .def_readonly("best", &Tuned::best, "The best gains; feasible if any evaluated gains were.")
+      .def_readonly("objective", &Tuned::objective, "Objective of the best gains; 1 for the start gains.")
+      .def_readonly("feasible", &Tuned::feasible, "True if the best gains keep every constraint.")
       .def_property_readonly(
           "reason", [](const Tuned& self) { return as_utf8(self.reason); }, "Why the search ended.")
       .def_property_readonly(
           "objectives", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::objective); },
-          "Of every evaluation, in order.")
+          "Objective of every evaluation, in order.")
       .def_property_readonly(
           "violations", [](const Tuned& self) { return numbers_of(self.evaluations, &TunePoint::violation); },
-          "Sum of relative violations of the limits; 0: feasible.")
+          "Sum of the relative violations of the constraints, of every evaluation; 0: feasible.")
       .def_property_readonly(
           "engines",
           [](const Tuned& self) {
@@ -149,14 +150,14 @@ void bind_searches(py::module_& module) {
               engines.emplace_back(point.engine == armtune::Engine::kNative ? "native" : "simbody");
             return engines;
           },
-          "That gave them: of a study that searches in the native engine, the objective is Simbody's.")
-      .def_readonly("parameters", &Tuned::parameters, "Names of a point's coordinates.")
+          "Engine of every evaluation. Tuned.objective is always from Simbody.")
+      .def_readonly("parameters", &Tuned::parameters, "Names of the coordinates of a point.")
       .def_property_readonly("points", &coordinates,
-                             "Search coordinates, a row for each evaluation: 0 lower, 1 upper bound.")
-      .def_readonly("before", &Tuned::before, "Fresh rollouts of the start, without recordings.")
-      .def_readonly("after", &Tuned::after, "Fresh rollouts of the best, without recordings.")
-      .def_readonly("verdict", &Tuned::verdict, "Of the simulation checks.")
-      .def_readonly("files", &Tuned::files, "Names of those in the run's folder.");
+                             "Coordinates, one row for each evaluation: 0 is the lower, 1 the upper bound.")
+      .def_readonly("before", &Tuned::before, "Fresh rollouts of the start gains, without recordings.")
+      .def_readonly("after", &Tuned::after, "Fresh rollouts of the best gains, without recordings.")
+      .def_readonly("verdict", &Tuned::verdict, "Verdict of the simulation checks.")
+      .def_readonly("files", &Tuned::files, "Names of the files in the run folder.");
   module.def(
       "tune",
       [](const Study& study, const MaybePath& folder, bool resume, int workers, bool analysis,
@@ -170,18 +171,20 @@ void bind_searches(py::module_& module) {
       py::arg("study"), py::kw_only(), py::arg("folder") = py::none(), py::arg("resume") = false,
       py::arg("workers") = 1, py::arg("analysis") = true, py::arg("deadline") = 0.0,
       py::arg("progress") = py::none(),
-      "Runs a study; the same result for any number of workers. folder: a new one for all files of the run. analysis: margins, "
-      "sensitivity and the checks that take long.");
+      "Runs a study. The result does not depend on the number of workers. folder: new folder for all files "
+      "of the run. analysis: also compute margins, sensitivity and the checks that take long.");
 
-  py::class_<FrontPoint>(module, "FrontPoint", made_by_armtune(), "Gains of a front.")
+  py::class_<FrontPoint>(module, "FrontPoint", made_by_armtune(), "One point of a front.")
       .def_readonly("gains", &FrontPoint::gains)
-      .def_readonly("values", &FrontPoint::values, "Of the criteria, in their units.");
-  py::class_<Front>(module, "Front", made_by_armtune(), "What less of one criterion costs in another.")
+      .def_readonly("values", &FrontPoint::values, "Values of the criteria, in their units.");
+  py::class_<Front>(module, "Front", made_by_armtune(),
+                    "A Pareto front: what a lower value of one criterion costs in another.")
       .def_readonly("points", &Front::points,
-                    "Feasible ones that no other dominates, ascending in the first criterion.")
+                    "Feasible points that no other dominates, ascending in the first criterion.")
       .def_readonly("start", &Front::start)
-      .def_readonly("hypervolume", &Front::hypervolume, "Below the start.")
-      .def_readonly("files", &Front::files, "Names of those in the run's folder.");
+      .def_readonly("hypervolume", &Front::hypervolume,
+                    "Hypervolume that the points dominate, with the start as reference.")
+      .def_readonly("files", &Front::files, "Names of the files in the run folder.");
   module.def(
       "front",
       [](const Study& study, const std::vector<std::string>& criteria, const MaybePath& folder, bool resume,
@@ -195,7 +198,8 @@ void bind_searches(py::module_& module) {
       py::arg("study"), py::arg("criteria"), py::kw_only(), py::arg("folder") = py::none(),
       py::arg("resume") = false, py::arg("workers") = 1, py::arg("levels") = 0,
       py::arg("max_evaluations") = 0, py::arg("deadline") = 0.0, py::arg("progress") = py::none(),
-      "The trade-off of two or three criteria, each a metric's name or 'objective'. 0: levels and budget by default.");
+      "Searches the Pareto front of two or three criteria, each the name of a metric or 'objective'. levels: "
+      "number of levels of each criterion but the first. levels, max_evaluations: 0 for the default.");
 }
 
 }  // namespace armtune::internal::python

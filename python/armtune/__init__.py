@@ -23,7 +23,7 @@ __version__ = dict(versions())["armtune"]
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in a function that works for long: `result` has what it had found."""
+    """Raised by Ctrl-C in a long-running function. `result` holds what was found until then."""
 
     result: object
 

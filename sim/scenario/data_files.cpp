@@ -52,7 +52,8 @@ std::string portable_reference(const std::string& path) {
   std::string reference = bundled ? stem(path) : absolute_path(path);
   if (!is_utf8(reference)) {
     throw InputError(fmt::format(
-        "{}: the path is not UTF-8, so that no file could name it; rename the folder", reference));
+        "{}: the path is not UTF-8 and cannot be written into a file; rename the file or its folder",
+        reference));
   }
   return reference;
 }
@@ -98,8 +99,8 @@ std::string find_data_file(const std::string& folder, const std::string& name_or
   if (name_or_path.size() <= kLongestName && is_there(bundled)) return bundled;
   const auto names = bundled_names(folder);
   throw InputError(
-      fmt::format("no bundled file '{}' in {}{}; there are: {}; a file of your own is given by its "
-                  "path, ending in {}",
+      fmt::format("there is no bundled file '{0}' in {1}; the bundled files are: {3}. To use your own file, "
+                  "give its path, for example ./mine{4}{2}",
                   name_or_path, folder, suggestion(name_or_path, names), fmt::join(names, " "), kExtension));
 }
 

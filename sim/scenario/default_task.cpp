@@ -107,19 +107,21 @@ class Placing {
       const JointInfo& joint = arm_.joints[static_cast<std::size_t>(loaded_)];
       const Vec3& tool = lightest_.tool;
       return fmt::format(
-          "joint '{}' needs {:.3g} of {:.3g} to hold the arm with its tool at ({:.3g}, {:.3g}, {:.3g}) m, and no "
-          "lighter task was found; check its effort limit and the masses",
+          "joint '{}' needs an effort of {:.3g} (limit {:.3g}) to hold the arm with its tool at ({:.3g}, "
+          "{:.3g}, {:.3g}) m, and no task with less load was found; check this limit and the masses",
           joint.name, lightest_.value * joint.limits.effort, joint.limits.effort, tool.x(), tool.y(),
           tool.z());
     }
     if (nears_ > lows_) return fmt::format("on the circles that {} can follow, {}", arm_.name, near_);
     if (lows_ > 0) {
       return fmt::format(
-          "the circles that {} can follow are less than {} m above the floor, which is at a height of {:.3g} m in the "
-          "base frame; --floor puts it elsewhere",
+          "the circles that {} can follow are less than {} m above the floor, which is at a height of {:.3g} "
+          "m in the base frame; if the floor is lower, give its height with --floor",
           arm_.name, kAboveFloor, floor_);
     }
-    return folded_ ? fmt::format("the circles that {} can follow touch the arm itself", arm_.name) : "";
+    return folded_ ? fmt::format("on the circles that {} can follow, the arm comes too close to itself",
+                                 arm_.name)
+                   : "";
   }
 
  private:
@@ -283,10 +285,10 @@ std::vector<DefaultTask> default_tasks(std::shared_ptr<const RobotModel> robot, 
     if (obstacle.empty()) obstacle = placing.obstacle();
   }
   if (obstacle.empty() && arm.n() < components(TaskMask::kPosition))
-    obstacle = fmt::format("{} joints are too few to have a tool anywhere, which takes three", arm.n());
+    obstacle = fmt::format("{} joints are too few; a first task needs at least three", arm.n());
   throw InputError(fmt::format(
-      "{}: no first task was found for {}, not even a circle of {:.2g} m{}{}; or write a scenario with a path of "
-      "its own",
+      "{}: no first task was found for {}, not even a circle with a radius of {:.2g} m{}{}. You can also "
+      "write a scenario with your own path",
       arm.source, arm.name, kRadius * reach(arm) / (1 << kHalvings), obstacle.empty() ? "" : ": ", obstacle));
 }
 

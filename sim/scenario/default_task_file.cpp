@@ -18,11 +18,11 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
   const Scenario& s = task.scenario;
   const std::string description =
       fmt::format("a circle where {} moves well{}", s.robot->name,
-                  tracks_orientation(s.mask) ? ", the gaze at two targets that take turns" : "");
+                  tracks_orientation(s.mask) ? ", with the gaze switching between two targets" : "");
   std::string text = fmt::format(
       "description: {0}\nrobot: {1}\nduration: {2}            "
       "# s\ncontrol_period: {3}   # s\nstart_position_deg: [{4:.4g}]\n"
-      "task_mask: {5}   # what the arm is to hold: pose, position_and_axis or position\n\n"
+      "task_mask: {5}   # what the arm tracks: pose, position_and_axis or position\n\n"
       "# center + sum of cos and sin terms of order k at k * frequency, base frame\npath:\n  center: {6}   # "
       "m\n"
       "  frequency: {7}   # rad/s\n  terms:\n    - {{order: 1, cos: {8}, sin: {9}}}\n\nswitch_every: {10}   "
@@ -34,14 +34,14 @@ std::string default_task_yaml(const DefaultTask& task, const std::string& robot)
     text += fmt::format("  - {{name: {}, center: {}}}\n", target.name, list(target.path.center));
   if (s.clearance && !task.in_given_cell) {
     text += s.clearance->cell().floor
-                ? fmt::format("cell: {{floor: {}}}   # m; the arm is to touch neither it nor itself\n",
+                ? fmt::format("cell: {{floor: {}}}   # m; the arm must touch neither the floor nor itself\n",
                               *s.clearance->cell().floor)
-                : "cell: {}   # the arm is not to touch itself\n";
+                : "cell: {}   # the arm must not touch itself\n";
   }
   if (task.without_floor)
     text += "# There is no floor: no first task was found above the height of the arm's base.\n";
   text += fmt::format(
-      "\n# What the real arm has and the controller does not know.\ntheta_start: {{model_scale: "
+      "\n# Properties of the real arm that the controller's model lacks.\ntheta_start: {{model_scale: "
       "{}}}\nplant:\n"
       "  position_noise: {}      # rad, m\n  velocity_noise: {}      # rad/s, m/s\n  torque_delay_periods: "
       "{}\n"

@@ -48,7 +48,7 @@ void refuse_several(const yaml::Node& fields) {
   };
   const auto& entries = fields.entries();
   if (std::count_if(entries.begin(), entries.end(), is_node) > 1)
-    fields.fail("parameters of several nodes; keep those of the controller's alone");
+    fields.fail("the file has parameters of several nodes; keep only the controller's node");
 }
 
 std::string value_text(std::span<const double> values, bool is_list) {
@@ -115,7 +115,7 @@ Gains load_gains(const std::string& name_or_path, const std::vector<std::string>
   }
   if (!node.empty())
     throw InputError(fmt::format(
-        "{}: it is no ROS parameter file with controllers, so that 'node: {}' names none", path, node));
+        "{}: this is not a ROS parameter file with controllers; leave the node '{}' out", path, node));
   const yaml::Node root = yaml::parse_text(text, path);
   const yaml::Node& fields = fields_node(root);
   refuse_several(fields);

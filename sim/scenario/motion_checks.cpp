@@ -32,8 +32,8 @@ void MotionChecks::check_position(int joint, double q, std::size_t point, bool b
       std::abs(q) > 2.0 * std::numbers::pi && from_degrees >= limits.lower && from_degrees <= limits.upper;
   throw InputError(
       fmt::format("{}{}: joint/{}/position is {:.9g}, outside the joint's limits {:.6g} .. {:.6g}; {}",
-                  points_.where(point), between ? " and the next point, between them" : "", info.name, q,
-                  limits.lower, limits.upper, degrees ? degrees_ : "plan for this robot"));
+                  points_.where(point), between ? ", between this point and the next" : "", info.name, q,
+                  limits.lower, limits.upper, degrees ? degrees_ : "plan the motion for this robot"));
 }
 
 void MotionChecks::at_points() const {
@@ -79,7 +79,9 @@ void MotionChecks::steps() const {
       const auto check = [&](const char* what, double value, double wanted, double most) {
         if (std::abs(value - wanted) <= most) return;
         throw InputError(fmt::format(
-            "{}: joint/{}/{} is {:.9g}, differs by {:.3g} from the motion that follows from the previous row with an acceleration that is linear between rows; at most {:g} is allowed: give more rows, more digits, or accelerations that fit",
+            "{}: joint/{}/{} is {:.9g}. It differs by {:.3g} from the value that follows from the previous "
+            "row with linear acceleration between rows; at most {:g} is allowed. Give more rows, more "
+            "digits, or accelerations that match",
             points_.where(k + 1), robot_.joints[static_cast<std::size_t>(i)].name, what, value,
             std::abs(value - wanted), most));
       };

@@ -11,9 +11,8 @@ std::string read_name(yaml::MapReader& map) {
   const yaml::Node& node = map.required("name");
   std::string name = node.as_string();
   if (is_printable(name)) return name;
-  node.fail(fmt::format(
-      "the name {} holds a control character or a line separator, which no message can show; rename it",
-      shown(name)));
+  node.fail(
+      fmt::format("the name {} contains a control character or a line separator; rename it", shown(name)));
 }
 
 }  // namespace armtune::internal

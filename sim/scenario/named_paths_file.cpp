@@ -24,7 +24,8 @@ template <typename Named>
 void refuse_second_of_name(const std::vector<Named>& all, const yaml::Node& node) {
   const auto is_so_named = [&all](const Named& other) { return other.name == all.back().name; };
   if (std::any_of(all.begin(), all.end() - 1, is_so_named))
-    node.fail(fmt::format("{} is the name of two in this list; rename one", shown(all.back().name)));
+    node.fail(
+        fmt::format("two entries of this list are named {}; rename one of them", shown(all.back().name)));
 }
 
 /// Of an item that may have keys of its own beside them.
@@ -42,8 +43,8 @@ std::vector<MovingObstacle> read_obstacles(const yaml::Node& node, std::vector<s
     for (const char* shape : {"box", "cylinder", "capsule", "sphere"}) {
       if (const yaml::Node* other = item.find(shape)) {
         other->fail(
-            "obstacles are balls, which the controller keeps away from: give 'radius'. Other shapes stand "
-            "under 'parts' of the scenario's 'cell'");
+            "obstacles are spheres that the controller avoids: give 'radius'. Give other shapes under "
+            "'parts' of the scenario's 'cell'");
       }
     }
     NamedPath center = read_named_path(map, inputs);
@@ -78,7 +79,8 @@ std::vector<NamedPath> read_targets(const yaml::Node& node, std::vector<std::str
   const Vec3 low(map.required("low").as_numbers(3).data());
   const yaml::Node& high_node = map.required("high");
   const Vec3 high(high_node.as_numbers(3).data());
-  if (!(high.array() >= low.array()).all()) high_node.fail("a coordinate is below that of low");
+  if (!(high.array() >= low.array()).all())
+    high_node.fail("a coordinate is less than in 'low'; it must be at least as large");
   const long seed = map.integer("seed", 1);
   if (seed < 0) map.required("seed").fail("must not be negative");
   map.finish();
@@ -100,10 +102,12 @@ std::vector<TargetTurn> read_schedule(const yaml::Node& node, const std::vector<
       names.push_back(targets[i].name);
       if (targets[i].name == name && turn.target == targets.size()) turn.target = i;
     }
-    if (turn.target == targets.size()) target.fail("'" + name + "' is no target" + suggestion(name, names));
+    if (turn.target == targets.size())
+      target.fail("'" + name + "' is not a target" + suggestion(name, names));
     if (!(turn.at > (schedule.empty() ? 0.0 : schedule.back().at)))
-      at.fail(fmt::format("{} s; the times of a schedule begin above zero and rise", turn.at));
-    if (turn.target == before) target.fail(fmt::format("the gaze is at {} already", name));
+      at.fail(fmt::format("{} s; the times of a schedule must begin above zero and rise", turn.at));
+    if (turn.target == before)
+      target.fail(fmt::format("the gaze is already at {}; give another target", name));
     before = turn.target;
     schedule.push_back(turn);
   }

@@ -35,7 +35,7 @@ Eigen::Quaterniond read_quaternion(const yaml::Node& node) {
   const Eigen::Quaterniond quaternion(q[0], q[1], q[2], q[3]);
   const double length = quaternion.coeffs().stableNorm();
   if (!(std::abs(length - 1.0) <= kUnit))
-    node.fail(fmt::format("has length {:.6g}; [w, x, y, z] of an orientation has 1", length));
+    node.fail(fmt::format("the quaternion has length {:.6g}; [w, x, y, z] must have length 1", length));
   return quaternion.normalized();
 }
 
@@ -58,7 +58,7 @@ std::vector<double> times_along(const Path& path) {
 
 /// Throws InputError at `node` where the path does not say how the tool is to be turned.
 void check_along(const yaml::Node& node, const Path& path, const ToolOrientation& along) {
-  if (path.rests()) node.fail("the path rests, and goes nowhere; give rpy_deg");
+  if (path.rests()) node.fail("the path does not move and therefore has no direction; give rpy_deg");
   const Vec3& approach = *along.approach;
   const std::vector<double> times = times_along(path);
   Vec3 last = heading(path, times.front()).position;
@@ -66,21 +66,21 @@ void check_along(const yaml::Node& node, const Path& path, const ToolOrientation
     const Vec3 now = heading(path, time).position;
     if (!(now.dot(last) > 0.0)) {
       node.fail(
-          fmt::format("the path stops or turns round at {:.4g} s, and the tool would with it, at once; "
-                      "round it there, or give waypoints",
+          fmt::format("the path stops or reverses at {:.4g} s, where the tool would turn in an instant; "
+                      "round the path there, or give waypoints",
                       time));
     }
     if (!(now.cross(approach).norm() > kLeastSine * approach.norm())) {
       node.fail(
-          fmt::format("the path runs along [{:.4g}, {:.4g}, {:.4g}] at {:.4g} s, where z cannot be "
-                      "near it; give another direction",
+          fmt::format("the path runs along [{:.4g}, {:.4g}, {:.4g}] at {:.4g} s, where the tool's z axis "
+                      "cannot be near this direction; give another direction",
                       approach.x(), approach.y(), approach.z(), time));
     }
     const double rate = along.at(time, path).angular_velocity.norm();
     if (!(rate <= kFastest)) {
       node.fail(fmt::format(
-          "the tool would turn at {:.3g} rad/s at {:.4g} s; it may at {}: round the path more, or go "
-          "slower",
+          "the tool would turn at {:.3g} rad/s at {:.4g} s; at most {} rad/s is allowed: round the path "
+          "more, or lower its speed",
           rate, time, kFastest));
     }
     last = now;

@@ -47,7 +47,8 @@ constexpr double kLongest = 1e9;    // s
 /// overflow, or are not those of an arm.
 void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
   if (!(spline.end() - spline.begin() <= kLongest))
-    node.fail(fmt::format("it takes {:.3g} s; it may take {:.0e}", spline.end() - spline.begin(), kLongest));
+    node.fail(fmt::format("the path takes {:.3g} s; at most {:.0e} s is allowed",
+                          spline.end() - spline.begin(), kLongest));
   for (std::size_t k = 0; k < spline.knots().size(); ++k) {
     // A blend between two straight pieces has its largest acceleration in the middle.
     const double time = spline.time()[k];
@@ -57,8 +58,8 @@ void require_sensible(const PositionSpline& spline, const yaml::Node& node) {
     const double a = middle.acceleration.norm();
     if (!(v <= kSpeediest && a <= kSpeediest && middle.position.norm() <= 2.0 * kFarthest)) {
       node.fail(fmt::format(
-          "its speed or acceleration at {:.3g} s is beyond {:.0e} m/s or m/s^2, the most that a motion may "
-          "have: lower the speed, or blend more",
+          "the speed or acceleration at {:.3g} s is above the limit of {:.0e} m/s or m/s^2; lower the speed, "
+          "or increase the blend",
           time, kSpeediest));
     }
   }
@@ -79,14 +80,16 @@ void require_sensible(const Path& path, const yaml::Node& node) {
     farthest += term.cosine.stableNorm() + term.sine.stableNorm();
   }
   if (!(farthest <= kFarthest))
-    node.fail(fmt::format("it leads {} m away from the base; it may lead {:.0e}", distance_text(farthest),
-                          kFarthest));
+    node.fail(fmt::format("the path leads {} m away from the base; at most {:.0e} m is allowed",
+                          distance_text(farthest), kFarthest));
   if (path.spline) require_sensible(*path.spline, node);
   const double fastest = std::abs(path.frequency) * highest;
   if (!(fastest <= kFastest))
-    node.fail(fmt::format("its fastest harmonic has {} rad/s; it may have {:.0e}", fastest, kFastest));
+    node.fail(
+        fmt::format("the fastest harmonic has {} rad/s; at most {:.0e} rad/s is allowed", fastest, kFastest));
   if (!(std::abs(path.phase) <= kMostTurns))
-    node.fail(fmt::format("it begins at {} rad; it may at {:.0e}", path.phase, kMostTurns));
+    node.fail(
+        fmt::format("the path begins at {} rad; at most {:.0e} rad is allowed", path.phase, kMostTurns));
 }
 
 double read_positive(const yaml::Node& node, const char* unit) {
@@ -154,12 +157,13 @@ Path read_polyline(const yaml::Node& node, const Files&) {
   const yaml::Node& corners_node = map.required("corners");
   std::vector<Vec3> corners;
   for (const yaml::Node& item : corners_node.items()) {
-    if (corners.size() == kMostCorners) corners_node.fail(fmt::format("more than {} corners", kMostCorners));
+    if (corners.size() == kMostCorners)
+      corners_node.fail(fmt::format("more than {} corners; give fewer", kMostCorners));
     corners.push_back(read_vec3(item));
     const double distance = corners.back().stableNorm();
     if (!(distance <= kFarthest))
-      item.fail(
-          fmt::format("lies {} m away from the base; at most {:.0e}", distance_text(distance), kFarthest));
+      item.fail(fmt::format("the corner is {} m away from the base; at most {:.0e} m is allowed",
+                            distance_text(distance), kFarthest));
   }
   const double speed = read_positive(map.required("speed"), "m/s");
   const double blend = read_positive(map.required("blend"), "m");
@@ -215,14 +219,14 @@ Path read_path(yaml::MapReader& map, std::vector<std::string>& inputs, bool of_p
   for (const Curve& curve : kCurves) {
     const yaml::Node* node = map.optional(curve.key);
     if (node == nullptr) continue;
-    if (chosen != nullptr) node->fail("the path is another curve already; keep one of them");
+    if (chosen != nullptr) node->fail("the path has a second curve; keep one of them");
     chosen = node;
     path = curve.read(*node, {inputs, of_poses});
     require_sensible(path, *node);
   }
   for (const char* key : {"center", "frequency", "phase", "terms"}) {
     if (map.has(key) && chosen != nullptr)
-      chosen->fail(fmt::format("stands beside '{}', which is of a sum of harmonics; keep one of them", key));
+      chosen->fail(fmt::format("cannot be combined with '{}' of a sum of harmonics; keep one of them", key));
   }
   if (chosen != nullptr) return path;
   path.center = read_vec3(map.required("center"));

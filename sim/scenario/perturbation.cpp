@@ -60,19 +60,23 @@ std::span<const PerturbationField> perturbation_fields() {
   using P = Perturbation;
   constexpr double kAny = 1e6;
   static constexpr PerturbationField fields[] = {
-      {"mass", "1", "+- share of each link's mass, first moment and inertia together", &P::mass, 1.0, false},
-      {"center", "m", "+- each coordinate of each link's centre of mass", &P::center, kAny, true},
-      {"inertia", "1", "+- share of each link's inertia about its centre of mass", &P::inertia, 1.0, false},
-      {"rotor", "1", "+- share of each joint's rotor inertia; an estimated one: a third to three times",
-       &P::rotor, 1.0, false},
-      {"friction", "1", "+- share of each joint's friction in the scenario", &P::friction, 1.0, true},
-      {"payload", "kg", "0 .. this point mass at the tool, in place of the scenario's; 0: the scenario's",
-       &P::payload, kAny, true},
-      {"delay", "periods", "0 .. so many control periods of torque delay on top", &P::delay, kMostDelay,
+      {"mass", "1", "+- relative change of each link's mass, first moment and inertia together", &P::mass,
+       1.0, false},
+      {"center", "m", "+- change of each coordinate of each link's centre of mass", &P::center, kAny, true},
+      {"inertia", "1", "+- relative change of each link's inertia about its centre of mass", &P::inertia, 1.0,
+       false},
+      {"rotor", "1", "+- relative change of each rotor inertia; if estimated: factor 1/3 .. 3", &P::rotor,
+       1.0, false},
+      {"friction", "1", "+- relative change of each joint's friction in the scenario", &P::friction, 1.0,
        true},
-      {"noise", "1", "+- share of the sensors' noise", &P::noise, 1.0, true},
-      {"theta", "1", "+- share of each link's part of theta at the start", &P::theta, 1.0, false},
-      {"target_speed", "1", "+- share of each target's speed on its path", &P::target_speed, 1.0, false},
+      {"payload", "kg", "point mass at the tool, 0 .. this value; 0 keeps the scenario's payload",
+       &P::payload, kAny, true},
+      {"delay", "periods", "0 .. this many extra control periods of torque delay", &P::delay, kMostDelay,
+       true},
+      {"noise", "1", "+- relative change of the sensors' noise", &P::noise, 1.0, true},
+      {"theta", "1", "+- relative change of each link's initial parameters in theta", &P::theta, 1.0, false},
+      {"target_speed", "1", "+- relative change of each target's speed on its path", &P::target_speed, 1.0,
+       false},
   };
   return fields;
 }
@@ -97,8 +101,8 @@ void validate(const Perturbation& perturbation, const std::string& where) {
   for (const PerturbationField& f : perturbation_fields()) {
     const double width = perturbation.*f.width;
     if (width >= 0.0 && (width < f.most || (f.most_included && width == f.most))) continue;
-    throw InputError(fmt::format("{}: {} is {}; it must lie in [0, {}{} [{}]: {}", where, f.name, width,
-                                 f.most, f.most_included ? "]" : ")", f.unit, f.meaning));
+    throw InputError(fmt::format("{}: {} is {}; it must lie in [0, {}{}. Unit: {}; meaning: {}", where,
+                                 f.name, width, f.most, f.most_included ? "]" : ")", f.unit, f.meaning));
   }
   if (perturbation.delay != std::floor(perturbation.delay)) {
     throw InputError(fmt::format("{}: delay is {}; it must be a whole number of control periods", where,

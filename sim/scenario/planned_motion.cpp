@@ -63,7 +63,7 @@ MotionPoints read_rows(const UserTable& file, const RobotModel& robot) {
                                               fmt::format("time, {}", fmt::join(joint_names(robot), ", ")));
   const CsvTable& table = parsed.table;
   if (table.rows() > kMostRows)
-    throw InputError(fmt::format("{}: {} rows; a motion has at most {}: thin them out", parsed.name,
+    throw InputError(fmt::format("{}: {} rows; a motion may have at most {}: use fewer rows", parsed.name,
                                  table.rows(), kMostRows));
   MotionPoints motion;
   motion.file = parsed.name;
@@ -106,8 +106,8 @@ PlannedFile read_planned_node(const yaml::Node& node) {
   if (const yaml::Node* segments = map.optional("segments")) {
     file.as_ros = segments->is_word("as_ros");
     if (!file.as_ros)
-      segments->fail(
-          fmt::format("'{}' is not as_ros; leave the key out for a smooth motion", segments->as_string()));
+      segments->fail(fmt::format("'{}' is not valid; give as_ros, or leave the key out for a smooth motion",
+                                 segments->as_string()));
   }
   map.finish();
   return file;
@@ -117,15 +117,15 @@ JointSpline load_planned_motion(const PlannedFile& file, const RobotModel& robot
   const bool message = is_trajectory_message(file.table.path);
   if (message && file.table.is_described())
     throw InputError(fmt::format(
-        "{}: 'units' and 'columns' are of CSV files; a JointTrajectory has seconds, radians and joint_names",
+        "{}: 'units' and 'columns' are for CSV files only; a JointTrajectory has seconds, radians and "
+        "joint_names: leave both keys out",
         file.table.path));
   MotionPoints motion =
       message ? load_trajectory_message(file.table.path, robot) : read_rows(file.table, robot);
   const MotionChecks checks(
       robot, motion,
-      message ? "a JointTrajectory has radians"
-              : "if the file has degrees, say so: units: {angle: deg} (--degrees where it is "
-                "given by --trajectory)");
+      message ? "convert degrees: a JointTrajectory has radians"
+              : "if the file is in degrees, declare this: units: {angle: deg} (for --trajectory: --degrees)");
   checks.at_points();
   if (file.as_ros || message || motion.given == PointsGive::kVelocities) {
     JointSpline joined(motion.time, motion.points, motion.given);

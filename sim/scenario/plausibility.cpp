@@ -76,11 +76,13 @@ void doubt_links(const RobotModel& robot, std::vector<Doubt>& doubts) {
     }
   }
   add(light,
-      "these links are very light for the effort of their joints; if the masses are placeholders, give the arm's own",
+      "these links are very light for the effort limits of their joints; if the masses are placeholders, "
+      "give the real ones",
       of_light, doubts);
   add(wide,
       fmt::format(
-          "the radius of gyration of these links is more than half of the arm's reach of {:.3g} m; give inertia in kg m^2, about the centre of mass",
+          "the radius of gyration of these links is more than half of the arm's reach of {:.3g} m; give "
+          "inertia in kg m^2, about the centre of mass",
           reach(robot)),
       of_wide, doubts);
   add(narrow, "the radius of gyration of these links is less than 2 mm; give inertia in kg m^2", of_narrow,
@@ -99,12 +101,12 @@ void doubt_rotors(const RobotModel& robot, std::vector<Doubt>& doubts) {
     const bool marked = has_estimated_rotor(robot, i);
     const double rule = ruled.chain.rotor_inertia[i];
     if (marked || rotor == 0.0 || (rotor >= rule / kOtherRotor && rotor <= rule * kOtherRotor)) continue;
-    names.push_back(
-        fmt::format("{} ({:.2g}, not {:.2g})", robot.joints[static_cast<std::size_t>(i)].name, rotor, rule));
+    names.push_back(fmt::format("{} ({:.2g}, expected {:.2g})",
+                                robot.joints[static_cast<std::size_t>(i)].name, rotor, rule));
   }
   constexpr const char* kSays =
-      "the rotor inertia is less than a hundredth, or more than a hundred times, of what drives with these limits of effort "
-      "and velocity have; it is that of the motor times the square of the gear ratio";
+      "the rotor inertia differs by more than a factor of 100 from the value expected for these effort and "
+      "velocity limits; give the motor's inertia times the square of the gear ratio";
   add(names, kSays, {}, doubts);
 }
 
@@ -210,8 +212,8 @@ void doubt_last_joint(const RobotModel& robot, std::vector<Doubt>& doubts) {
       fmt::format("{:.3g}", std::max(joint.limits.lower, std::min(joint.limits.upper, 0.0)));
   doubts.push_back(
       {fmt::format(
-           "{}: the last joint {} by {:.3g} {} only, as a gripper's finger does; if it is one, hold it by 'hold: {{{}: {}}}' in a "
-           "robot YAML",
+           "{}: the last joint {} by only {:.3g} {}, like a gripper's finger; if it is one, fix it with "
+           "'hold: {{{}: {}}}' in a robot YAML",
            joint.name, slides ? "slides" : "turns", stroke, slides ? "m" : "rad", joint.name, rest),
        {{"hold", joint.name, "", rest}}});
 }
@@ -270,10 +272,11 @@ std::vector<std::string> doubts(const RobotModel& robot) {
 
 std::string proposals_yaml(const std::string& urdf, const std::vector<Doubt>& found) {
   std::string text = urdf.empty() ? "" : fmt::format("urdf: {}\n", yaml::quoted(urdf));
-  text += "# What armtune doubts:\n";
+  text += "# Doubtful values:\n";
   for (const Doubt& doubt : found) text += "\n" + yaml::comment(doubt.says);
   text +=
-      "\n# What could stand here instead. Take the # away from what is right, and give the values that are missing.\n";
+      "\n# Proposed values. Remove the # before those that are right, and fill in the values that are "
+      "missing.\n";
   return text + proposed_lines(found);
 }
 

@@ -49,7 +49,7 @@ void check_radii(const yaml::Node& node, const RobotModel& model) {
   for (int i = 0; i < model.n(); ++i) {
     const double radius = model.link_radii[i];
     if (radius >= 0.0 && radius <= kThickest) continue;
-    node.fail(fmt::format("{}: {} m; a link's radius lies in 0 .. {}",
+    node.fail(fmt::format("{}: {} m; a link's radius must lie in 0 .. {}",
                           model.joints[static_cast<std::size_t>(i)].link, radius, kThickest));
   }
 }
@@ -59,7 +59,7 @@ void check_drive(const RobotFile& file, const char* key, const JointVector& valu
   for (const double value : values) {
     if (std::isfinite(value) && (above_zero ? value > 0.0 : value >= 0.0)) continue;
     file.root->find(key)->fail(
-        fmt::format("{}; a number {}", value, above_zero ? "above zero" : "from 0 on"));
+        fmt::format("a value is {}; it must be finite and {}", value, above_zero ? "above 0" : "at least 0"));
   }
 }
 

@@ -47,9 +47,8 @@ Gains with_goal(Gains gains, const Scenario& scenario) {
       return gains;
     }
     throw InputError(scenario.name +
-                     ": the scenario gives its own start_position_deg and the gains no joint_space_goal; "
-                     "give one, or leave both "
-                     "out to have them found");
+                     ": the scenario has a start_position_deg, but the gains have no joint_space_goal; give "
+                     "a joint_space_goal, or leave out both to have them computed");
   }
   gains.joint_space_goal = in_degrees(*scenario.robot, scenario.goal_position);
   return gains;

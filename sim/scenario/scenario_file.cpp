@@ -41,10 +41,10 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
     if (text != name(mask)) continue;
     const TaskMask most = largest_mask(joints);
     if (components(mask) > joints) {
-      node->fail(fmt::format("{} takes {} joints, the arm has {}; {}", text, components(mask), joints,
+      node->fail(fmt::format("{} needs {} joints, but the arm has {}; {}", text, components(mask), joints,
                              components(most) <= joints
-                                 ? fmt::format("{} is the most it can hold", name(most))
-                                 : "leave the key out, and it comes as close to the position as it can"));
+                                 ? fmt::format("the largest possible task_mask is {}", name(most))
+                                 : "leave the key out, and the arm follows the position as well as it can"));
     }
     return mask;
   }
@@ -68,7 +68,7 @@ ThetaStart read_theta_start(const yaml::Node& node) {
   ThetaStart start;
   const bool has_file = map.has("file");
   if (has_file == map.has("model_scale")) {
-    node.fail("give one of: model_scale (0: nothing known, 1: the model) and file");
+    node.fail("give one of: model_scale (0: theta starts at zero, 1: at the robot's model), file");
   }
   if (has_file) {
     start.file = path_in(map.required("file"));
@@ -138,7 +138,7 @@ bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
   const UserTable b = read_waypoints_node(points);
   if (a.path != b.path) return false;
   if (a.units.time != b.units.time || a.columns != b.columns)
-    turns.fail("the path reads the same file with other 'units' or 'columns'; give both the same");
+    turns.fail("the path uses the same file with other 'units' or 'columns'; make them equal");
   return true;
 }
 
@@ -158,25 +158,27 @@ void read_task(yaml::MapReader& map, Scenario& scenario) {
     const yaml::Node& targets = map.required("targets");
     scenario.targets = read_targets(targets, scenario.inputs);
     if (scenario.targets.empty())
-      targets.fail("empty; the gaze needs at least one target, or say how the tool is turned: orientation");
+      targets.fail("empty; give at least one target for the gaze, or give the tool's 'orientation' instead");
     return;
   }
   if (const yaml::Node* targets = map.optional("targets");
       targets != nullptr && !read_targets(*targets, scenario.inputs).empty())
-    orientation->fail("stands beside targets, which the tool would look at; set those to []");
+    orientation->fail("cannot be combined with gaze targets; set targets to []");
   if (!tracks_orientation(scenario.mask))
-    orientation->fail("has no part in a task_mask of position; take it out, or hold more");
+    orientation->fail("has no effect with a task_mask of position; take it out, or give a larger task_mask");
   scenario.orientation = read_orientation(*orientation, scenario.path, scenario.inputs);
   if (scenario.orientation->approach && scenario.mask != TaskMask::kPose)
     orientation->fail(
-        "along_path turns the tool about its z axis, which the task_mask leaves free; give rpy_deg");
+        "along_path sets the rotation about the tool's z axis, which the task_mask leaves free; give "
+        "rpy_deg, or a task_mask of pose");
 }
 
 /// A number, or `planned`: as long as the planned motion, in whole periods. node: null where the key is
 /// absent.
 double read_duration(const yaml::Node* node, const Scenario& scenario) {
   const bool as_planned = node == nullptr || node->is_word("planned");
-  if (as_planned && !scenario.planned) node->fail("there is no planned trajectory; give seconds");
+  if (as_planned && !scenario.planned)
+    node->fail("there is no planned trajectory; give the duration in seconds");
   const double period = scenario.control_period;
   const double duration =
       as_planned
@@ -220,8 +222,8 @@ Scenario load_scenario(const std::string& name_or_path) {
   scenario.name = stem(path);
   check_result_name(scenario.name, path);
   if (scenario.name == kAllScenarios)
-    throw InputError(
-        fmt::format("{}: results call all scenarios together '{}'; rename the file", path, kAllScenarios));
+    throw InputError(fmt::format("{}: the name '{}' is reserved for all scenarios together; rename the file",
+                                 path, kAllScenarios));
   scenario.source = path;
   scenario.description = map.string("description", "");
   const yaml::Node& robot_node = map.required("robot");
@@ -248,7 +250,7 @@ Scenario load_scenario(const std::string& name_or_path) {
   if (const yaml::Node* schedule = map.optional("schedule")) {
     scenario.schedule = read_schedule(*schedule, scenario.targets);
     if (scenario.switch_every > 0.0 && !scenario.schedule.empty())
-      schedule->fail("stands beside 'switch_every', by which targets take turns; set that to 0");
+      schedule->fail("cannot be combined with 'switch_every'; set 'switch_every' to 0");
   }
   if (const yaml::Node* obstacles = map.optional("obstacles"))
     scenario.obstacles = read_obstacles(*obstacles, scenario.inputs);
@@ -261,20 +263,20 @@ Scenario load_scenario(const std::string& name_or_path) {
     scenario.start_position = off_goal(*scenario.robot, scenario.goal_position);
   }
   if (const yaml::Node* camera = map.optional("target_camera")) {
-    if (scenario.orientation) camera->fail("sees targets, and there are none; take it out");
+    if (scenario.orientation) camera->fail("the scenario has no targets for the camera; take the key out");
     scenario.camera = read_camera(*camera);
   }
   if (const yaml::Node* from = map.optional("obstacle_distance")) read_distance(*from, scenario);
   if (const yaml::Node* stimulus = map.optional("stimulus")) {
     if (scenario.planned)
       stimulus->fail(
-          "a planned trajectory is followed first, and answers to no stimulus; take one of them away");
+          "a stimulus has no effect while the planned trajectory is followed; take one of the two out");
     scenario.stimulus = read_stimulus(*stimulus, scenario.duration, scenario.control_period);
     if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.targets.empty())
-      stimulus->fail("shifts a target, and there are none; let it shift the path");
+      stimulus->fail("the stimulus shifts a target, but the scenario has no targets; give 'on: path'");
     if (scenario.stimulus->on == Stimulus::On::kTarget && scenario.next_switch(0.0) < HUGE_VAL) {
       stimulus->fail(
-          "shifts a target, but targets take turns (switch_every, schedule): the response would be to both");
+          "a stimulus on a target needs a target that does not switch; take switch_every and schedule out");
     }
   }
   scenario.theta = read_theta_start(map.required("theta_start"));

@@ -15,13 +15,13 @@ constexpr double kLargest = 1000.0;  // m
 
 double length(double value, const yaml::Node& node, const char* what) {
   if (value > 0.0 && value <= kLargest) return value;
-  node.fail(fmt::format("{} is {} m; it must lie above 0 and up to {}", what, value, kLargest));
+  node.fail(fmt::format("{} is {} m; it must be above 0 and at most {}", what, value, kLargest));
 }
 
 Vec3 place(const yaml::Node& node) {
   Vec3 point(node.as_numbers(3).data());
   if (!(point.cwiseAbs().maxCoeff() <= kLargest))
-    node.fail(fmt::format("a coordinate is beyond {} m", kLargest));
+    node.fail(fmt::format("a coordinate exceeds +-{} m; give metres", kLargest));
   return point;
 }
 
@@ -49,7 +49,8 @@ std::optional<PlacedSolid> read_between(const yaml::Node* node, SolidKind kind) 
   PlacedSolid placed;
   placed.p_BS = 0.5 * (from + to);
   if (line.isZero(0.0)) {
-    if (kind == SolidKind::kCylinder) node->fail("a cylinder from a point to the same has no length");
+    if (kind == SolidKind::kCylinder)
+      node->fail("'from' and 'to' are the same point; a cylinder needs a length");
     placed.solid = sphere(radius);
     return placed;
   }
@@ -70,7 +71,7 @@ Solid read_solid(yaml::MapReader& map) {
   std::optional<Solid> solid;
   const auto take = [&solid](const yaml::Node* node, auto read) {
     if (node == nullptr) return;
-    if (solid) node->fail("this is a second shape; keep one of them, and give the other an entry of its own");
+    if (solid) node->fail("this entry has a second shape; give each shape its own entry");
     solid = read(*node);
   };
   take(map.optional("box"), read_box);

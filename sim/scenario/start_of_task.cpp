@@ -49,15 +49,14 @@ JointVector best_start_of_task(const Scenario& scenario) {
   if (best) return *best;
   const Vec3& tool = goal.tool;
   throw InputError(
-      fmt::format("{}: {} cannot have its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
-                  "within its joint limits; move "
-                  "the path, or give start_position_deg{}",
+      fmt::format("{}: {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m, where the path begins{}, "
+                  "within its joint limits; move the path, or give start_position_deg{}",
                   shown_path(scenario.source), scenario.robot->name, tool.x(), tool.y(), tool.z(),
-                  scenario.orientation ? ", turned as it is to be"
+                  scenario.orientation ? ", in the required orientation"
                   : goal.target        ? ", with its z axis on the target"
                                        : "",
                   tool.norm() > kMillimetres * reach(*scenario.robot)
-                      ? "; if these are millimetres, say so: units: {length: mm}"
+                      ? ". If these are millimetres, declare this: units: {length: mm}"
                       : ""));
 }
 

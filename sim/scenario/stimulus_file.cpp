@@ -18,7 +18,8 @@ constexpr long kMostPeriods = 1000;
 Vec3 read_offset(const yaml::Node& node) {
   Vec3 offset(node.as_numbers(3).data());
   const double length = offset.norm();
-  if (!std::isfinite(length) || !(length > 0.0)) node.fail("its length is zero or not finite");
+  if (!std::isfinite(length) || !(length > 0.0))
+    node.fail("the length of this vector must be finite and above zero");
   return offset;
 }
 
@@ -41,13 +42,14 @@ std::vector<int> read_orders(const yaml::Node& node, double base_period, double 
   orders.reserve(kMostOrders);
   const double limit = 0.5 * base_period / control_period;
   for (const yaml::Node& item : node.items()) {
-    if (orders.size() == kMostOrders) node.fail(fmt::format("more than {} orders", kMostOrders));
+    if (orders.size() == kMostOrders) node.fail(fmt::format("more than {} orders; give fewer", kMostOrders));
     const long order = item.as_integer();
     const long least = orders.empty() ? 1 : orders.back() + 1;
-    if (order < least) item.fail(fmt::format("order {}; orders start at 1 and increase strictly", order));
+    if (order < least) item.fail(fmt::format("order {}; orders must be at least 1 and rise", order));
     if (static_cast<double>(order) >= limit) {
-      item.fail(fmt::format("order {} of {} s is not below half the control rate, order {:.6g}", order,
-                            base_period, limit));
+      item.fail(fmt::format(
+          "order {} of the base period of {} s must be below {:.6g}, which is half the control rate", order,
+          base_period, limit));
     }
     orders.push_back(static_cast<int>(order));
   }
@@ -90,8 +92,8 @@ Multisine read_sines(const yaml::Node& node, double duration, double control_per
   sines.periods = static_cast<int>(periods);
   if (!reached(duration, sines.window_end())) {
     node.fail(
-        fmt::format("from {} s on, one base period for transients and {} to measure end at {} s, after the "
-                    "duration of {} s",
+        fmt::format("from {} s on, one base period for transients and {} for the measurement end at {} s, "
+                    "after the duration of {} s; reduce 'from' or 'periods', or increase the duration",
                     sines.from, periods, sines.window_end(), duration));
   }
   map.finish();

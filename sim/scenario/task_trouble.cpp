@@ -43,7 +43,7 @@ bool can_reach(const RobotModel& robot, const ToolGoal& goal) {
 }
 
 std::string place(const WalkPlace& at) {
-  return fmt::format("at {:.4g} s, tool at ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
+  return fmt::format("at {:.4g} s, path point ({:.4g}, {:.4g}, {:.4g}) m", at.time, at.tool.x(), at.tool.y(),
                      at.tool.z());
 }
 
@@ -60,19 +60,18 @@ std::string out_of_reach(const PathWalk& walk, const Scenario& scenario) {
       turned_wrong = {time, goal.tool, 0.0};
   }
   const char* how = !tracks_orientation(scenario.mask) ? ""
-                    : scenario.orientation             ? " with the tool turned as it is to be"
-                                                       : " with the tool's z axis on the target";
+                    : scenario.orientation             ? " and with the tool in its required orientation"
+                                                       : " and with the tool's z axis on the target";
   if (farthest.value > kOffPath) {
     return fmt::format(
-        "the path leaves the workspace of {}, from {:.4g} s on: {} it comes no closer than {:.3g} m; move or "
-        "shrink the path",
+        "the path leaves the workspace of {} from {:.4g} s on: {}, the tool comes no closer to it than "
+        "{:.3g} m; move or shrink the path",
         scenario.robot->name, walk.left.time, place(farthest), farthest.value);
   }
   if (!turned_wrong) return {};
   return fmt::format(
-      "the path leaves the workspace of {}{}, {}: within its joint limits it cannot; move or shrink the "
-      "path, or turn the "
-      "tool otherwise",
+      "the path leaves the workspace that {} has within its joint limits{}, {}; move or shrink the path, or "
+      "turn the tool differently",
       scenario.robot->name, how, place(*turned_wrong));
 }
 
@@ -82,7 +81,7 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   if (is_clear(walk)) return {};
   if (walk.sight.value < kAtTarget) {
     return fmt::format(
-        "the tool passes the target that it looks at, {}, {:.3g} m from it; move the path or the target",
+        "the tool passes too close to its gaze target: {}, {:.3g} m from it; move the path or the target",
         place(walk.sight), walk.sight.value);
   }
   // A path that leaves the workspace stretches the arm into a singularity, but off one within it the damped
@@ -92,24 +91,25 @@ std::string trouble(const PathWalk& walk, const Scenario& scenario) {
   }
   if (is_singular(walk)) {
     return fmt::format(
-        "the path runs through a singularity of {}: {} manipulability is {:.3g}, elsewhere on it up to "
-        "{:.3g}; "
-        "move the path, or give another start",
+        "the path runs through a singularity of {}: {}, the manipulability is {:.3g}, while it reaches "
+        "{:.3g} elsewhere on the path; move the path, or give another joint_space_goal",
         scenario.robot->name, place(walk.manipulability), walk.manipulability.value,
         walk.largest_manipulability);
   }
   if (is_off_path(walk)) {
     return fmt::format(
-        "from its start {} deviates from the path, {} by {:.3g} m, although it can reach that point; move the path, or give another start",
+        "{} does not stay on the path: {}, the tool is {:.3g} m off, although the arm can reach this point; "
+        "move the path, or give another joint_space_goal",
         scenario.robot->name, place(walk.error), walk.error.value);
   }
   if (walk.margin.value >= 0.0) {
     const LeastClearance& touched = *contact(walk);
-    return fmt::format("on the path {} touch, at {:.4g} s; move the path, or give another start",
+    return fmt::format("{} touch at {:.4g} s on the path; move the path, or give another joint_space_goal",
                        scenario.clearance->name(*touched.pair), touched.time);
   }
   return fmt::format(
-      "on the path {} leaves its limits by {:.2g} of its range, {}; move the path, or give another start",
+      "joint {} exceeds its position limits on the path by {:.2g} of its range, {}; move the path, or give "
+      "another joint_space_goal",
       scenario.robot->joints[static_cast<std::size_t>(walk.joint)].name, -walk.margin.value,
       place(walk.margin));
 }

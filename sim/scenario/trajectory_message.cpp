@@ -33,13 +33,13 @@ const yaml::Node& trajectory_in(const yaml::Node& root) {
     node = inner;
   }
   if (node->kind() != yaml::Node::Kind::kMap || node->find("points") == nullptr)
-    root.fail("no trajectory_msgs/JointTrajectory: it has neither 'points' nor a 'joint_trajectory'");
+    root.fail("not a trajectory_msgs/JointTrajectory: there is neither 'points' nor 'joint_trajectory'");
   return *node;
 }
 
 const yaml::Node& required(const yaml::Node& map, const char* key) {
   const yaml::Node* node = map.find(key);
-  if (node == nullptr) map.fail(fmt::format("it has no '{}'", key));
+  if (node == nullptr) map.fail(fmt::format("missing key '{}'", key));
   return *node;
 }
 
@@ -49,14 +49,14 @@ std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& ro
   for (std::size_t i = 1; i < in_file.size(); ++i) {
     if (std::find(in_file.begin(), in_file.begin() + static_cast<std::ptrdiff_t>(i), in_file[i]) !=
         in_file.begin() + static_cast<std::ptrdiff_t>(i))
-      names.fail(fmt::format("joint '{}' stands there twice", in_file[i]));
+      names.fail(fmt::format("joint '{}' is listed twice", in_file[i]));
   }
   std::vector<std::size_t> places;
   places.reserve(robot.joints.size());
   for (const JointInfo& joint : robot.joints) {
     const auto found = std::find(in_file.begin(), in_file.end(), joint.name);
     if (found == in_file.end()) {
-      names.fail(fmt::format("joint '{}' of {} is missing{}; it has: {}", joint.name, robot.name,
+      names.fail(fmt::format("joint '{0}' of {1} is missing; the file has: {3}{2}", joint.name, robot.name,
                              suggestion(joint.name, in_file), fmt::join(in_file, ", ")));
     }
     places.push_back(static_cast<std::size_t>(found - in_file.begin()));
@@ -105,7 +105,7 @@ PointsGive given_in(const yaml::Node& point) {
   const bool velocities = numbers_in(point, "velocities") != nullptr;
   const bool accelerations = numbers_in(point, "accelerations") != nullptr;
   if (accelerations && !velocities)
-    point.fail("it has accelerations and no velocities, which ROS does not join; give both or none");
+    point.fail("the point has accelerations but no velocities; give velocities too, or neither of them");
   return accelerations ? PointsGive::kAccelerations
          : velocities  ? PointsGive::kVelocities
                        : PointsGive::kPositions;
@@ -126,17 +126,16 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
   motion.file = path;
   for (const yaml::Node& point : points.items()) {
     const double time = seconds_in(required(point, "time_from_start"));
-    if (time < 0.0) point.fail(fmt::format("time_from_start is {} s; nothing comes before 0 s", time));
+    if (time < 0.0) point.fail(fmt::format("time_from_start is {} s; it must not be negative", time));
     if (!motion.time.empty() && time <= motion.time.back())
-      point.fail(fmt::format("time_from_start {} s does not rise after {} s; each point must be later", time,
-                             motion.time.back()));
+      point.fail(fmt::format("time_from_start {} s is not later than {} s in the point before; it must rise",
+                             time, motion.time.back()));
     const PointsGive given = given_in(point);
     if (motion.time.empty()) motion.given = given;
     if (given != motion.given)
-      point.fail(
-          "velocities or accelerations are given for some points alone; give them for all or for none");
+      point.fail("only some points have velocities or accelerations; give them for all or for none");
     const yaml::Node* positions = numbers_in(point, "positions");
-    if (positions == nullptr) point.fail("it has no positions");
+    if (positions == nullptr) point.fail("the point has no positions");
     motion.time.push_back(time);
     motion.points.push_back({reader.values(*positions),
                              reader.values_or_zero(numbers_in(point, "velocities")),
@@ -144,7 +143,7 @@ MotionPoints load_trajectory_message(const std::string& path, const RobotModel& 
     motion.lines.push_back(static_cast<std::size_t>(point.line()));
   }
   if (motion.time.size() < 2)
-    points.fail(fmt::format("{} points; a motion needs at least two, the first where the arm stands",
+    points.fail(fmt::format("{} points; a motion needs at least two, the first of them at the arm's start",
                             motion.time.size()));
   return motion;
 }

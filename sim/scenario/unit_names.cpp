@@ -44,8 +44,8 @@ std::string plain_names(const std::string& line, const std::string& path, const 
   for (std::size_t i = 0; i < cells.size(); ++i) any_unit = any_unit || plain[i] != cells[i];
   for (const std::string& name : plain) {
     if (any_unit && has_brackets(name))
-      throw InputError(fmt::format("{}:1: column {}: this unit is not known; take the units out of the names",
-                                   path, shown(name)));
+      throw InputError(fmt::format(
+          "{}:1: column {} has an unknown unit; take the units out of the column names", path, shown(name)));
   }
   const auto is_time = [](const std::string& name) { return name == "time" || name == "Time"; };
   if (std::none_of(plain.begin(), plain.end(), is_time)) {

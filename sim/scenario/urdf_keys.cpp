@@ -95,11 +95,11 @@ void read_tool(const yaml::Node& node, UrdfOptions& options) {
     options.tool_inertia = read_inertia(map);
     if (!(options.tool_inertia->mass > 0.0))
       map.required("mass").fail(
-          "a tool has a mass above zero; leave mass and moments out where nothing is mounted");
+          "the mass of a tool must be above zero; if nothing is mounted, leave out mass, center and moments");
     if (!is_physical(in_link_frame(*options.tool_inertia)))
       map.required("moments").fail(
-          "no rigid body has these moments of inertia: none of the principal ones may be negative, or larger "
-          "than the sum of the other two");
+          "no rigid body has these moments of inertia; no principal moment may be negative or larger than "
+          "the sum of the other two");
   }
   if (const yaml::Node* shapes = map.optional("shapes")) options.tool_shapes = read_shapes(*shapes);
 }
@@ -141,7 +141,7 @@ std::string missing_yaml(const std::string& urdf, const MissingData& missing) {
     const Vec3& c = link.nearest.center;
     const Mat3& I = link.nearest.about_center;
     text += fmt::format(
-        "  {}:  # no rigid body has the URDF's; this is the nearest possible one, {:.2g} % away\n"
+        "  {}:  # no rigid body has the URDF's inertia; this is the nearest possible one, {:.2g} % away\n"
         "    mass: {:.10g}\n    center: [{:.10g}, {:.10g}, {:.10g}]\n"
         "    moments: [{:.10g}, {:.10g}, {:.10g}, {:.10g}, {:.10g}, {:.10g}]\n",
         yaml::quoted(link.link), 100.0 * link.moved, link.nearest.mass, c.x(), c.y(), c.z(), I(0, 0), I(0, 1),

@@ -40,7 +40,7 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (++number == 1) separator = find_separator(line);
     if (line.find_first_not_of(" \t") == std::string_view::npos) {
-      if (number == 1) throw InputError(fmt::format("{}:1: the first line is empty; take it out", path));
+      if (number == 1) throw InputError(fmt::format("{}:1: the first line is empty; remove it", path));
       if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) break;  // empty lines at the end
     }
     if (std::count(line.begin(), line.end(), separator) > kMostCells)
@@ -50,7 +50,8 @@ std::string with_commas(std::string_view text, const std::string& path, ColumnNa
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i].find(',') != std::string_view::npos) {
         throw InputError(fmt::format(
-            "{}:{}: the cell {} of this file, whose cells are separated by {}, contains a comma; write numbers with a decimal point",
+            "{}:{}: the cell {} contains a comma, although the cells are separated by {}; write numbers with "
+            "a decimal point",
             path, number, shown(std::string(cells[i])), separator_name(separator)));
       }
       result += i > 0 ? "," : "";
@@ -102,12 +103,12 @@ ParsedTable parse_user_table(const UserTable& file, ColumnNames names, const std
   if (has_no_names(text)) {
     if (file.columns.empty()) {
       throw InputError(fmt::format(
-          "{}:1: the first line holds numbers and no names; add a line of names, or say where the file is "
-          "named which column is which: {}: {{file: {}, columns: [{}]}}",
+          "{}:1: the first line has numbers instead of column names; add a line of names, or name the "
+          "columns in the scenario: {}: {{file: {}, columns: [{}]}}",
           path, key, yaml::quoted(std::filesystem::path(path).filename().string()), columns));
     }
     text = fmt::format("{}\n{}", fmt::join(file.columns, ","), text);
-    name += " (below a line of names)";
+    name += " (with a line of names added)";
   } else if (!file.columns.empty()) {
     text = fmt::format("{}{}", fmt::join(file.columns, ","), text.substr(end));
   } else {

@@ -36,13 +36,13 @@ ParsedTable read_table(const UserTable& waypoints) {
   for (const std::string& column : table.header()) {
     if (column == "time" || is_one_of(kPlace, column) || is_one_of(kTurn, column)) continue;
     throw InputError(
-        fmt::format("{}: column {} is none of waypoints, which are time, x, y, z, and of a tool qw, qx, qy, "
+        fmt::format("{}: column {} is not one of time, x, y, z or, for the tool's orientation, qw, qx, qy, "
                     "qz; take it out",
                     path, shown(column)));
   }
   if (table.rows() > kMostWaypoints)
-    throw InputError(
-        fmt::format("{}: {} rows; a path has at most {}: thin them out", path, table.rows(), kMostWaypoints));
+    throw InputError(fmt::format("{}: {} rows; a path may have at most {}: use fewer rows", path,
+                                 table.rows(), kMostWaypoints));
   return named;
 }
 
@@ -76,8 +76,8 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
   for (const std::string& column : table.header()) {
     if (of_poses || !is_one_of(kTurn, column)) continue;
     throw InputError(fmt::format(
-        "{}: column {} is of a tool's orientation; say 'orientation: {{waypoints: ...}}' of the same file, "
-        "where this is the tool's path, or take the column out",
+        "{}: column {} belongs to the tool's orientation; if this is the tool's path, give 'orientation: "
+        "{{waypoints: ...}}' with the same file, otherwise take the column out",
         path, column));
   }
   const std::vector<double> time = rising_seconds(named, waypoints);
@@ -89,7 +89,7 @@ PositionSpline load_waypoints(const UserTable& waypoints, bool of_poses) {
   for (std::size_t k = 0; k < knots.size(); ++k) {
     if (knots[k].velocity.norm() <= kFastest && knots[k].acceleration.norm() <= kFastest) continue;
     throw InputError(fmt::format(
-        "{}:{}: the way here asks for {:.3g} m/s and {:.3g} m/s^2; at most {:.0e} of both: give it "
+        "{}:{}: the path has {:.3g} m/s and {:.3g} m/s^2 here; at most {:.0e} of each is allowed: give it "
         "more time",
         path, line_of(k), knots[k].velocity.norm(), knots[k].acceleration.norm(), kFastest));
   }
@@ -107,8 +107,8 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
     const Eigen::Quaterniond q(row[0], row[1], row[2], row[3]);
     const double length = q.coeffs().stableNorm();
     if (!(std::abs(length - 1.0) <= kUnit)) {
-      throw InputError(fmt::format("{}:{}: the quaternion has length {:.6g}; that of an orientation is 1",
-                                   path, line_of(orientations.size()), length));
+      throw InputError(fmt::format("{}:{}: the quaternion has length {:.6g}; it must have length 1", path,
+                                   line_of(orientations.size()), length));
     }
     orientations.push_back(q.normalized());
   }
@@ -117,13 +117,14 @@ ToolOrientation load_orientations(const UserTable& waypoints) {
     const MotionPoint<Vec3>& knot = turning.turn->knots()[k];
     if (!(knot.position.norm() <= kMostTurn)) {
       throw InputError(
-          fmt::format("{}:{}: the tool has turned by {:.3g} rad since the first row; it may by "
-                      "{:.3g}: turn it back in between",
+          fmt::format("{}:{}: the tool has turned by {:.3g} rad since the first row; at most {:.3g} rad is "
+                      "allowed: turn it back in between",
                       path, line_of(k), knot.position.norm(), kMostTurn));
     }
     if (!(knot.velocity.norm() <= kFastest && knot.acceleration.norm() <= kFastest)) {
       throw InputError(fmt::format(
-          "{}:{}: the turn here takes {:.3g} rad/s and {:.3g} rad/s^2, and each may be {:.0e} at most; give it more time",
+          "{}:{}: the rotation has {:.3g} rad/s and {:.3g} rad/s^2 here; at most {:.0e} of each is allowed: "
+          "give it more time",
           path, line_of(k), knot.velocity.norm(), knot.acceleration.norm(), kFastest));
     }
   }

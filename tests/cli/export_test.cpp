@@ -50,11 +50,11 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
                                 testing::Not(HasSubstr("# joint_velocity/max_ratio")),
                                 testing::Not(HasSubstr("# objective"))));
   };
-  without_figures({"export", run + "/start"}, "not of these gains, which stand beside it");
+  without_figures({"export", run + "/start"}, "not apply to these gains, which are in another");
   std::string urdf = test::read_text(ARMTUNE_SOURCE_DIR "/sim/robots/ur10.urdf");
   urdf.replace(urdf.find("<mass value=\""), 13, "<mass value=\"1");
   without_figures({"export", run, "--robot", files_.write("heavier.urdf", urdf)},
-                  "not of these gains on this arm");
+                  "not apply to these gains on this arm");
   std::string gains = test::read_text(run + "/gains.yaml");
   gains.replace(gains.find("slerpDurationErrorGain: "), 24, "slerpDurationErrorGain: 1");
   std::ofstream(run + "/gains.yaml") << gains;
@@ -146,7 +146,7 @@ TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
   EXPECT_THAT(done.out, AllOf(ContainsRegex("gain +unit +published +extended_tuned +ratio\n"),
                               ContainsRegex("task_space_gains_p/x +1/s +80 "), HasSubstr("are the same")));
   const Finished same = run_program({"compare", "published", "published", "--gains"});
-  EXPECT_THAT(same.out, testing::StartsWith("the same in all"));
+  EXPECT_THAT(same.out, testing::StartsWith("all "));
   EXPECT_EQ(run_program({"compare", "published", "--gains", "--out", files_ / "x"}).exit_code, 2);
   EXPECT_EQ(run_program({"compare", "published", "extended", "--gains", "--stepper", "rk4"}).exit_code, 2);
   EXPECT_THAT(run_program({"compare", "published", "--gains"}).err, HasSubstr("two or more"));
@@ -154,7 +154,7 @@ TEST_F(ExportCommand, ComparesGainsWithoutASimulation) {
   std::filesystem::copy_file(files_ / "gains.yaml", files_ / "=x.yaml");
   const Finished formula = run_program({"compare", files_ / "=x.yaml", files_ / "gains.yaml", "--gains"});
   EXPECT_EQ(formula.exit_code, 0) << formula.err;
-  EXPECT_THAT(formula.out, testing::StartsWith("the same in all"));
+  EXPECT_THAT(formula.out, testing::StartsWith("all "));
   const Finished arms = run_program({"compare", "panda", "panda_tuned", "--gains"});
   EXPECT_EQ(arms.exit_code, 2);
   EXPECT_THAT(arms.err, HasSubstr("--robot"));

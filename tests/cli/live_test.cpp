@@ -50,7 +50,7 @@ TEST(LiveReport, ShowsMoreEvaluationsWhileTheRunGoesOnAndInTheEndTheRunItself) {
   run.interrupt();
   const auto done = run.wait();
   EXPECT_EQ(done.exit_code, 130) << done.err;
-  EXPECT_THAT(done.out, HasSubstr("watch it: open "));
+  EXPECT_THAT(done.out, HasSubstr("to watch the search, open "));
   EXPECT_EQ(live_evaluations(page), -1) << "the last page is that of the run";
   EXPECT_THAT(test::read_text(page), Not(HasSubstr("This run is still running")));
 }

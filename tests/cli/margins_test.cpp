@@ -52,7 +52,7 @@ TEST_F(MarginsProgram, WritesTheSameFileWithAnyNumberOfWorkers) {
 TEST_F(MarginsProgram, SaysSoWhereNotEvenTheNominalStands) {
   const Finished strict = margins({"--limit", "joint_velocity/max_ratio<=0.01"});
   EXPECT_EQ(strict.exit_code, 3) << strict.err;
-  EXPECT_THAT(strict.out, AllOf(HasSubstr("none"), HasSubstr("as it is, five_seconds does not stand"),
+  EXPECT_THAT(strict.out, AllOf(HasSubstr("none"), HasSubstr("five_seconds fails without any change"),
                                 HasSubstr("breaks joint_velocity/max_ratio <= 0.01")));
 }
 
@@ -63,7 +63,7 @@ TEST_F(MarginsProgram, BadInputEndsWithTwo) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "limit"));
   const Finished twice = margins({scenario_});
   EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.err, HasSubstr("two scenarios are called five_seconds"));
+  EXPECT_THAT(twice.err, HasSubstr("two scenarios have the name five_seconds"));
   const Finished nowhere = run_program({"margins", "nowhere"});
   EXPECT_EQ(nowhere.exit_code, 2);
   EXPECT_THAT(nowhere.err, HasSubstr("nowhere"));

@@ -34,7 +34,7 @@ TEST(ParetoCommand, LeavesAFrontWhosePointsTheOtherCommandsTake) {
   ASSERT_EQ(done.exit_code, 0) << done.err << done.out;
   EXPECT_THAT(done.err, HasSubstr("warning: 24 evaluations")) << "and nothing else";
   EXPECT_THAT(done.out, testing::AllOf(HasSubstr("start (gains)"), HasSubstr("hypervolume 0."),
-                                       HasSubstr("every point was simulated again, with the same figures")));
+                                       HasSubstr("simulated again and gave the same values")));
   const auto csv = test::read_csv(folder + "/pareto.csv");
   const auto journal = test::read_csv(folder + "/evaluations.csv");
   EXPECT_EQ(journal.rows.size(), 24U);
@@ -61,7 +61,7 @@ TEST(ParetoCommand, SaysThatItsTimeWasUsedUp) {
   const Finished done = run_program(
       {"pareto", short_of_time.path(), "--levels", "2", "--max-evaluations", "18", "--out", folder});
   EXPECT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_THAT(done.out, testing::AllOf(HasSubstr("18 evaluations or 1e-06 minutes at most"),
+  EXPECT_THAT(done.out, testing::AllOf(HasSubstr("budget: 18 evaluations or 1e-06 minutes"),
                                        HasSubstr("time used up after 1 evaluations")));
   EXPECT_THAT(test::read_text(folder + "/run.yaml"), HasSubstr("ended: \"time used up\""));
 }
@@ -80,7 +80,7 @@ TEST(ParetoCommand, RefusesWhatItCannotTradeOff) {
   const Finished twice =
       run_program({"pareto", files().path(), "--criteria", "gaze/rms", "gaze/rms", "--out", files() / "x"});
   EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_THAT(twice.err, HasSubstr("gaze/rms stands twice"));
+  EXPECT_THAT(twice.err, HasSubstr("gaze/rms is given twice"));
   const Finished unknown =
       run_program({"pareto", files().path(), "--criteria", "gaze/rms", "speed", "--out", files() / "x"});
   EXPECT_EQ(unknown.exit_code, 2);

@@ -110,7 +110,7 @@ TEST(Plan, AnInfeasibleTaskEndsWithThreeAndNamesTheLimitInTheWay) {
   EXPECT_THAT(
       planned.out,
       AllOf(ContainsRegex(
-                "infeasible: it takes 0\\.5[0-9]+ s at least within the limits, and was given 0\\.4 s"),
+                "infeasible: the limits allow no less than 0\\.5[0-9]+ s, but the duration is 0\\.4 s"),
             HasSubstr("held back by:"),
             ContainsRegex("velocity of [a-z0-9_]+: -?[0-9.]+ rad/s, [0-9.]+ % of the knots, ")));
   EXPECT_FALSE(std::filesystem::exists(out));

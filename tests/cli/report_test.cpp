@@ -80,7 +80,7 @@ TEST_F(Report, OfASimulationAndAComparison) {
               testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("of 8 s"), HasSubstr("cut off")));
   std::filesystem::remove(recording);
   EXPECT_THAT(run_program({"report", files_ / "run"}).err,
-              testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("is not there")));
+              testing::AllOf(HasSubstr("rollout_short.csv"), HasSubstr("is missing")));
   std::ofstream(recording, std::ios::binary) << whole;
   ASSERT_EQ(run_program({"compare", "published", files_ / "run", "--scenarios", files_ / "short.yaml",
                          "--out", files_ / "compared"})

@@ -217,7 +217,7 @@ TEST(Resume, RefusesWhatIsNotTheSameRun) {
   };
   EXPECT_THAT(refusal({"tune", "--resume", files / "nowhere"}),
               HasSubstr("nowhere/journal.txt: cannot be read"));
-  EXPECT_THAT(refusal({"pareto", "--resume", files / "run"}), HasSubstr("was begun by 'armtune tune"));
+  EXPECT_THAT(refusal({"pareto", "--resume", files / "run"}), HasSubstr("was started by 'armtune tune"));
   EXPECT_THAT(refusal({"tune", "--resume", files / "run", "--seed", "4"}),
               HasSubstr("'--seed' cannot be changed"));
 

@@ -63,11 +63,11 @@ TEST(Robustness, NamesTheLimitThatIsBroken) {
                                      {"--samples", "2", "--limit", "joint_velocity/max_ratio<=0.01"});
   EXPECT_EQ(strict.exit_code, 3) << strict.err;
   EXPECT_THAT(strict.out, AllOf(HasSubstr("0.0 % of 2 arms"),
-                                HasSubstr("2 of 2 break 'joint_velocity/max_ratio <= 0.01'"),
+                                HasSubstr("2 of 2 arms break 'joint_velocity/max_ratio <= 0.01'"),
                                 HasSubstr("samples 0 1"), HasSubstr("Simulation checks: failed: yield, "),
                                 HasSubstr("threshold 0.95\nNot checked: ")));
   // A limit in place of the arm's own leaves those unchecked that it does not imply.
-  EXPECT_THAT(strict.out, AllOf(HasSubstr("joint_position/min_margin >= 0, which --limit has replaced"),
+  EXPECT_THAT(strict.out, AllOf(HasSubstr("joint_position/min_margin >= 0, which --limit replaces"),
                                 testing::Not(HasSubstr("joint_velocity/max_ratio <= 1, which"))));
   const auto verdict = yaml::parse_file(folder / "strict/verdict.yaml");
   EXPECT_FALSE(verdict.find("passed")->as_boolean());

@@ -118,7 +118,7 @@ TEST(TuneCommand, EndsWithMarginsAndWhichGainsMatterAsTheirOwnCommandsDo) {
   const Finished reduced = run_program({"tune", files / "run/reduced_study.yaml", "--out", files / "reduced",
                                         "--max-evaluations", "3", "--no-analysis"});
   EXPECT_EQ(reduced.exit_code, 0) << reduced.err;
-  EXPECT_THAT(reduced.out, HasSubstr("1 gains over 2 scenarios"));
+  EXPECT_THAT(reduced.out, HasSubstr("1 gains, 2 scenarios"));
   EXPECT_FALSE(fs::exists(files / "reduced/sensitivity.csv"));
   const Finished none = run_program({"sensitivity", files / "nothing"});
   EXPECT_EQ(none.exit_code, 2);
@@ -204,8 +204,8 @@ TEST(TuneCommand, OnManyArmsItReportsTheMeasureAndTheScenariosOwnArmApart) {
   const Finished tuned = run_program({"tune", files.path(), "--out", files / "run", "--workers", "2",
                                       "--max-evaluations", "4", "--no-analysis"});
   ASSERT_TRUE(tuned.exit_code == 0 || tuned.exit_code == 3) << tuned.err;
-  EXPECT_THAT(tuned.out, testing::AllOf(HasSubstr("(worst of 3 arms each)"),
-                                        HasSubstr("The arm of the scenario itself")));
+  EXPECT_THAT(tuned.out,
+              testing::AllOf(HasSubstr("(worst of 3 arms each)"), HasSubstr("The nominal arm alone")));
   const auto robust = test::read_csv(files / "run/robust_errors.csv");
   const auto own = test::read_csv(files / "run/errors.csv");
   const auto journal = test::read_csv(files / "run/evaluations.csv");
@@ -272,11 +272,11 @@ TEST(TuneCommand, SaysThatTheSweepUsesUpTheBudget) {
                          "sweep: [{parameters: [task_space_gains_p/rx], factors: [0.8, 0.9, 1.1]}]\n"
                          "search: {max_evaluations: 3, max_minutes: 5}\n");
   const Finished cut = run_program({"tune", files.path(), "--out", files / "cut", "--no-analysis"});
-  EXPECT_THAT(cut.out, testing::AllOf(HasSubstr("3 evaluations or 5 minutes at most, 2 rollouts each"),
+  EXPECT_THAT(cut.out, testing::AllOf(HasSubstr("3 evaluations or 5 minutes, 2 rollouts per evaluation"),
                                       HasSubstr("the sweep's 3 points use up the budget: only 2 of them")));
   const Finished whole = run_program(
       {"tune", files.path(), "--max-evaluations", "4", "--out", files / "whole", "--no-analysis"});
-  EXPECT_THAT(whole.out, HasSubstr("use up the budget: nothing is searched"));
+  EXPECT_THAT(whole.out, HasSubstr("use up the budget: no evaluation is left"));
   const Finished enough = run_program(
       {"tune", files.path(), "--max-evaluations", "5", "--out", files / "enough", "--no-analysis"});
   EXPECT_THAT(enough.out, testing::Not(HasSubstr("use up")));

@@ -128,7 +128,7 @@ TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {
   EXPECT_THAT(refused({files_ / "run", "--scenarios", "moving_target"}),
               AllOf(HasSubstr("rollout_moving_target.csv: no such file"), Not(HasSubstr("report"))));
   EXPECT_THAT(refused({files_ / ""}), AllOf(HasSubstr("has no rollout_*.csv"), HasSubstr("/run")));
-  EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is no folder"));
+  EXPECT_THAT(refused({files_ / "nowhere"}), HasSubstr("nowhere: is not a folder"));
 }
 
 TEST_F(YardstickProgram, AtTheEndOfASimulationItsLimitStandsBesideTheTime) {

@@ -260,7 +260,7 @@ class Module(unittest.TestCase):
         study = armtune.make_study(
             {"controller": "short_law", "objective": [{"metric": "error/position/max"}]}, scenarios=[self.scenario], gains=self.gains
         )
-        with self.assertRaisesRegex(armtune.FailedError, "short_law: 1 torques were returned, the arm has 6"):
+        with self.assertRaisesRegex(armtune.FailedError, "short_law: 1 torques were returned, but the arm has 6"):
             armtune.simulate([self.scenario], study.start)
 
         def broken(robot, gains, period):
@@ -411,7 +411,7 @@ class Module(unittest.TestCase):
             ("task_space_gains_p", [1, 2, 3, 4, 5, None], "numbers"),
             ("gaze_feedforward", "much", "True or False"),
         ):
-            with self.assertRaisesRegex(TypeError, f"{name}: .*, must be {must}"):
+            with self.assertRaisesRegex(TypeError, f"{name}: .*; give {must}"):
                 self.gains[name] = value
         study = armtune.load_study(self.folder / "study.yaml")
         with self.assertRaisesRegex(ValueError, "max_evaluations: -5"):

@@ -71,28 +71,29 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   RolloutSettings& settings = args->settings;
   settings.workers = default_workers();
   CLI::App* command = app.add_subcommand(
-      "compare", "Simulate gain sets over the same scenarios: one table, ratios against the first");
+      "compare", "Simulate gain sets in the same scenarios; print one table, with ratios to the first set");
   command->add_option("RUN_OR_GAINS", args->sets, "run folders, gains files or bundled gains")->required();
   command->add_option("--scenarios", args->scenarios,
-                      "scenarios (default: those of the first run folder's study, else of the bundled one)");
+                      "scenarios to simulate (default: those of the first run folder's study, else those of "
+                      "the bundled study ur10_gaze)");
   CLI::Option* stepper = add_stepper_option(*command, args->stepper);
-  CLI::Option* workers = command->add_option("--workers", settings.workers, "threads")
+  CLI::Option* workers = command->add_option("--workers", settings.workers, "number of threads")
                              ->check(CLI::Range(1, 1024))
                              ->default_str(kWorkersDefault);
   CLI::Option* deadline = command->add_option("--rollout-deadline", settings.deadline, kScenarioDeadlineHelp)
                               ->check(CLI::PositiveNumber);
   CLI::Option* endurance = add_endurance_option(*command, settings.endurance);
-  CLI::Option* all =
-      command->add_flag("--all-metrics", args->all_metrics, "every metric instead of the headlines");
+  CLI::Option* all = command->add_flag("--all-metrics", args->all_metrics,
+                                       "print every metric instead of only the most important ones");
   CLI::Option* folder = command->add_option(
       "--out", settings.folder, "new folder for comparison.csv, errors_<set>.csv and report.html");
   CLI::Option* gains = command->add_flag("--gains", args->gains_only,
-                                         "the gains that differ, side by side; nothing is simulated");
+                                         "print the gains that differ side by side, without a simulation");
   for (CLI::Option* of_simulation : {stepper, workers, deadline, endurance, all, folder})
     gains->excludes(of_simulation);
   command
       ->add_option("--robot", args->robot,
-                   "with --gains: the arm they are for (default: that of the scenarios)")
+                   "with --gains: the arm that the gains are for (default: the scenarios' arm)")
       ->needs(gains);
   command->footer([] {
     return std::string("Example:\n  armtune compare published extended_tuned --scenarios fixed_target\n");

@@ -13,7 +13,7 @@
 namespace armtune::internal::cli {
 
 void say_gains_difference(const std::vector<std::string>& sets, const RobotModel& robot, bool guessed) {
-  if (sets.size() < 2) throw InputError("--gains: shows what differs between sets; name two or more");
+  if (sets.size() < 2) throw InputError("--gains: compares gain sets; name two or more");
   const std::vector<std::string> labels = set_labels(sets);
   const auto joints = joint_names(robot);
   std::vector<NamedGains> named;
@@ -22,8 +22,9 @@ void say_gains_difference(const std::vector<std::string>& sets, const RobotModel
       named.push_back({labels[i], load_gains(gains_name(sets[i]), joints)});
     } catch (const yaml::OtherJoints& e) {
       if (!guessed) throw;
-      throw InputError(fmt::format("{}; read for an arm of {} joints: name another with --robot", e.what(),
-                                   joints.size()));
+      throw InputError(
+          fmt::format("{}. The gains were read for an arm with {} joints; name another arm with --robot",
+                      e.what(), joints.size()));
     }
   }
   say(gains_difference(named, joints));

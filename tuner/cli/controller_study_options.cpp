@@ -19,18 +19,17 @@ void add_controller_study_options(CLI::App& command, ControllerStudyInputs& inpu
       command
           .add_option(
               "--trajectory", inputs.trajectories,
-              "motions that the gains are tuned for, one or several: CSV with times and joint positions, "
+              "one or more motions for which the gains are tuned: CSV with times and joint positions, "
               "or a trajectory_msgs/JointTrajectory as YAML")
           ->expected(1, -1);
-  CLI::Option* node = command.add_option("--node", inputs.node,
-                                         "which controller of --controllers, where the file has several");
-  CLI::Option* rate =
-      command
-          .add_option("--rate", inputs.rate,
-                      "how often the controller runs [Hz] (default: update_rate in --controllers)")
-          ->check(CLI::Range(10.0, 10000.0));
+  CLI::Option* node =
+      command.add_option("--node", inputs.node, "name of the controller, if the file has several");
+  CLI::Option* rate = command
+                          .add_option("--rate", inputs.rate,
+                                      "control rate [Hz] (default: update_rate in the file of --controllers)")
+                          ->check(CLI::Range(10.0, 10000.0));
   CLI::Option* degrees =
-      command.add_flag("--degrees", inputs.degrees, "angles in the CSV files of --trajectory are in degrees");
+      command.add_flag("--degrees", inputs.degrees, "read angles in CSV files of --trajectory as degrees");
   if (required) {
     for (CLI::Option* option : {robot, controllers, trajectory}) option->required();
     return;

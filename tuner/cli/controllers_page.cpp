@@ -21,7 +21,7 @@ const char* shape(const GainField& field) {
 
 std::string range(const GainField& field) {
   if (field.search == SearchRange::kNone) return "";
-  if (field.search == SearchRange::kCriticalDamping) return "0 to Kp^2 / 4";
+  if (field.search == SearchRange::kCriticalDamping) return "0 to max(Kp^2/4, 2 start)";
   return fmt::format("{:.3g} to {:.3g} times the start", field.lower_factor, field.upper_factor);
 }
 
@@ -37,17 +37,16 @@ void add_rows(const std::vector<GainField>& fields, bool of_some, std::string& t
 }  // namespace
 
 std::string controllers_text() {
-  std::string text = "every controller\n";
+  std::string text = "gains of every controller\n";
   add_rows(gain_fields(), false, text);
   for (const ControllerKind* kind : controller_kinds()) {
     text += fmt::format("\n{}\n  {}\n", kind->name, kind->meaning);
     add_rows(fields_of(*kind), true, text);
   }
   return text +
-         "\n* tuned by default, in the range beside it. A gains file names its controller (controller: NAME; "
-         "without "
-         "it, adaptive).\n"
-         "To tune one: armtune tune STUDY --controller NAME\n";
+         "\n* tuned by default, within the range shown. A gains file names its controller with the key\n"
+         "'controller: NAME'; without this key it is for the adaptive controller.\n"
+         "To tune another controller than the study's: armtune tune STUDY --controller NAME\n";
 }
 
 }  // namespace armtune::internal::cli

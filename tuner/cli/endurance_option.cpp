@@ -12,8 +12,8 @@ namespace armtune::internal::cli {
 CLI::Option* add_endurance_option(CLI::App& command, double& minutes) {
   return command
       .add_option("--endurance", minutes,
-                  "extend every scenario to this simulated time and report the first limit that breaks "
-                  "(without a value: 30 minutes, which take seconds)")
+                  "extend every scenario to this many simulated minutes and report the first limit that "
+                  "breaks (without a value: 30, simulated within seconds)")
       ->expected(0, 1)
       ->default_str(fmt::format("{}", VerdictThresholds().minutes))
       ->option_text("[MINUTES]")

@@ -29,8 +29,9 @@ struct Arguments {
 JointVector center_in_si(const RobotModel& model, const std::vector<double>& degrees) {
   if (degrees.empty()) return {};
   if (static_cast<int>(degrees.size()) != model.n()) {
-    throw InputError(fmt::format("--center has {} values, {} has {} joints: {}", degrees.size(), model.name,
-                                 model.n(), fmt::join(joint_names(model), " ")));
+    throw InputError(
+        fmt::format("--center has {} values, but {} has {} joints; give one value for each of: {}",
+                    degrees.size(), model.name, model.n(), fmt::join(joint_names(model), " ")));
   }
   return in_si(model, Eigen::Map<const Eigen::VectorXd>(degrees.data(), model.n()));
 }
@@ -41,8 +42,10 @@ ExciteSettings settings_of(const Arguments& args) {
   for (const std::string& name : args.scenarios) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
     if (robot.name != settings.model->name || joint_names(robot) != joint_names(*settings.model)) {
-      throw InputError(fmt::format("{}: its robot is {}, not {}; name that robot, or a scenario of {}", name,
-                                   robot.name, settings.model->name, settings.model->name));
+      throw InputError(
+          fmt::format("{}: the scenario's robot is {}, but ROBOT is {}; give the same robot as "
+                      "ROBOT, or a scenario with {}",
+                      name, robot.name, settings.model->name, settings.model->name));
     }
   }
   ExcitationOptions& design = settings.design;
@@ -64,7 +67,7 @@ int run(const Arguments& args) {
 void add_excite_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "excite", "Design a trajectory that shows an arm's parameters to identify; simulate logs of it");
+      "excite", "Design a trajectory from which an arm's dynamics can be identified; simulate logs of it");
   ExciteSettings& settings = args->settings;
   ExcitationOptions& d = settings.design;
   command->add_option("ROBOT", args->robot, "bundled robot, robot YAML or URDF")->required();
@@ -72,48 +75,58 @@ void add_excite_command(CLI::App& app, int& exit_code) {
       ->required();
   command
       ->add_option("--center", args->center_deg,
-                   "joint angles to move around [deg] (metres for prismatic joints)")
+                   "joint positions around which the arm moves [deg; m for prismatic joints] (default: the "
+                   "middle of the position limits)")
       ->delimiter(',');
-  command->add_option("--amplitude", d.amplitude, "largest distance from the centre [rad, m]")
+  command->add_option("--amplitude", d.amplitude, "largest distance of a joint from its centre [rad, m]")
       ->check(CLI::Range(1e-3, 10.0))
       ->capture_default_str();
-  command->add_option("--margin", d.margin, "share of velocity and effort limits that may be used")
+  command->add_option("--margin", d.margin, "share of the velocity and effort limits that the motion may use")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
   command->add_option(
       "--min-height", d.min_height,
-      "origins of the third joint and up, and the tool, stay above this z of the base frame [m]");
-  command->add_option("--frequency", d.frequency, "base frequency [Hz]")
+      "least height of the tool, and of the joint origins from the third joint on, as z in the base frame "
+      "[m] (default: no limit)");
+  command->add_option("--frequency", d.frequency, "base frequency of the Fourier series [Hz]")
       ->check(CLI::Range(1e-3, 10.0))
       ->capture_default_str();
-  command->add_option("--harmonics", d.harmonics, "multiples of it")
+  command->add_option("--harmonics", d.harmonics, "number of harmonics of the base frequency")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
-  command->add_option("--duration", d.duration, "[s]")
+  command->add_option("--duration", d.duration, "duration of the trajectory [s]")
       ->check(CLI::Range(1.0, kLongestExcitation))
       ->capture_default_str();
-  command->add_option("--fade", args->fade, "in and out [s]; 2, or a quarter of a short duration")
+  command
+      ->add_option("--fade", args->fade,
+                   "duration of the fade-in, and of the fade-out [s] (default: 2, or a quarter of the "
+                   "trajectory's duration if that is less)")
       ->check(CLI::Range(0.1, 10.0));
-  command->add_option("--evaluations", d.evaluations, "budget of the design")
+  command
+      ->add_option("--evaluations", d.evaluations, "largest number of trajectories that the design evaluates")
       ->check(CLI::Range(1, 100000000))
       ->capture_default_str();
-  command->add_option("--seed", d.seed, "of the random series it starts from")->capture_default_str();
+  command->add_option("--seed", d.seed, "seed of the random trajectories from which the design starts")
+      ->capture_default_str();
   command
       ->add_option("--trajectory", settings.trajectory,
-                   "an excitation.yaml: takes it instead of designing one")
+                   "use the trajectory of this excitation.yaml instead of designing one")
       ->check(readable_file());
   command->add_option("--scenario", args->scenarios,
-                      "also simulate this scenario's arm (without its payload) and log it");
+                      "also simulate the trajectory on this scenario's arm, without its payload, and write a "
+                      "log");
   command
       ->add_option("--torque-noise", settings.log.torque_noise,
                    "standard deviation of the logged torques [N m]")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  command->add_flag("--payload", settings.log.payload, "let the scenario's payload hang at the tool");
+  command->add_flag("--payload", settings.log.payload, "simulate with the scenario's payload at the tool");
   command->footer(
-      "Nothing here knows where the arm's links, its pedestal or the room are: look at trajectory.csv, and run it slowly "
-      "first.\nExample:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
-      "--scenario moving_target\n  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");
+      "Collisions of the arm with itself, its pedestal or the room are not checked. Look at trajectory.csv,\n"
+      "and run it slowly first.\n\n"
+      "Example:\n  armtune excite ur10 --center 0,-90,-60,-90,90,0 --min-height 0.1 --out runs/excite "
+      "--scenario moving_target\n"
+      "  armtune identify runs/excite/log_moving_target.csv --robot ur10 --out runs/identified\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }
 

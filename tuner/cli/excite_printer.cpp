@@ -9,13 +9,13 @@ namespace armtune::internal::cli {
 
 void ExcitePrinter::designed(const ExciteOutcome& so_far) {
   if (so_far.design) {
-    say(fmt::format("{} evaluations; the best of 50 random series has condition number {:.4g}\n",
+    say(fmt::format("{} evaluations; before them, the best of 50 random series had condition number {:.4g}\n",
                     so_far.design->evaluations, so_far.design->random_condition));
   }
   const ExcitationUse& use = so_far.use;
   say(fmt::format(
-      "condition number {:.4g}; largest velocity {:.3g} and effort {:.3g} of their limits, {:.3g} rad or m "
-      "from the nearest position limit, lowest point {:.3g} m\n",
+      "condition number {:.4g}; largest velocity {:.3g} and largest effort {:.3g} as shares of their limits; "
+      "{:.3g} rad or m from the nearest position limit; lowest point at {:.3g} m\n",
       use.condition, use.velocity_ratio, use.effort_ratio, use.position_margin, use.lowest));
 }
 

@@ -39,7 +39,8 @@ std::string changed_controllers(const Arguments& args, const GainsFile& gains) {
   const RosController controller = chosen_controller(ros_controllers(text, args.into), args.into, args.node);
   if (!is_joint_trajectory_controller(gains.gains.controller)) {
     throw InputError(
-        fmt::format("{}: gains of the controller '{}' do not fit {}, a joint trajectory controller",
+        fmt::format("{}: the gains are for the controller '{}', but {} is a joint trajectory controller; "
+                    "give gains of such a controller, or export without --into",
                     args.what.set, gains.gains.controller, controller.name));
   }
   return with_gains(text, controller, args.into, gains.gains, gains.joints);
@@ -56,7 +57,8 @@ int run(const Arguments& args) {
     file.gains = load_gains(path, file.joints);
   } catch (const yaml::OtherJoints& e) {
     if (!args.what.robot.empty()) throw;
-    throw InputError(fmt::format("{}; read for {}: name another arm with --robot", e.what(), robot->name));
+    throw InputError(fmt::format("{} (read as gains for {}; if they are for another arm, name it by --robot)",
+                                 e.what(), robot->name));
   }
   file.node = args.node;
   file.origin = origin_of(args.what, path, run, robot->source);
@@ -77,30 +79,30 @@ int run(const Arguments& args) {
 
 void add_export_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("export", "Write gains in the form that a robot reads");
+  CLI::App* command = app.add_subcommand("export", "Write gains in a format that a robot can load");
   command->add_option("RUN_OR_GAINS", args->what.set, "run folder, gains file or bundled gains")->required();
   command
       ->add_option("--format", args->format,
-                   "yaml: armtune's own; ros1: for rosparam load; ros2: for --params-file")
+                   "yaml: armtune's own format; ros1: for rosparam load; ros2: for --params-file")
       ->check(CLI::IsMember(gains_format_names()))
       ->capture_default_str();
   CLI::Option* into = command->add_option(
       "--into", args->into,
-      "a ROS parameter file with a joint_trajectory_controller: that file with these gains, and "
-      "nothing but numbers changed; needs --out");
+      "ROS parameter file of a joint_trajectory_controller: writes a copy of it to --out, with nothing "
+      "changed but the numbers of the gains");
   into->excludes("--format");
   command->add_option(
       "--node", args->node,
-      "name space or node that the parameters are of (default: simple_effort_ctrl; of ros2 '/**', "
-      "every node); of --into the controller, where the file has several");
+      "namespace or node of the parameters (default: simple_effort_ctrl; with ros2 '/**', every node). With "
+      "--into: name of the controller, if the file has several");
   command->add_option(
       "--robot", args->what.robot,
       "the arm that the gains are for (default: the arm of the run's study; ur10 if only gains are given)");
-  into->needs(command->add_option("--out", args->file, "new file (default: to the screen)"));
+  into->needs(command->add_option("--out", args->file, "new file (default: standard output)"));
   command->footer(
-      "A comment at the top says which study, seed and inputs the gains came from, how much of the joints'\n"
-      "limits they use in simulation, and the order of numbers. Each gain stands below its unit. Before the\n"
-      "first motion of a real arm, see docs/ros.md.\n\n"
+      "A comment at the top of the file lists the study, seed and inputs of the gains, the share of the\n"
+      "joint limits that they use in simulation, and the order of numbers. The line above each gain has\n"
+      "its unit. Read docs/ros.md before the first motion of a real arm.\n\n"
       "Example:\n"
       "  armtune export runs/tuned --format ros2 --out gains.yaml\n"
       "  armtune export runs/moves --into ros2_controllers.yaml --out tuned_controllers.yaml");

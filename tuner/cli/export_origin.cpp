@@ -29,7 +29,7 @@ std::shared_ptr<const RobotModel> robot_of(const GainsToExport& what, const std:
   if (!run.empty()) return scenarios_of(run, {}, {}).front().robot;
   if (!is_folder(what.set)) return load_robot("ur10");
   throw InputError(fmt::format(
-      "{}: no study.yaml in it says which arm the gains are for; name it with --robot", what.set));
+      "{}: has no study.yaml, so the arm of the gains is unknown; name it with --robot", what.set));
 }
 
 std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& what, const std::string& path,
@@ -53,8 +53,9 @@ std::vector<std::pair<std::string, std::string>> origin_of(const GainsToExport& 
   origin = origin_of_run(folder, false);
   origin.insert(
       origin.begin(),
-      {"warning", fmt::format("the figures of this run are not of these {}: simulate them",
-                              of_other_arm ? "gains on this arm" : "gains, which stand beside it")});
+      {"warning",
+       fmt::format("this run's objective, limits and margins do not apply to these {}; simulate them",
+                   of_other_arm ? "gains on this arm" : "gains, which are in another of its files")});
   for (const auto& row : of_robot) {
     if (!is_known(row)) origin.push_back(row);
   }

@@ -11,7 +11,7 @@
 namespace armtune::internal::cli {
 
 void FrontPrinter::began(const Study& study, const ParetoOptions& options, std::size_t recalled) {
-  say(fmt::format("front of {}: {}; {} gains over {} scenarios, {} at most; results go to {}\n", study.name,
+  say(fmt::format("front of study {}: {}; {} gains, {} scenarios; budget: {}; results go to {}\n", study.name,
                   fmt::join(settings_.criteria, " against "), study.space.free.size(), study.scenarios.size(),
                   budget_text(options.max_evaluations, study.max_minutes), settings_.place.folder));
   if (settings_.place.resume) say(fmt::format("resuming after {} finished evaluations\n", recalled));
@@ -29,17 +29,17 @@ void print_front(const FrontOutcome& outcome, const Study& study, const std::str
   }
   say(pareto_table(study, outcome.options, outcome.result));
   if (outcome.result.out_of_time) {
-    say(fmt::format("time used up after {} evaluations: levels may have been left out or be searched short\n",
+    say(fmt::format("time used up after {} evaluations: some levels may be missing or only partly searched\n",
                     outcome.result.evaluations));
   }
   say(fmt::format("{}\nwrote {} in {:.0f} s: {}{}\n",
                   !outcome.verified ? "interrupted: the points were not simulated again"
                   : study.engine == Engine::kSimbody
-                      ? "every point was simulated again, with the same figures"
-                      : "every point was simulated again, by simbody: these are its figures",
+                      ? "every point was simulated again and gave the same values"
+                      : "every point was simulated again in simbody; the table has these values",
                   folder, outcome.seconds, fmt::join(outcome.files, ", "),
                   outcome.verified ? "; recordings for the report in start/ and shown/" : ""));
-  if (!outcome.verified) say(fmt::format("to go on: {} pareto --resume {}\n", program_name(), folder));
+  if (!outcome.verified) say(fmt::format("to resume: {} pareto --resume {}\n", program_name(), folder));
 }
 
 }  // namespace armtune::internal::cli

@@ -37,7 +37,7 @@ std::vector<Scenario> scenarios_of(const std::string& set, const std::vector<std
     Scenario scenario = load_scenario(name);
     for (const Scenario& other : scenarios) {
       if (other.name == scenario.name)
-        throw InputError(fmt::format("two scenarios are called {}", other.name));
+        throw InputError(fmt::format("two scenarios have the name {}; rename one", other.name));
     }
     scenarios.push_back(std::move(scenario));
   }

@@ -40,44 +40,47 @@ void add_identify_command(CLI::App& app, int& exit_code) {
       "Find an arm's inertial and friction parameters from logs of positions, velocities and torques");
   command
       ->add_option("LOG", settings.logs,
-                   "CSV files: time, joint/NAME/position, joint/NAME/torque, if there joint/NAME/velocity "
-                   "(checked against the "
-                   "positions); as simulate and excite write them")
+                   "CSV files with the columns time, joint/NAME/position and joint/NAME/torque, as simulate "
+                   "and excite write them. joint/NAME/velocity is optional and only compared with the "
+                   "positions")
       ->required()
       ->check(readable_file());
   command
       ->add_option("--robot", args->robot,
-                   "bundled robot, robot YAML or URDF: geometry, names and prior values")
+                   "bundled robot, robot YAML or URDF with the geometry, the joint names and prior values")
       ->required();
   command->add_option("--out", settings.folder,
-                      "new folder for theta.yaml, base_parameters.csv, robot.urdf and the rest");
+                      "new folder for theta.yaml, base_parameters.csv, robot.urdf and other results "
+                      "(default: no files)");
   command->add_option("--columns", settings.columns_path,
-                      "YAML that says which columns of the logs hold what, with units' factors");
+                      "YAML file that names the column of each quantity in the logs, with factors for other "
+                      "units");
   command
       ->add_option("--cutoff", settings.options.rows.cutoff,
-                   "of the zero-phase filter [Hz]: five times the highest frequency that moves the arm; "
-                   "lower lets less "
-                   "noise through, higher keeps friction's edges")
+                   "cutoff frequency of the zero-phase filter [Hz]: about five times the highest frequency "
+                   "of the motion. A lower value removes more noise, a higher one keeps the jumps of "
+                   "friction")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   command
       ->add_option(
           "--torque-delay", settings.options.rows.torque_delay,
-          "delay of the logged torque [s]; half a control period if each row's torque is held until the next row")
+          "delay of the logged torque [s]. Give half a control period if the torque of a row is held until "
+          "the next row")
       ->capture_default_str();
   command->add_flag("--robust", settings.options.robust,
                     "give outliers less weight (Huber), in several passes over the logs");
   command->add_flag(
       "!--fit-all", settings.options.hold_out,
-      "fit to all of the logs; without it every fifth second is left out, to check the result on it");
-  command->add_flag(
-      "--accept", settings.accept,
-      "write the result although the logs do not fit the robot file (exit code 3 all the same)");
+      "fit to all of the logs. Without this option every fifth second is left out, to check the result on "
+      "it");
+  command->add_flag("--accept", settings.accept,
+                    "write the result even if the logs do not fit the robot file; the exit code is still 3");
   command->footer(
       "Record a motion that moves every joint through its range at several speeds (armtune excite designs "
       "one), then:\n"
       "  armtune identify log.csv --robot my_arm.yaml --out runs/identified\n"
-      "A scenario starts from the result with  theta_start: {file: runs/identified/theta.yaml}\n"
+      "To start a scenario from the result:  theta_start: {file: runs/identified/theta.yaml}\n"
       "Column map:  time: t\n             position: {columns: [q1, q2], scale: 0.0174533}\n"
       "             torque: {columns: [tau1, tau2], scale: [10.0, 8.5]}\n"
       "Cells may be separated by commas, semicolons, tabs or blanks.\n");

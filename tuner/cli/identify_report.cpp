@@ -21,8 +21,8 @@ std::string shortened(const std::string& name) {
 void print_base_parameters(const RobotModel& model, const Identification& found) {
   const Eigen::VectorXd file = found.base.map * theta_of(model.chain);
   const Eigen::VectorXd deviation = found.estimate.deviation();
-  say(fmt::format("{:<44}{:>12}{:>10}{:>12}\n", "base parameter (group of inertial ones)", "estimate", "+-",
-                  "robot file"));
+  say(fmt::format("{:<44}{:>12}{:>10}{:>12}\n", "base parameter (sum of inertial parameters)", "estimate",
+                  "+-", "robot file"));
   for (Eigen::Index b = 0; b < file.size(); ++b) {
     say(fmt::format("{:<44}{:>12.5g}{:>10}{:>12.5g}\n",
                     shortened(found.base.names[static_cast<std::size_t>(b)]), found.estimate.theta[b],
@@ -36,11 +36,11 @@ std::string share(double part, double whole) {
 
 void print_unexplained(const RobotModel& model, const Identification& found) {
   const bool held_out = found.held_out.rows > 0;
-  say(fmt::format("\nShare of each joint's torque that is not explained (RMS):\n"));
+  say(fmt::format("\nShare of each joint's RMS torque that the model does not explain:\n"));
   say(fmt::format("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "", "torque RMS", "theta.yaml", "theta.yaml",
                   "robot file"));
-  say(fmt::format("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "joint", "[N m, N]", "fitted to", "held out",
-                  "as it stands"));
+  say(fmt::format("{:<28}{:>12}{:>13}{:>13}{:>13}\n", "joint", "[N m, N]", "fitted", "held out",
+                  "unchanged"));
   for (int j = 0; j < model.n(); ++j) {
     const Unexplained& fitted = found.fitted;
     const Unexplained& out = found.held_out;
@@ -54,7 +54,7 @@ void print_unexplained(const RobotModel& model, const Identification& found) {
 void print_not_excited(const Identification& found) {
   const std::vector<int>& groups = found.estimate.not_excited;
   if (groups.empty()) return;
-  say(fmt::format("\nThese logs do not excite {} groups, which stay near the robot file's values:\n",
+  say(fmt::format("\nThese logs do not excite {} base parameters, which stay near the robot file's values:\n",
                   groups.size()));
   for (const int b : groups) say(fmt::format("  {}\n", found.base.names[static_cast<std::size_t>(b)]));
 }
@@ -63,13 +63,14 @@ void print_fit(const RobotModel& model, const Identification& found) {
   print_base_parameters(model, found);
   print_unexplained(model, found);
   print_not_excited(found);
-  say(fmt::format(
-      "\n{} samples, {} rows to fit and {} held out, {} base parameters of {}, condition number {:.4g}\n",
-      found.samples, found.fitted.rows * model.n(), found.held_out.rows * model.n(), found.base.rank(),
-      found.theta.size(), found.estimate.condition));
+  say(
+      fmt::format("\n{} samples, {} rows fitted and {} rows held out; {} base parameters of {} parameters, "
+                  "condition number {:.4g}\n",
+                  found.samples, found.fitted.rows * model.n(), found.held_out.rows * model.n(),
+                  found.base.rank(), found.theta.size(), found.estimate.condition));
   if (found.made_physical) {
     say(fmt::format(
-        "The estimate is not one that a physical arm can have. theta.yaml is the nearest that is.\n"));
+        "No physical arm can have the estimated parameters. theta.yaml has the nearest possible ones.\n"));
   }
   if (!found.comparison.most_joints_move) {
     say("Fewer than half of the joints move, so signs, zero positions and columns were not checked.\n");
@@ -82,9 +83,8 @@ void print_fit(const RobotModel& model, const Identification& found) {
   }
   if (uncertain > 0) {
     say(fmt::format(
-        "{} groups have a standard deviation above {:.0f} % of their value: they are small, or the motion "
-        "hardly "
-        "excites them.\n",
+        "{} base parameters have a standard deviation above {:.0f} % of their value: they are small, or the "
+        "motion hardly excites them.\n",
         uncertain, 100.0 * kUncertain));
   }
 }
@@ -98,7 +98,7 @@ void print_identification(const IdentifySettings& settings, const IdentifyOutcom
   if (outcome.doubts.empty()) return;
   say("\nThe logs do not fit the robot file:\n");
   for (const std::string& doubt : outcome.doubts) say(fmt::format("  {}.\n", doubt));
-  if (outcome.files.empty()) say("Nothing was written. If the logs are right all the same, add --accept.\n");
+  if (outcome.files.empty()) say("Nothing was written. If you know that the logs are right, add --accept.\n");
 }
 
 }  // namespace armtune::internal::cli

@@ -18,14 +18,14 @@ void add_init_command(CLI::App& app, int&) {
   auto inputs = std::make_shared<ControllerStudyInputs>();
   auto folder = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
-      "init", "Write a study of a ROS controller's gains, out of the robot, its parameter file and motions");
+      "init", "Write a study that tunes a ROS controller, from its robot, its parameter file and motions");
   add_controller_study_options(*command, *inputs, true);
   command->add_option("--out", *folder, "new folder for the study")->required();
   command->footer(
-      "Writes study.yaml (what is tuned, for what, within which limits), a scenario for each motion (noise and\n"
-      "delay: what your robot has and the controller does not know), and robot.yaml where nobody gives the arm's\n"
-      "rotor inertia. Change what is not as on your robot, then tune. 'armtune tune' with the same options does\n"
-      "both at once.\n\n"
+      "Writes study.yaml with the gains to tune, the objective and the constraints. For each motion it\n"
+      "writes a scenario with the sensor noise and delay that are assumed. If no file gives the arm's\n"
+      "rotor inertia, it also writes robot.yaml with an estimate. Change the values that differ on your\n"
+      "robot, then tune. 'armtune tune' with the same options does both at once.\n\n"
       "Example:\n"
       "  armtune init --robot ur5e --controllers ros2_controllers.yaml --trajectory moves.csv --out mine\n"
       "  armtune tune mine/study.yaml --out runs/mine");

@@ -17,7 +17,7 @@ namespace armtune::internal::cli {
 namespace {
 
 constexpr const char* kProgram = "armtune";
-constexpr const char* kOutHelp = "file to write it to (default: to the screen)";
+constexpr const char* kOutHelp = "file for the output (default: standard output)";
 
 void put(const std::string& text, const std::string& file) {
   file.empty() ? say(text) : write_text_file(file, text);
@@ -29,7 +29,7 @@ void add_man_command(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("man", "Print the manual page");
   auto file = std::make_shared<std::string>();
   command->add_option("--out", *file, kOutHelp);
-  command->footer("To read it:  armtune man | man -l -\nAn installed armtune has it as  man armtune.");
+  command->footer("To read it:  armtune man | man -l -\nIf armtune is installed:  man armtune");
   command->callback([&app, file] {
     const auto version = versions().front();
     put(man_page(declared(app, kProgram), version.first + " " + version.second), *file);
@@ -37,13 +37,15 @@ void add_man_command(CLI::App& app, int&) {
 }
 
 void add_completion_command(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("completion", "Print a shell's completion of armtune's commands");
+  CLI::App* command = app.add_subcommand(
+      "completion", "Print a script with which a shell completes armtune's commands and options");
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash or zsh")->required()->check(CLI::IsMember(shell_names()));
   auto file = std::make_shared<std::string>();
   command->add_option("--out", *file, kOutHelp);
   command->footer(
-      "For this shell alone:  source <(armtune completion bash)\nAn installed armtune brings both along.");
+      "For the current shell only:  source <(armtune completion bash)\n"
+      "If armtune is installed, bash and zsh have the completion already.");
   command->callback([&app, shell, file] { put(completion(declared(app, kProgram), *shell), *file); });
 }
 

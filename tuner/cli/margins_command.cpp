@@ -44,7 +44,7 @@ int run(Arguments args) {
 
   const Stopwatch watch;
   ProgressLine line;
-  line.show("the nominal rollouts");
+  line.show("simulating the nominal rollouts");
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(fmt::format("{} of {} margins, {:.0f} s left", done, all,
                           watch.seconds() / static_cast<double>(done) * static_cast<double>(all - done)));
@@ -79,15 +79,17 @@ int run(Arguments args) {
 
 std::string help_footer() {
   std::string text =
-      "Margins (each searched alone, everything else as the scenario and the gains have it):\n";
+      "Margins (one quantity is changed at a time, from its value in the scenario and the gains):\n";
   for (const MarginField& field : margin_fields()) {
     text += fmt::format("  {:<16} {} [{}]\n", field.name, field.meaning, field.unit);
   }
   text += fmt::format(
-      "\nA closed loop holds if its rollout completes, keeps the limits, and saturates a joint's torque in "
-      "at\nmost {} % of the control periods: a loop that is unstable chatters from bound to bound, long before "
-      "it\ndiverges or tracks much worse. The search strides away from the nominal value to the first failure "
-      "and\nbisects: to adjacent periods, or to 2 %. A margin is 'none' where not even the nominal value stands.\n"
+      "\n"
+      "A closed loop holds if its rollout completes, keeps the limits, and saturates a joint's torque in at\n"
+      "most {} % of the control periods. An unstable loop chatters between the torque limits long before it\n"
+      "diverges or tracks much worse. The search moves away from the nominal value in steps until the loop\n"
+      "fails. It then bisects, down to one control period of delay or 2 % of another quantity. A margin is\n"
+      "'none' if the loop fails at the nominal value already.\n"
       "\nExample:\n  armtune margins extended_tuned --scenarios moving_target realistic_moving_target "
       "--limit 'joint_velocity/max_ratio<=0.9'\n",
       100.0 * kSaturatedShare);
@@ -101,17 +103,17 @@ void add_margins_command(CLI::App& app, int& exit_code) {
   args->options.workers = default_workers();
   CLI::App* command = app.add_subcommand(
       "margins", "Find stability margins by bisection: extra delay, gain, control rate, noise");
-  command->add_option("RUN_OR_GAINS", args->set, "a run folder, bundled gains or a YAML file")->required();
+  command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
   command->add_option(
       "--scenarios", args->scenarios,
-      "scenarios that are simulated (default: those of the run's study; of gains alone fixed_target, "
-      "moving_target, target_switch, obstacle_pass and their realistic_ variants");
+      "scenarios to simulate (default: those of the run's study; if there is none fixed_target, "
+      "moving_target, target_switch, obstacle_pass and their realistic_ variants)");
   command->add_option("--limit", args->limits,
-                      "METRIC<=VALUE or METRIC>=VALUE, may be repeated (default: joint "
-                      "velocities and positions inside the arm's own, and no obstacle touched");
+                      "limit to keep, METRIC<=VALUE or METRIC>=VALUE; may be repeated, and replaces the "
+                      "default (joint velocities and positions within the arm's limits, and no contact)");
   add_stepper_option(*command, args->stepper);
   command->add_option("--out", args->folder, "new folder for margins.csv and run.yaml");
-  command->add_option("--workers", args->options.workers, "threads; results do not depend on it")
+  command->add_option("--workers", args->options.workers, "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
   command->footer(help_footer);

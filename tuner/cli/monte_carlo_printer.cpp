@@ -25,7 +25,8 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
                   100.0 * static_cast<double>(kept) / static_cast<double>(samples.size()), samples.size(),
                   100.0 * low, 100.0 * high));
   for (const MetricLimit& limit : limits) say(fmt::format("  {}\n", to_string(limit)));
-  say(fmt::format("  torque saturated in at most {:.0f} % of the periods\n", 100.0 * kSaturatedShare));
+  say(fmt::format("  torque saturated in at most {:.0f} % of the control periods\n",
+                  100.0 * kSaturatedShare));
   std::map<std::pair<std::string, std::string>, std::vector<std::uint64_t>> breaks;
   for (const MonteCarloSample& sample : samples) {
     for (std::size_t s = 0; s < scenarios.size(); ++s) {
@@ -35,7 +36,8 @@ void print_yield(const std::vector<Scenario>& scenarios, const std::vector<Monte
   constexpr std::size_t kShown = 8;
   for (const auto& [what, numbers] : breaks) {
     say(fmt::format(
-        "{}: {} of {} break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(), what.second,
+        "{}: {} of {} arms break '{}': samples {}{}\n", what.first, numbers.size(), samples.size(),
+        what.second,
         fmt::join(numbers.begin(),
                   numbers.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, numbers.size())), " "),
         numbers.size() > kShown ? " ..." : ""));
@@ -75,11 +77,11 @@ int MonteCarloPrinter::ended(const MonteCarloOutcome& outcome) const {
   }
   if (!folder.empty()) {
     say(fmt::format("\nwrote {}: {}{}\n", folder, fmt::join(outcome.files, ", "),
-                    outcome.recorded ? "; the arm of the scenarios itself in nominal/" : ""));
+                    outcome.recorded ? "; recordings of the nominal arm in nominal/" : ""));
   }
   if (outcome.ending != Ending::kInterrupted) return conclude(outcome.verdict);
   if (!folder.empty())
-    say(fmt::format("interrupted; to go on: {} robustness --resume {}\n", program_name(), folder));
+    say(fmt::format("interrupted; to resume: {} robustness --resume {}\n", program_name(), folder));
   return kInterrupted;
 }
 

@@ -26,13 +26,15 @@ CLI::Validator names_shown(const List& list, NameOf name_of) {
 }  // namespace
 
 CLI::Option* add_stepper_option(CLI::App& command, std::string& stepper) {
-  return command.add_option("--stepper", stepper, "how a control period is stepped")
+  return command.add_option("--stepper", stepper, "numerical integration method of the simulation")
       ->check(names_shown(kSteppers, [](Stepper one) { return name(one); }))
       ->capture_default_str();
 }
 
 CLI::Option* add_engine_option(CLI::App& command, std::string& engine) {
-  return command.add_option("--engine", engine, "native: armtune's own dynamics, several times faster")
+  return command
+      .add_option("--engine", engine,
+                  "dynamics engine: Simbody, or armtune's own (native), which is several times faster")
       ->check(names_shown(kEngines, [](Engine one) { return name(one); }))
       ->capture_default_str();
 }
@@ -40,8 +42,8 @@ CLI::Option* add_engine_option(CLI::App& command, std::string& engine) {
 CLI::Option* add_controller_option(CLI::App& command, std::string& controller) {
   return command
       .add_option("--controller", controller,
-                  "tune another controller on the study's task, all of its gains that are tuned by default; "
-                  "armtune controllers says more of each")
+                  "tune this controller on the study's task instead of the study's own; all gains that "
+                  "'armtune controllers' marks are tuned")
       ->check(names_shown(controller_kinds(), [](const ControllerKind* kind) { return kind->name; }));
 }
 

@@ -81,7 +81,8 @@ int report(const std::exception_ptr& failure) {
     fmt::print(stderr, "armtune: {}\n", e.what());
     return stop_requested() ? kInterrupted : kBadInput;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "armtune: failed: the memory was not enough; allow more, or ask for less at once\n");
+    fmt::print(stderr,
+               "armtune: failed: not enough memory; provide more, or use fewer --workers or less input\n");
   } catch (const std::exception& e) {
     fmt::print(stderr, "armtune: failed: {}\n", e.what());
   }
@@ -103,14 +104,15 @@ RankGroup& team() {
 void refuse_ranks(const std::string& command) {
   if (const int tasks = strangers(); tasks > 0) {
     throw InputError(fmt::format(
-        "srun started {} tasks that know nothing of each other, and each would do the whole run: use srun "
-        "--mpi=pmix, or one task and --workers",
+        "srun started {} tasks without MPI, each of which would do the whole run; use srun --mpi=pmix, or "
+        "one task with --workers",
         tasks));
   }
   if (rank_place().size == 1 || std::find(kUsers.begin(), kUsers.end(), command) != kUsers.end()) return;
   throw InputError(
-      fmt::format("{} does not use ranks ({} were started): run it without mpirun or srun; {} do", command,
-                  rank_place().size, fmt::join(kUsers, ", ")));
+      fmt::format("{} does not use ranks, but {} were started; run it without mpirun or srun. Only {} use "
+                  "ranks",
+                  command, rank_place().size, fmt::join(kUsers, ", ")));
 }
 
 }  // namespace armtune::internal::cli

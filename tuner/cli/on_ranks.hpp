@@ -29,16 +29,15 @@ int report(const std::exception_ptr& failure);
 
 /// Help texts of --workers and --rollout-deadline.
 inline constexpr const char* kWorkersHelp =
-    "threads; results do not depend on it. Under mpirun or srun every rank is one worker";
+    "number of threads; results do not depend on it. Under mpirun or srun every rank is one worker";
 /// Default of --workers as --help shows it. It does not depend on this machine.
 inline constexpr const char* kWorkersDefault = "one per processor";
 inline constexpr const char* kDeadlineHelp =
-    "wall clock seconds one rollout may take before the run ends with an error (default: 20, and 2 per "
+    "wall-clock time limit of one rollout [s]; beyond it the run ends with an error (default: 20, plus 2 per "
     "simulated second)";
 /// Help text of --rollout-deadline in commands that simulate each scenario independently.
 inline constexpr const char* kScenarioDeadlineHelp =
-    "wall clock seconds one scenario may take before it is called interrupted (default: 20, and 2 per "
-    "simulated "
-    "second)";
+    "wall-clock time limit of one scenario [s]; beyond it the scenario is interrupted (default: 20, plus 2 "
+    "per simulated second)";
 
 }  // namespace armtune::internal::cli

@@ -43,33 +43,39 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   settings.criteria = {"objective", "joint_velocity/max_ratio"};
   settings.workers = default_workers();
   CLI::App* command =
-      app.add_subcommand("pareto", "Find a study's front: what each bit of accuracy costs in joint velocity");
+      app.add_subcommand("pareto", "Find a study's Pareto front, such as accuracy against joint velocity");
   command->add_option("STUDY", args->study, "a bundled study, such as ur10_gaze, or a YAML file of your own")
       ->required();
   add_controller_option(*command, args->controller);
   command
       ->add_option("--criteria", settings.criteria,
-                   "two or three of: 'objective' (the study's) and any metric (its worst over the scenarios)")
+                   "two or three criteria: 'objective' (the study's) or a metric (its worst over the "
+                   "scenarios)")
       ->expected(2, 3)
       ->capture_default_str();
   command
       ->add_option(
           "--levels", settings.levels,
-          "levels of each criterion but the first, each searched twice (default: 12, with three criteria 4)")
+          "number of levels of each criterion except the first; each level is searched twice (default: 12, "
+          "or 4 with three criteria)")
       ->check(CLI::Range(2, 1000));
   command
-      ->add_option("--max-evaluations", settings.max_evaluations, "budget (default: four times the study's)")
+      ->add_option("--max-evaluations", settings.max_evaluations,
+                   "number of evaluations (default: four times the study's)")
       ->check(CLI::Range(1L, 1000000000L));
-  command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
+  command
+      ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: the study's)")
       ->check(CLI::Range(0L, 1000000000000L));
-  add_run_options(*command, "new folder (default: runs/pareto_<study>_<time>)", settings.place,
-                  settings.workers, settings.deadline);
+  add_run_options(*command, "new folder for the results (default: runs/pareto_<study>_<time>)",
+                  settings.place, settings.workers, settings.deadline);
   command->footer(
-      "The study's constraints hold for every point. Of its search, global, global_share, algorithm and "
-      "constraints are taken for the least of the first criterion, steps, engine and seed for all; sweep, "
-      "starts and verify_share are tune's. The points of the front are simulated again at the end, beyond "
-      "the evaluations allowed. The front ends where a criterion cannot fall further without another one "
-      "being worse than with the start gains.\n\nExample:\n  armtune pareto ur10_gaze --criteria gaze/rms "
+      "Every point of the front keeps the study's constraints. The study's search keys global,\n"
+      "global_share, algorithm and constraints apply to the search for the least first criterion. The\n"
+      "steps, engine and seed apply to all searches. The keys sweep, starts and verify_share are not\n"
+      "used. At the end the points of the front are simulated again; these evaluations do not count. The\n"
+      "front ends where a criterion cannot improve further unless another one becomes worse than with the\n"
+      "start gains.\n\n"
+      "Example:\n  armtune pareto ur10_gaze --criteria gaze/rms "
       "joint_velocity/max_ratio effort_rate/rms --levels 5\n");
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }

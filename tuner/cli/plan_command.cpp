@@ -32,17 +32,24 @@ std::string tasks() {
 }
 
 constexpr const char* kFooter =
-    "Tasks: move (point to point), track (path and gaze, least error), switch (gaze to the next target), return "
-    "(onto the\nmoving path), fastest (along the path's curve). Limits: joint positions, velocities and torques "
-    "of the robot's file,\nand accelerations and jerks where the task gives some. Under jerk limits an arm at "
-    "rest has no acceleration; one that\nmoves begins with any, unless start/acceleration is given. Torque, "
-    "tool path, gaze and distances are held at the knots; what\nthey do between them is printed, and in "
-    "limits.csv. The folder also has motion.csv (the motion at even times) and\nreport.html with replay and "
-    "limits. In a scenario with a 'cell' the arm keeps its clearance from that and from itself; without one\n"
-    "nothing is known of either. Run a trajectory slowly first.\n\n"
+    "Kinds of tasks:\n"
+    "  move     to a joint position\n"
+    "  track    along the tool path with the gaze at the targets, with the least error\n"
+    "  switch   gaze to the next target while the tool stays on its path\n"
+    "  return   back onto the moving path\n"
+    "  fastest  along the path's curve in the least time\n\n"
+    "A plan keeps the limits of joint position, velocity and torque in the robot file, and the limits of\n"
+    "acceleration and jerk that the task gives. Under jerk limits, an arm that starts at rest starts with\n"
+    "zero acceleration. Otherwise the start acceleration is free, unless the task gives\n"
+    "start/acceleration. Limits of torque, tool path, gaze and distance are kept at the knots of the time\n"
+    "grid only. Their use between the knots is printed, and listed in limits.csv. The folder also has\n"
+    "motion.csv (the motion at even time steps) and report.html (replay and limits). In a scenario with a\n"
+    "'cell' the arm keeps its clearance from the cell and from itself. Without a cell these collisions\n"
+    "are not checked. Run a trajectory slowly first.\n\n"
     "Bundled tasks:\n";
 constexpr const char* kExample =
-    "\nExample, and the plan followed in simulation:\n  armtune plan ur10_switch --out runs/switch\n"
+    "\nExample that plans a motion, and simulates an arm that follows it:\n"
+    "  armtune plan ur10_switch --out runs/switch\n"
     "  armtune simulate runs/switch/planned_ur10_switch.yaml\n";
 
 int run(const Arguments& args) {
@@ -61,15 +68,19 @@ int run(const Arguments& args) {
 void add_plan_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand(
-      "plan", "Plan a trajectory offline: the least time or error that the arm's limits allow");
-  command->add_option("TASK", args->task, "bundled task, or a task file")->required();
+      "plan", "Plan a trajectory offline, with the least time or error that the arm's limits allow");
+  command->add_option("TASK", args->task, "bundled task or task file")->required();
   command->add_option("--out", args->folder,
-                      "new folder for trajectory.csv, joint_trajectory.yaml, report.html and the rest");
-  command->add_option("--knots", args->knots, "intervals of the time grid, in place of the task's")
+                      "new folder for trajectory.csv, joint_trajectory.yaml, report.html and other results "
+                      "(default: runs/<task>_<time>)");
+  command->add_option("--knots", args->knots, "number of intervals of the time grid (default: the task's)")
       ->check(CLI::Range(12, 100000));
-  command->add_option("--duration", args->duration, "fixed duration [s], in place of the task's")
+  command
+      ->add_option("--duration", args->duration,
+                   "fixed duration of the motion [s] (default: the task's, or the least possible if it has "
+                   "none)")
       ->check(CLI::Range(1e-3, 1e4));
-  command->add_option("--ros", args->ros, "joint_trajectory.yaml for ROS 1 or 2")
+  command->add_option("--ros", args->ros, "ROS version for which joint_trajectory.yaml is written")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
   command->footer([] { return kFooter + tasks() + kExample; });

@@ -22,7 +22,7 @@ std::string value_words(const BindingLimit& limit) {
   const std::string unit = limit.unit.empty() ? "" : " " + limit.unit;
   const std::string value = fmt::format("{:.4g}", limit.value);
   const std::string bound = fmt::format("{:.4g}", limit.bound);
-  return value == bound ? bound + unit : fmt::format("{}{} where {} is the limit", value, unit, bound);
+  return value == bound ? bound + unit : fmt::format("{}{} (limit {})", value, unit, bound);
 }
 
 std::string limits_text(const std::vector<BindingLimit>& limits, const char* title) {
@@ -39,15 +39,15 @@ std::string limits_text(const std::vector<BindingLimit>& limits, const char* tit
 
 void print_infeasible(const PlanTask& task, const PlannedTrajectory& planned) {
   if (planned.too_short)
-    say(fmt::format("{}: infeasible: it takes {:.6g} s at least within the limits, and was given {:.6g} s\n",
+    say(fmt::format("{}: infeasible: the limits allow no less than {:.6g} s, but the duration is {:.6g} s\n",
                     task.name, planned.trajectory.durations.front(), *task.duration));
   else
     say(fmt::format("{}: infeasible: {}\n", task.name, sentence(worst_violation(planned))));
   say(limits_text(binding_limits(planned),
-                  planned.too_short ? "the least time is held back by:" : "in the way:"));
-  say(fmt::format("Give it {}, or, where little is missing, --knots above {};\nno trajectory was written.\n",
-                  planned.too_short ? "more time, wider limits or tolerances"
-                                    : "wider limits or tolerances, another start",
+                  planned.too_short ? "the least time is held back by:" : "limits reached or exceeded:"));
+  say(fmt::format("Allow {}; if little is missing, try --knots above {}.\nNo trajectory was written.\n",
+                  planned.too_short ? "more time, or wider limits or tolerances"
+                                    : "wider limits or tolerances, or another start",
                   planned.trajectory.time.size() - 1));
 }
 
@@ -60,8 +60,8 @@ std::string plan_text(const PlanTask& task, const PlanOutcome& outcome) {
   if (const std::string between = between_words(outcome.uses); !between.empty()) text += between + '\n';
   const SequentialQuadraticProgress& last = planned.result.last;
   return text + fmt::format(
-                    "{} intervals between knots, {} interior point steps on all grids, {:.2f} s; constraint "
-                    "violation {:.1e} of the limit, KKT residual {:.1e}\n",
+                    "solver: {} intervals between knots, {} interior-point steps on all grids, {:.2f} s; "
+                    "largest constraint violation {:.1e} of the limit, KKT residual {:.1e}\n",
                     planned.trajectory.time.size() - 1, planned.interior_iterations, outcome.seconds,
                     last.violation, std::max(last.stationarity, last.complementarity));
 }
@@ -69,8 +69,8 @@ std::string plan_text(const PlanTask& task, const PlanOutcome& outcome) {
 void print_solved(const PlanOutcome& outcome, const PlanSettings& settings) {
   const std::string& folder = settings.folder;
   say(plan_text(settings.task, outcome));
-  say(fmt::format("wrote {}: {}\narmtune simulate {}/{} follows it\n", folder, fmt::join(outcome.files, ", "),
-                  folder, planned_scenario_name(settings.task)));
+  say(fmt::format("wrote {}: {}\nto simulate it: armtune simulate {}/{}\n", folder,
+                  fmt::join(outcome.files, ", "), folder, planned_scenario_name(settings.task)));
 }
 
 }  // namespace
@@ -89,9 +89,8 @@ int print_plan(const PlanOutcome& outcome, const PlanSettings& settings) {
     case PlanStatus::kStalled:
       fmt::print(
           stderr,
-          "{}: no solution after {} steps, nor proof that there is none: violation {:.1e} ({}), KKT "
-          "residual {:.1e}; another number of --knots, wider limits or tolerances or another start may "
-          "help\n",
+          "{}: no solution found after {} steps, but the task may have one: violation {:.1e} ({}), KKT "
+          "residual {:.1e}; try another number of --knots, wider limits or tolerances, or another start\n",
           task.name, last.iteration, last.violation, sentence(worst_violation(planned)),
           std::max(last.stationarity, last.complementarity));
       return kFailed;

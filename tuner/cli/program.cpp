@@ -84,7 +84,7 @@ void refuse_unknown_command(const CLI::App& app, const std::vector<std::string>&
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), words[1]) != names.end()) return;
-  throw InputError(one_line(fmt::format("there is no command '{}'{}; armtune --help lists all of them",
+  throw InputError(one_line(fmt::format("there is no command '{}'{} (armtune --help lists all commands)",
                                         words[1], suggestion(words[1], names))));
 }
 
@@ -95,10 +95,10 @@ int parse_and_run(int argc, char** argv) {
   command_line() = repeating_command(command_words());
 
   CLI::App app{
-      "Offline gain tuning for robot arms: simulates an arm in Simbody under its complete controller and "
-      "tunes the controller's gains with NLopt, so that tracking errors fall while every joint stays "
-      "inside its velocity limits.\n\nBegin with:  armtune simulate moving_target\n"
-      "then:        armtune tune ur10_gaze --max-evaluations 100"};
+      "Offline gain tuning for robot arms: simulates an arm in closed loop with its controller, in Simbody, "
+      "and tunes the controller's gains with NLopt, so that tracking errors fall while every joint keeps "
+      "its limits.\n\nTo begin:  armtune simulate moving_target\n"
+      "then:      armtune tune ur10_gaze --max-evaluations 100"};
   app.formatter(help_formatter());
   app.set_help_all_flag("--help-all", "Print help with every option and exit");
   app.set_version_flag("--version", version_text());
@@ -107,7 +107,8 @@ int parse_and_run(int argc, char** argv) {
       "Exit codes: 0 done, and every simulation check passed; 1 failed; 2 usage or bad input; 3 done, but a "
       "simulation check failed or nothing feasible was found; 130 interrupted, everything so far saved.");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("armtune: {}; see armtune --help, or that of a command\n", one_line(error.what()));
+    return fmt::format("armtune: {}; see 'armtune --help' or 'armtune COMMAND --help'\n",
+                       one_line(error.what()));
   });
   int exit_code = kDone;
   add_commands(app, exit_code);
@@ -149,7 +150,7 @@ int run(int argc, char** argv) {
   if (reason == 0) return exit_code;
   fmt::print(
       stderr,
-      "armtune: failed: standard output could not all be written: {}; send it to a place that takes it\n",
+      "armtune: failed: cannot write all of standard output: {}; redirect it to where it can be written\n",
       std::strerror(reason));
   return exit_code == kDone ? kFailed : exit_code;
 }

@@ -37,19 +37,17 @@ int run(const Arguments& args) {
 
 void add_report_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand(
-      "report", "Make the report of a run again: one page with replay and plots, to open or send");
+  CLI::App* command =
+      app.add_subcommand("report", "Write the report of a run again: one HTML page with replay and plots");
   command
-      ->add_option("DIR", args->folder,
-                   "folder of a run of simulate, tune, pareto, robustness, compare or plan")
+      ->add_option("DIR", args->folder, "run folder of simulate, tune, pareto, robustness, compare or plan")
       ->required();
   command->add_option("--out", args->path, "new file (default: DIR/report.html, which is replaced)");
   command->footer(
-      "The page needs neither a server nor a network. Whatever the folder does not hold, it leaves out.\n"
-      "Meshes of the arm are drawn where they are binary STL within the robot's folder (of its URDF, or with "
-      "a\n"
-      "package.xml above it), or within one of the folders in ARMTUNE_MESHES (one:two, or "
-      "name_of_a_package=folder).\n\n"
+      "The page needs neither a server nor a network. It leaves out what the folder has no data for.\n"
+      "Meshes of the arm are drawn if they are binary STL files in the robot's folder: that of the URDF,\n"
+      "or the nearest folder above it that has a package.xml. To allow further folders, list them in the\n"
+      "environment variable ARMTUNE_MESHES, as FOLDER:FOLDER, or as PACKAGE=FOLDER for a ROS package.\n\n"
       "Example:\n  armtune report runs/ur10_gaze_20261121-103000\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });
 }

@@ -60,8 +60,8 @@ void add_run_options(CLI::App& command, const std::string& out_help, RunPlace& p
       [&place](const std::string& folder) {
         place = {folder, true};
       },
-      "go on with the run in this folder, which was killed or interrupted, exactly as if it had not been; "
-      "everything but --workers, --rollout-deadline and --live is as it was begun");
+      "resume the killed or interrupted run in this folder, with the same results as without the "
+      "interruption. Only --workers, --rollout-deadline and --live can be changed");
   command.add_option("--workers", workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
@@ -84,7 +84,7 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   if (!folder) return words;
   const RunHeader begun = read_run_header(journal_in(*folder));
   if (begun.arguments.empty()) {
-    throw InputError(*folder + ": was begun by a program, through armtune's interface; resume it there");
+    throw InputError(*folder + ": was started by a program through armtune's library; resume it from there");
   }
   std::vector<std::string> all = {words.front()};
   all.insert(all.end(), begun.arguments.begin(), begun.arguments.end());
@@ -94,22 +94,22 @@ std::vector<std::string> resumed_arguments(std::vector<std::string> words) {
   }
   if (std::erase(words, kLive) > 0) all.emplace_back(kLive);
   if (words.size() < 2 || words[1] != begun.arguments.front()) {
-    throw InputError(fmt::format("{} was begun by 'armtune {}'; resume it with: {} {} --resume {}", *folder,
+    throw InputError(fmt::format("{} was started by 'armtune {}'; resume it with: {} {} --resume {}", *folder,
                                  fmt::join(begun.arguments, " "), program_name(), begun.arguments.front(),
                                  *folder));
   }
   if (words.size() > 2) {
     throw InputError(
-        fmt::format("--resume continues what {} was begun with ('armtune {}'); '{}' cannot be changed, "
-                    "only {} and {}",
+        fmt::format("--resume continues {} as it was started ('armtune {}'); '{}' cannot be changed, only {} "
+                    "and {} can",
                     *folder, fmt::join(begun.arguments, " "), words[2], fmt::join(kFree, ", "), kLive));
   }
   std::error_code gone;
   fs::current_path(begun.working_folder, gone);
   if (gone && rank_place().rank == 0) {
     print_warning(fmt::format(
-        "{}, where the run was begun, is not there; relative paths of its command line begin here "
-        "instead",
+        "{}: the run was started in this folder, which is not there any more; relative paths of its command "
+        "line start in the current folder instead",
         begun.working_folder));
   }
   return all;

@@ -61,7 +61,7 @@ void show_joints(const RobotModel& model) {
 /// What is known of the rotors of an arm whose file does not give them.
 void show_rotors(const RobotModel& model) {
   if (!model.estimated_rotors.empty())
-    say("* an estimate: from the limits of effort and velocity, unless the robot file gives one\n");
+    say("* an estimate, computed from the effort and velocity limits unless the robot file gives it\n");
   std::vector<std::string> lacking;
   for (int i = 0; i < model.n(); ++i) {
     if (model.chain.rotor_inertia[i] == 0.0)
@@ -75,9 +75,10 @@ void show_rotors(const RobotModel& model) {
   for (int i = 0; i < model.n(); ++i)
     figures.push_back(fmt::format("{:.3g}", estimated.chain.rotor_inertia[i]));
   say(fmt::format(
-      "\nNo rotor inertia is given for {}. Geared joints have some, and without it light wrists\n"
-      "do not bear the gains that the real arm does. Give it in a robot YAML by 'rotor_inertia: [...]', or by\n"
-      "'rotor_inertia: estimated': the limits suggest [{}]. --task estimates it.\n",
+      "\nNo rotor inertia is given for {}. Geared joints have rotor inertia. Without it, light\n"
+      "wrists become unstable at gains that the real arm tolerates. Give it in a robot YAML with\n"
+      "'rotor_inertia: [...]'. Or write 'rotor_inertia: estimated': the limits suggest [{}].\n"
+      "--task estimates it.\n",
       lacking.size() == std::size_t(model.n()) ? "the joints" : fmt::format("{}", fmt::join(lacking, ", ")),
       fmt::join(figures, ", ")));
 }
@@ -88,7 +89,7 @@ void show_soft_limits(const RobotModel& model) {
     if (joint.limits.soft) soft.push_back(joint.name);
   }
   if (!soft.empty())
-    say(fmt::format("Position limits are the soft ones of the URDF's safety controllers for {}.\n",
+    say(fmt::format("Position limits of {}: the soft limits of the URDF's safety controllers.\n",
                     fmt::join(soft, ", ")));
 }
 
@@ -108,13 +109,13 @@ void show_interfaces(const RobotModel& model) {
     if (std::find(own.begin(), own.end(), "effort") == own.end()) without_effort.push_back(joint.name);
   }
   if (command.empty() && state.empty()) return;
-  say(fmt::format("ros2_control commands: {}; it reads: {}.\n",
-                  command.empty() ? "nothing" : fmt::format("{}", fmt::join(command, ", ")),
-                  state.empty() ? "nothing" : fmt::format("{}", fmt::join(state, ", "))));
+  say(fmt::format("ros2_control: command interfaces {}; state interfaces {}.\n",
+                  command.empty() ? "none" : fmt::format("{}", fmt::join(command, ", ")),
+                  state.empty() ? "none" : fmt::format("{}", fmt::join(state, ", "))));
   if (!without_effort.empty())
     say(fmt::format(
-        "armtune's controllers command effort, which {} cannot be given. Of ROS's joint_trajectory_controller there is one\n"
-        "that commands velocity.\n",
+        "armtune's controllers command effort, but the URDF gives {} no effort interface.\n"
+        "Only the controller joint_trajectory_controller_velocity commands velocity.\n",
         without_effort.size() == model.joints.size() ? "these joints"
                                                      : fmt::format("{}", fmt::join(without_effort, ", "))));
 }
@@ -127,8 +128,8 @@ void warn_of_huge_shapes(const RobotModel& model, const ArmSolids& arm) {
     const double size = farthest(solid.placed, solid.placed.p_BS);
     if (size <= kHuge * reach(model) || !named.insert(solid.link).second) continue;
     print_warning(fmt::format(
-        "{}: a collision shape of it goes {:.3g} m far, the whole arm reaches {:.3g} m; a mesh in "
-        "millimetres needs scale=\"0.001 0.001 0.001\" in the URDF",
+        "{}: a collision shape extends {:.3g} m, but the reach of the whole arm is {:.3g} m; if it is a mesh "
+        "in millimetres, add scale=\"0.001 0.001 0.001\" in the URDF",
         solid.link, size, reach(model)));
   }
 }
@@ -138,21 +139,20 @@ void show_contacts(const RobotModel& model) {
   const ClearanceModel contacts(std::make_shared<const RobotModel>(model), Cell{});
   std::vector<std::string> unknown = contacts.arm().unknown;
   if (!unknown.empty())
-    say(fmt::format(
-        "Shapes of {} are not given, or not all of them can be read: self-collision is not looked for with these links.\n",
-        fmt::join(unknown, ", ")));
+    say(fmt::format("Self-collision is not checked for {}, because shapes are missing or cannot be read.\n",
+                    fmt::join(unknown, ", ")));
   warn_of_huge_shapes(model, contacts.arm());
   constexpr std::size_t kMostShown = 3;
   const std::vector<std::string>& unread = contacts.arm().unread;
   for (std::size_t i = 0; i < std::min(kMostShown, unread.size()); ++i) say(fmt::format("  {}\n", unread[i]));
-  if (unread.size() > kMostShown) say(fmt::format("  and {} shapes more\n", unread.size() - kMostShown));
+  if (unread.size() > kMostShown) say(fmt::format("  and {} more shapes\n", unread.size() - kMostShown));
   if (contacts.has(Clearance::kSelf))
     say(fmt::format(
-        "Self-collision is looked for between {} pairs of bodies of links that are not neighbours.\n",
+        "Self-collision is checked for {} pairs of shapes, between links that are not neighbours.\n",
         contacts.pairs().size()));
   const std::vector<std::string> left_out = contacts.left_out_by_their_make();
   if (!left_out.empty())
-    say(fmt::format("Left out, as their shapes meet at nearly every position: {}.\n",
+    say(fmt::format("Not checked, because their shapes touch at nearly every position: {}.\n",
                     fmt::join(left_out, "; ")));
 }
 
@@ -180,26 +180,26 @@ void make_task(const std::string& robot, const TaskOptions& options, const std::
   write_first_task(found, folder);
   if (found.task.without_floor)
     print_warning(
-        "no first task was found above the height of the arm's base, so that this one has no floor; if the arm "
-        "stands on one, say at which height with --floor");
+        "no first task was found above the height of the arm's base, so this task has no floor; if the arm "
+        "stands on a floor, give its height with --floor");
   if (!found.task.scenario.clearance)
     print_warning(
-        "no shapes of the arm's links are known, so that nothing looks for contact of the arm, with itself or with what "
-        "stands around it. A floor, where there is one, was regarded only in where the circle lies. Give meshes "
-        "(ARMTUNE_MESHES) or 'shapes' in a robot YAML");
+        "no shapes of the arm's links are known, so collisions of the arm with itself and its surroundings "
+        "are not checked. A floor, if there is one, was considered only for the place of the circle. Give "
+        "meshes (ARMTUNE_MESHES), or 'shapes' in a robot YAML");
   say(fmt::format(
       "\nwrote {0}: {1}task.yaml (a circle of {2:.3g} m), gains.yaml, study.yaml\n"
       "With these gains the arm completes the task in Simbody, with at most {3:.2g} of its velocity limits\n"
       "and {4:.2g} of its effort limits{5}.\n"
-      "In armtune's own dynamics the arm keeps its limits for 30 minutes. Nearly all of 60 other arms at random\n"
-      "keep theirs, where torques may saturate in 1 % of the periods.\n"
+      "In armtune's own dynamics the arm keeps its limits for 30 minutes. Nearly all of 60 random arms\n"
+      "keep their limits in one run of the task, with saturated torques in at most 1 % of the periods.\n"
       "next: armtune tune {0}/study.yaml\n",
       folder, found.robot_yaml.empty() ? "" : "robot.yaml (rotor inertia estimated), ",
       found.task.scenario.path.terms[0].cosine.norm(), found.metrics[Metric::kJointVelocityMaxRatio],
       found.metrics[Metric::kJointEffortMaxRatio],
       found.task.scenario.robot->estimated_rotors.empty()
           ? ""
-          : ", and within 0.9 of them with a third and with three times the estimated\nrotor inertia"));
+          : ", and with at most 0.9 of them if the rotor\ninertia is a third or three times the estimate"));
 }
 
 /// "velocity limit of a, b; inertia of c"
@@ -214,7 +214,7 @@ std::string named(const MissingData& missing) {
   add("inertia", missing.inertia);
   std::vector<std::string> impossible;
   for (const ImpossibleInertia& link : missing.impossible) impossible.push_back(link.link);
-  add("an inertia that a rigid body can have", impossible);
+  add("physically possible inertia", impossible);
   return fmt::format("{}", fmt::join(lacks, "; "));
 }
 
@@ -222,13 +222,13 @@ std::string named(const MissingData& missing) {
 void write_proposals(const RobotFile& file, const std::string& urdf, const std::string& path) {
   const std::vector<Doubt> found = doubts_with_proposals(*load_robot(file.path));
   if (found.empty()) {
-    say(fmt::format("{} lacks nothing, and nothing in it is doubtful; {} is not written\n", file.path, path));
+    say(fmt::format("{} lacks nothing, and has no doubtful values; {} is not written\n", file.path, path));
     return;
   }
   refuse_existing(path);
   write_text_file(path, proposals_yaml(urdf, found));
-  say(fmt::format("{}: {} lacks nothing; its doubtful figures are there, with proposals as comments{}\n",
-                  path, file.path, file.root ? ", to be added to it" : ""));
+  say(fmt::format("{}: {} lacks nothing; the new file has its doubtful values and proposals as comments{}\n",
+                  path, file.path, file.root ? ". Add what you accept to the robot file" : ""));
 }
 
 void write_sidecar(const RobotFile& file, const MissingData& missing, const std::string& path) {
@@ -241,10 +241,10 @@ void write_sidecar(const RobotFile& file, const MissingData& missing, const std:
   say(fmt::format("{}: ", path));
   if (!to_fill_in.empty()) say(fmt::format("fill in {}; ", named(to_fill_in)));
   for (const ImpossibleInertia& link : missing.impossible) {
-    say(fmt::format("look at the proposed inertia of {}, which is {:.2g} % from the URDF's; ", link.link,
-                    100.0 * link.moved));
+    say(fmt::format("check the proposed inertia of {}, which differs by {:.2g} % from the URDF's; ",
+                    link.link, 100.0 * link.moved));
   }
-  say(file.root ? fmt::format("then add it to {}\n", file.path) : "then give it as the robot\n");
+  say(file.root ? fmt::format("then add it to {}\n", file.path) : "then use it as the robot file\n");
 }
 
 /// Loads and shows it, or says all that it lacks.
@@ -261,10 +261,9 @@ void look_at(const std::string& name_or_path, const std::string& sidecar, const 
   }
   MissingData to_fill_in = missing;
   to_fill_in.impossible.clear();
-  throw InputError(
-      fmt::format("{}: missing: {}; --sidecar arm.yaml writes the robot YAML that gives it, {}", file.path,
-                  named(missing),
-                  to_fill_in.empty() ? "with the nearest inertia that a body can have" : "to be filled in"));
+  throw InputError(fmt::format(
+      "{}: missing: {}. The option --sidecar arm.yaml writes a robot YAML {}", file.path, named(missing),
+      to_fill_in.empty() ? "with the nearest possible inertia" : "in which you fill this in"));
 }
 
 void list_bundled() {
@@ -285,28 +284,31 @@ void add_robot_command(CLI::App& app, int&) {
       "robot", "Show the joints, limits, masses and reach of a robot file, and what the file lacks");
   command->add_option(
       "ROBOT", *file,
-      "a bundled robot such as ur10, a robot YAML, or an expanded URDF; without it, the bundled ones are listed");
+      "a bundled robot such as ur10, a robot YAML, or an expanded URDF; without it, the bundled robots are "
+      "listed");
   auto sidecar = std::make_shared<std::string>();
   command->add_option("--sidecar", *sidecar,
-                      "write what the URDF lacks (limits, inertia) as a robot YAML to fill in, or proposals "
-                      "for what is doubtful in it");
+                      "new robot YAML in which you fill in what the URDF lacks (limits, inertia). If it "
+                      "lacks nothing, the file has proposals for doubtful values");
   auto task = std::make_shared<std::string>();
   command
       ->add_option(
           "--task", *task,
-          "new folder for a first task: a circle where the arm moves well, gains that complete it in simulation, and a study that tunes them")
+          "new folder for a first task: a circle where the arm moves well, gains that complete it in "
+          "simulation, and a study that tunes them")
       ->excludes("--sidecar");
   auto options = std::make_shared<TaskOptions>();
   command
       ->add_option(
           "--floor", options->floor,
-          "of --task: height of the floor above the base frame [m]; 0 under an upright arm unless given, "
-          "none under any other")
+          "with --task: height of the floor above the base frame [m] (default: 0 for an upright arm, no "
+          "floor for any other)")
       ->needs("--task");
   command->footer([] { return std::string("Example:\n  armtune robot panda --task runs/first\n"); });
   command->callback([file, sidecar, task, options] {
     if (!file->empty()) return look_at(*file, *sidecar, *task, *options);
-    if (!sidecar->empty() || !task->empty()) throw InputError("robot: name the robot that this is for");
+    if (!sidecar->empty() || !task->empty())
+      throw InputError("robot: --sidecar and --task need a robot; give its name or file as ROBOT");
     list_bundled();
   });
 }

@@ -62,29 +62,28 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   args->settings.options.workers = default_workers();
   Perturbation& p = args->settings.options.perturbation;
   CLI::App* command = app.add_subcommand(
-      "robustness", "Simulate gains on many arms that differ at random from the model: yield and quantiles");
-  command->add_option("RUN_OR_GAINS", args->set, "a run folder, bundled gains or a YAML file")->required();
+      "robustness", "Simulate gains on many randomly changed models of the arm: yield and quantiles");
+  command->add_option("RUN_OR_GAINS", args->set, "run folder, gains file or bundled gains")->required();
   command->add_option(
       "--scenarios", args->scenarios,
-      "what every arm does; unless given, the run's study says, or realistic_target_switch and "
-      "realistic_obstacle_pass");
-  command->add_option("--samples", args->settings.options.samples, "how many arms")
+      "scenarios to simulate (default: those of the run's study; if there is none realistic_target_switch "
+      "and realistic_obstacle_pass)");
+  command->add_option("--samples", args->settings.options.samples, "number of random arms")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--seed", args->seed, "of the draws")
+  command->add_option("--seed", args->seed, "seed of the random arms")
       ->check(CLI::Range(0L, 1000000000000L))
       ->capture_default_str();
   command
       ->add_option(
           "--sample", args->only,
-          "simulate only this sample; it is byte-identical to the one among the others. With --out, its arm "
-          "is written as arm.urdf and arm.yaml")
+          "simulate only the random arm of this number, with the same result as among all arms. With --out, "
+          "the arm is written as arm.urdf and arm.yaml")
       ->check(CLI::Range(0L, 1000000000L));
   command->add_option(
       "--limit", args->limits,
-      "METRIC<=VALUE or METRIC>=VALUE, may be repeated (default: joint "
-      "velocities and positions inside the arm's own, and no obstacle touched, which the first "
-      "--limit replaces");
+      "limit to keep, METRIC<=VALUE or METRIC>=VALUE; may be repeated, and replaces the default "
+      "(joint velocities and positions within the arm's limits, and no contact)");
   CLI::Option* payload = nullptr;
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);
@@ -95,13 +94,15 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
     if (f.width == &Perturbation::payload)
       payload = width->default_str("three times the scenarios' heaviest");
   }
-  command->add_flag("!--fixed-phases", p.phases, "targets and obstacles start where the scenario says")
+  command
+      ->add_flag("!--fixed-phases", p.phases,
+                 "start targets and obstacles as in the scenario, not at random places on their paths")
       ->group("Uncertainty (uniform)");
   add_stepper_option(*command, args->stepper);
-  add_run_options(
-      *command,
-      "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: runs/robustness_<time>; with --sample no folder is written)",
-      args->settings.place, args->settings.options.workers, args->settings.deadline);
+  add_run_options(*command,
+                  "new folder for samples.csv, summary.csv, verdict.yaml, run.yaml and report.html (default: "
+                  "runs/robustness_<time>; with --sample no folder is written)",
+                  args->settings.place, args->settings.options.workers, args->settings.deadline);
   command->footer(
       "Example:\n  armtune robustness extended_tuned --scenarios identified_realistic_target_switch "
       "--limit 'joint_velocity/max_ratio<=0.9'\n");

@@ -50,8 +50,8 @@ std::vector<std::string> names_in(const std::string& folder) {
   std::sort(below.begin(), below.end());
   throw InputError(
       fmt::format("{}: has no rollout_*.csv; give {}", folder,
-                  below.empty() ? "the folder of a run that was simulated with --out, or tuned"
-                                : fmt::format("one of its gain sets that has: {}", fmt::join(below, ", "))));
+                  below.empty() ? "a folder that tune, or simulate with --out, has written"
+                                : fmt::format("a folder in it that has them: {}", fmt::join(below, ", "))));
 }
 
 /// The files that a run was made from, as its run.yaml shows them, and their hashes.
@@ -83,7 +83,7 @@ Scenario found_scenario(const std::string& name, const std::string& rollout, con
   for (const auto& [shown, hash] : inputs) {
     if (stem(shown) != name || shown.starts_with(kBundled) || !shown.ends_with(".yaml")) continue;
     if (exists(shown)) return load_scenario(shown);
-    told = fmt::format("was read from {}, which is not there", shown);
+    told = fmt::format("was read from {}, which is not there any more", shown);
   }
   const auto bundled = bundled_names("scenarios");
   if (std::find(bundled.begin(), bundled.end(), name) != bundled.end()) return load_scenario(name);
@@ -97,8 +97,8 @@ void refuse_changed(const Scenario& scenario, const std::string& run, const Inpu
     for (const auto& [then, hash] : inputs) {
       if (then != shown || hash == hash_of_input(file)) continue;
       throw InputError(
-          fmt::format("{}: has changed since {} was made, which is of another {}; simulate that again, or "
-                      "give the scenario that is meant: --scenarios {}",
+          fmt::format("{}: has changed since {} was simulated with another version of {}; simulate it again, "
+                      "or name the scenario to plan for: --scenarios {}",
                       shown, run, scenario.name, scenario.name));
     }
   }

@@ -29,7 +29,7 @@ void print_simulated(const SimulateOutcome& outcome, const RolloutSettings& sett
 void print_compared(const CompareOutcome& outcome, const RolloutSettings& settings,
                     const std::vector<Metric>& metrics) {
   if (outcome.sets.empty()) {
-    fmt::print(stderr, "interrupted: a comparison is whole or nothing, so nothing was written\n");
+    fmt::print(stderr, "interrupted: the comparison is not complete, so nothing was written\n");
     return;
   }
   for (const auto& endured : outcome.endured) {
@@ -47,7 +47,7 @@ void print_compared(const CompareOutcome& outcome, const RolloutSettings& settin
     conclude(outcome.verdict);
     return;
   }
-  say("interrupted: the comparison is whole, but not every scenario was extended, so there is no verdict\n");
+  say("interrupted: the comparison is complete, but some scenarios were not extended; there is no verdict\n");
 }
 
 }  // namespace armtune::internal::cli

@@ -94,24 +94,24 @@ int run(const Arguments& args, RankGroup& team) {
 
 void add_sensitivity_command(CLI::App& app, int& exit_code) {
   auto args = std::make_shared<Arguments>();
-  CLI::App* command =
-      app.add_subcommand("sensitivity", "Say which of a run's gains matter, and which do not");
+  CLI::App* command = app.add_subcommand("sensitivity", "Show which gains of a run matter, and which do not");
   command->add_option("RUN", args->run, "the folder of a tuning run")->required();
   command->add_option(
       "--out", args->folder,
       "new folder for sensitivity.csv and reduced_study.yaml, the study with the less important half "
-      "of the gains fixed at their start");
+      "of the gains fixed at their start values (default: no files)");
   command->add_option("--workers", args->workers, kWorkersHelp)
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
   command->add_option("--rollout-deadline", args->deadline, kDeadlineHelp)->check(CLI::PositiveNumber);
   command->footer(
-      "importance  what the merit loses when this gain alone goes back to its start\n"
-      "local       largest relative change of the merit for a step of 2 % of the gain's range\n"
+      "importance  increase of the merit if only this gain is set back to its start value\n"
+      "local       largest relative change of the merit for a step of 2 % of the gain's range, up or down\n"
       "In sensitivity.csv also:\n"
       "elasticity        relative change of the merit per relative change of the gain (central differences)\n"
-      "rank_correlation  of gain and merit over the run's evaluations\n\n"
-      "merit       objective + penalty * relative violations, with the study's search/penalty\n\n"
+      "rank_correlation  rank correlation between gain and merit over the run's evaluations\n\n"
+      "The merit is objective + penalty * relative violations, with the penalty of the study's search. A\n"
+      "smaller merit is better.\n\n"
       "Example:\n  armtune tune ur10_gaze --out runs/gaze\n  armtune sensitivity runs/gaze\n");
   command->callback([args, &exit_code] { exit_code = run(*args, team()); });
 }

@@ -23,8 +23,9 @@ void print_sensitivity(const Study& study, const Sensitivity& sensitivity, std::
     say(fmt::format("  and {} more in sensitivity.csv\n", sensitivity.parameters.size() - shown));
   }
   say(
-      fmt::format("importance: what the merit (objective and violations) loses when this gain\n"
-                  "alone goes back to its start; local: for a step of {:.0f} % of its range\n\n",
+      fmt::format("importance: increase of the merit (objective and violations; less is better) if\n"
+                  "this gain alone returns to its start value; local: largest relative change of\n"
+                  "the merit for a step of {:.0f} % of the gain's range\n\n",
                   100.0 * kSensitivityStep));
 }
 

@@ -20,8 +20,9 @@ void print_warning(const std::string& sentence) {
 }
 
 void print_can_resume(const std::string& folder) {
-  fmt::print(stderr, "what was finished is in {}; once the cause is gone, go on: {} {} --resume {}\n", folder,
-             program_name(), command_words()[1], folder);
+  fmt::print(stderr,
+             "the finished part of the run is in {}; remove the cause, then resume: {} {} --resume {}\n",
+             folder, program_name(), command_words()[1], folder);
 }
 
 }  // namespace armtune::internal::cli

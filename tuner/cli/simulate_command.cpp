@@ -35,7 +35,7 @@ struct Arguments {
 int run(const Arguments& args) {
   RolloutSettings settings = args.settings;
   if (args.yardstick && settings.folder.empty())
-    throw InputError("--yardstick reads the recordings of a run folder; name one with --out");
+    throw InputError("--yardstick needs the recordings in a run folder; give a new folder with --out");
   for (const std::string& name : args.scenarios) {
     settings.scenarios.push_back(load_scenario(name));
     if (!args.theta.empty()) start_theta_from(args.theta, settings.scenarios.back());
@@ -60,12 +60,14 @@ void add_simulate_command(CLI::App& app, int& exit_code) {
   command->add_option("SCENARIO", args->scenarios, "bundled scenarios or YAML files of your own")->required();
   command->add_option("--gains", args->gains, "bundled gains or a YAML file")->capture_default_str();
   command->add_option("--theta", args->theta,
-                      "theta.yaml that the controller starts from, in place of what the scenarios say");
+                      "theta.yaml with the model parameters from which the controller starts (default: those "
+                      "of the scenarios)");
   add_stepper_option(*command, args->stepper);
   add_engine_option(*command, args->engine);
   command->add_option("--out", settings.folder,
-                      "new folder for errors.csv, rollout_<scenario>.csv, report.html and the rest");
-  command->add_option("--workers", settings.workers, "threads")
+                      "new folder for errors.csv, rollout_<scenario>.csv, report.html and other results "
+                      "(default: no files)");
+  command->add_option("--workers", settings.workers, "number of threads")
       ->check(CLI::Range(1, 1024))
       ->default_str(kWorkersDefault);
   command

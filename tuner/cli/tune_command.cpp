@@ -51,8 +51,8 @@ void take_own_files(Arguments& args, RankGroup& team) {
   if (args.own.robot.empty()) {
     if (!args.study.empty()) return;
     throw InputError(
-        "tune: name what is tuned: a study of your own, the bundled ur10_gaze for a first look, or your robot's own files "
-        "by --robot, --controllers and --trajectory");
+        "tune: no study is given; name your own study, the bundled study ur10_gaze, or your robot's files "
+        "with --robot, --controllers and --trajectory");
   }
   RunPlace& place = args.settings.place;
   if (place.folder.empty()) place.folder = default_run_folder(stem(args.own.robot));
@@ -61,7 +61,8 @@ void take_own_files(Arguments& args, RankGroup& team) {
   if (place.resume) return;
   if (team.several())
     throw InputError(
-        "tune: several ranks cannot write one study; write it by armtune init with the same options, and tune that");
+        "tune: several ranks cannot write a study together; write it first with 'armtune init' and the same "
+        "options, then tune it");
   refuse_used_folder(place.folder);
   make_controller_study(args.own, beside);
 }
@@ -96,9 +97,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--max-evaluations", args->max_evaluations,
-          "number of evaluations, those of the start and of the sweep of single gains included (default: the study's)")
+          "number of evaluations, including those of the start gains and of the sweep (default: the study's)")
       ->check(CLI::Range(1L, 1000000000L));
-  command->add_option("--seed", args->seed, "of algorithms that draw random numbers (default: the study's)")
+  command
+      ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: the study's)")
       ->check(CLI::Range(0L, 1000000000000L));
   command
       ->add_option("--record-every", settings.record_every,
@@ -107,10 +109,10 @@ void add_tune_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag(
       "!--no-analysis", settings.analysis,
-      "leave out what comes after the search: margins, random arms, endurance, and which gains matter");
-  command->add_flag(
-      "--live", settings.live,
-      "keep report.html fresh while the search runs: open it in a browser, it loads itself again");
+      "skip the analysis after the search: stability margins, random arms, endurance and sensitivity of the "
+      "gains");
+  command->add_flag("--live", settings.live,
+                    "update report.html while the search runs; the page reloads itself in a browser");
   add_yardstick_option(*command, args->yardstick);
   add_warm_options(*command, args->warm);
   command->footer(tune_help);

@@ -15,12 +15,13 @@ namespace {
 
 /// When an algorithm is the one to take, from what is declared of it.
 std::string use_of(const AlgorithmInfo& a) {
-  std::string text = a.local ? "To refine gains that are good already"
-                             : "To search the whole box, where the start gains may be far from the best";
-  if (a.uses_differences) text += ", with several workers (it evaluates its differences in parallel)";
-  if (a.takes_constraints) text += "; it takes constraints itself";
-  if (a.draws_random_numbers) text += "; it draws random numbers, so try several seeds";
-  if (a.most_parameters > 0) text += fmt::format("; at most {} parameters", a.most_parameters);
+  std::string text = a.local ? "Use it to refine gains that are good already"
+                             : "Use it to search the whole range of every gain, if the start gains may be "
+                               "far from the best";
+  if (a.uses_differences) text += ", with several workers (it evaluates finite differences in parallel)";
+  if (a.takes_constraints) text += "; it handles constraints itself";
+  if (a.draws_random_numbers) text += "; it uses random numbers, so try several seeds";
+  if (a.most_parameters > 0) text += fmt::format("; for at most {} gains", a.most_parameters);
   return text + ".";
 }
 
@@ -29,15 +30,16 @@ std::string use_of(const AlgorithmInfo& a) {
 std::string tune_help() {
   return fmt::format(
       "Bundled studies: {}\n\n"
-      "What a study can name:\n"
-      "  armtune metrics      objectives and constraints\n"
-      "  armtune algorithms   searches, and the other keys of search\n"
+      "These commands list what a study file can name:\n"
+      "  armtune metrics      metrics for the objective and constraints\n"
+      "  armtune algorithms   search algorithms, and the other keys of search\n"
       "  armtune controllers  controllers and their gains\n\n"
-      "Example, and a look at the result:\n"
+      "Example that tunes gains, then compares them with the published ones:\n"
       "  armtune tune ur10_gaze --max-evaluations 100 --out runs/tuned\n"
       "  armtune compare published runs/tuned --scenarios moving_target\n\n"
-      "To tune a ROS controller, and find its parameter file with tuned gains in the run's folder:\n"
-      "  armtune tune --robot arm.urdf --controllers ros2_controllers.yaml --trajectory moves.csv --out runs/mine\n",
+      "To tune a ROS controller (if all checks pass, its file with tuned gains is in the run folder):\n"
+      "  armtune tune --robot arm.urdf --controllers ros2_controllers.yaml --trajectory moves.csv "
+      "--out runs/mine\n",
       fmt::join(bundled_names("studies"), " "));
 }
 
@@ -50,48 +52,66 @@ std::string algorithms_text() {
   Study silent;
   default_search(silent);
   text += fmt::format(
-      R"(A study that names no algorithm searches with {} over the whole box first, for half of the evaluations and minutes
-that start and sweep leave, then with {} from the best found, constraints as penalties: what
-scripts/compare-algorithms found best. A warm start goes without the first, unless the study names it, as the
-study.yaml of a run does.
+      R"(
+If a study names no algorithm, the search has two stages, with constraints as penalties. First {} searches
+the whole range of every gain, with half of the evaluations and minutes that the start gains and the sweep
+leave. Then {} refines the best gains found. scripts/compare-algorithms found this combination best. A warm
+start skips the first stage, unless the study names it with the key global, as the study.yaml of a run does.
 )",
       silent.global_algorithm, silent.solver.algorithm);
   text +=
-      R"(Around those that do not take constraints an augmented Lagrangian or a penalty is put (search/constraints).
-Also in search: global and global_share (another algorithm first, for that part of evaluations and minutes), starts
-(several local searches at once), differences (forward, central) and difference_step; engine: native searches
-in armtune's own dynamics, several times faster than Simbody's and equal to it but for rounding, and leaves
-verify_share of the evaluations and of max_minutes to Simbody, whose figures are reported; margins are
-looked for in the same engine then, and confirmed by Simbody on either side of the edge; of the sensitivities
-Simbody confirms the importance of the three gains that matter most.
-Where the best found fails the verdict's endurance or yield, up to three points on the way back to the start are
-simulated as well, and the first that passes is the result.
-controller: NAME tunes another controller's gains than the file's, from a start that the arm's inertia gives.
-max_minutes is wall time from start to last evaluation, of all sessions of a resumed run together: evaluations
-under way when it is over are finished; Simbody's last steps are within it (time for the best few is kept from
-what the start took, and they are simulated even if that was too little); fresh rollouts, report and analysis
-(--no-analysis) come after it. warm_start: from, parameters, box, step, as the options of armtune tune.
+      R"(
+Other keys of search:
+  constraints      penalty; lagrangian: an augmented Lagrangian around the algorithm; or auto: the algorithm
+                   itself if it handles constraints, else lagrangian
+  global           algorithm that searches first
+  global_share     its share of the evaluations and minutes that the start gains and the sweep leave
+  starts           number of local searches that run at once, from different start points
+  differences      finite differences, for algorithms that use them: forward or central
+  difference_step  their step, as a share of each gain's range
+  engine           simbody, or native: armtune's own dynamics, several times faster and equal up to rounding
+  verify_share     with native: share of the evaluations and of max_minutes that is kept for Simbody
+  max_minutes      limit of the wall time from the start gains to the last evaluation, summed over all
+                   sessions of a resumed run
+
+After a native search, Simbody simulates the best gains again, and its figures are reported. Stability
+margins are searched with the same engine, and Simbody confirms that the loop holds on one side of the edge
+and fails on the other. Simbody also confirms the importance of the three most important gains.
+
+Evaluations that are running when max_minutes is over are finished. Simbody's last steps are part of that
+time. The time kept for them follows from what the start gains took; the best few points are simulated even
+if it was too short. Final rollouts, report and analysis come after it (--no-analysis leaves the analysis
+out).
+
+If the best gains fail the endurance or yield check of the verdict, up to three points on the line back to
+the start gains are simulated as well. The first that passes is the result.
+
+Other keys of a study file: 'controller: NAME' tunes another controller than that of the gains file, with
+start gains computed from the arm's inertia. 'warm_start' has the keys from, parameters, box and step, with
+the meanings of --warm-start, --warm-parameters, --warm-box and --warm-step of armtune tune.
 )";
   return text;
 }
 
 std::string metrics_text() {
   std::string text =
-      "Metrics (study file, objective and constraints; + more is better, - less is, no sign: not for the "
-      "objective):\n";
+      "Metrics for the objective and the constraints of a study (+ more is better, - less is better, no "
+      "sign: not for the objective):\n";
   for (const MetricField& field : metric_fields()) {
     const char* sign = field.better == Better::kMore ? "+" : field.better == Better::kLess ? "-" : " ";
     text += fmt::format("{} {:<34} {} [{}]\n", sign, field.name, field.meaning, field.unit);
   }
   text += R"(
-The search abandons a rollout that breaks a constraint too far to recover (study file, constraints/hopeless: auto,
-never, or a value beyond the limit). By default that is twice the limit of joint_velocity/max_ratio and 0.1 rad
-beyond that of joint_position/min_margin, never for others; a value can be given for at_most of
+The search abandons a rollout that breaks a constraint too far to recover. The key hopeless of a constraint
+sets where that is: auto, never, or a value beyond the limit. The default auto means twice the limit of
+joint_velocity/max_ratio, 0.1 rad (m) beyond the limit of joint_position/min_margin, and never for other
+metrics.
+A value can be given for an at_most limit of these metrics:
  )";
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, true)) text += fmt::format(" {}", name(m));
   }
-  text += "\nand for at_least of\n ";
+  text += "\nand for an at_least limit of these:\n ";
   for (const Metric m : all_metrics()) {
     if (can_be_hopeless(m, false)) text += fmt::format(" {}", name(m));
   }

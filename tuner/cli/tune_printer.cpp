@@ -49,12 +49,12 @@ void print_recommendation(const TuneResult& result, const Check& constraints, co
         folder,
         constraints.passed
             ? ""
-            : fmt::format("They break a constraint: do not load them on the robot. In the way: {}.\n"
+            : fmt::format("They break a constraint: do not load them on the robot. Failed check: {}.\n"
                           "Recommended for a further search: the start gains. ",
                           to_text(constraints))));
     return;
   }
-  say(fmt::format("Nothing feasible was found. In the way: {}.\n", to_text(constraints)));
+  say(fmt::format("Nothing feasible was found. Failed check: {}.\n", to_text(constraints)));
   if (result.best.objective <= 1.0) {
     say(fmt::format(
         "{0}/gains.yaml holds the point with the least violation. It breaks a constraint: do not load it "
@@ -79,20 +79,22 @@ bool is_ros_file(const Study& study) {
 
 void TunePrinter::began(const Study& study, std::size_t recalled) {
   const std::string& folder = settings_.place.folder;
-  if (settings_.live) say(fmt::format("watch it: open {}/report.html in a browser\n", folder));
+  if (settings_.live) say(fmt::format("to watch the search, open {}/report.html in a browser\n", folder));
   say(fmt::format(
-      "study {}: {} gains over {} scenarios{}{}, {} in {} and {} at most, {} rollouts each; results go to "
-      "{}\n",
+      "study {}: {} gains, {} scenarios{}{}; search: {}; engine: {}; budget: {}, {} rollouts per evaluation; "
+      "results go to {}\n",
       study.name, study.space.free.size(), study.scenarios.size(), robust_text(study),
-      study.margins.empty() ? "" : fmt::format(" and {} margins as corners", study.margins.size()),
+      study.margins.empty() ? "" : fmt::format(", {} stability margins as constraints", study.margins.size()),
       search_text(study), engine_text(engine_of_search(study)),
       budget_text(study.max_evaluations, study.max_minutes), rollouts_per_evaluation(study), folder));
   const auto swept = static_cast<long>(sweep_points(study).size());
   const long room = evaluations_to_search(study);
   if (swept > 0 && swept >= room) {
     say(fmt::format(
-        "the sweep's {} points use up the budget: {}; allow more, or leave factors out\n", swept,
-        swept > room ? fmt::format("only {} of them are simulated", room) : "nothing is searched"));
+        "the sweep's {} points use up the budget: {}; allow more evaluations, or give fewer sweep factors\n",
+        swept,
+        swept > room ? fmt::format("only {} of them are simulated", room)
+                     : "no evaluation is left for the search"));
   }
   if (settings_.place.resume) say(fmt::format("resuming after {} finished evaluations\n", recalled));
   std::fflush(stdout);
@@ -100,9 +102,8 @@ void TunePrinter::began(const Study& study, std::size_t recalled) {
 
 void TunePrinter::verified(const TuneOutcome& so_far) {
   if (!so_far.robust.empty()) {
-    say(fmt::format(
-        "Each metric, combined as the study combines it{}:\n\n{}The arm of the scenario itself:\n\n",
-        robust_text(study_), comparison_table(so_far.robust, headline_metrics())));
+    say(fmt::format("Metrics over all arms of the study{}:\n\n{}The nominal arm alone:\n\n",
+                    robust_text(study_), comparison_table(so_far.robust, headline_metrics())));
   }
   say(comparison_table(so_far.sets, headline_metrics()));
   print_gains(study_, so_far.result);
@@ -151,8 +152,8 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
   const std::string& folder = settings_.place.folder;
   if (outcome.was_finished) {
     say(fmt::format(
-        "{}: this run is finished; there is nothing to resume. To search on from its best: {} tune {} "
-        "--warm-start {}\n",
+        "{}: this run is finished; there is nothing to resume. To search further from its best gains: {} "
+        "tune {} --warm-start {}\n",
         folder, program_name(), study_name_, folder));
     return;
   }
@@ -163,26 +164,28 @@ void TunePrinter::ended(const TuneOutcome& outcome) const {
   if (!outcome.sets.empty()) {
     print_recommendation(outcome.result, outcome.verdict.checks.front(), folder);
     const bool seen = std::find(outcome.files.begin(), outcome.files.end(), kReport) != outcome.files.end();
-    say(fmt::format("wrote {} in {:.0f} s: {}; the start's in start/\nnext: {}{} compare {}/start {}\n",
-                    folder, outcome.seconds, fmt::join(outcome.files, ", "),
-                    seen ? fmt::format("open {}/report.html in a browser; or ", folder) : "", program_name(),
-                    folder, folder));
+    say(fmt::format(
+        "wrote {} in {:.0f} s: {}; those of the start gains in start/\nnext: {}{} compare {}/start {}\n",
+        folder, outcome.seconds, fmt::join(outcome.files, ", "),
+        seen ? fmt::format("open {}/report.html in a browser; or ", folder) : "", program_name(), folder,
+        folder));
   }
   if (!outcome.controllers.empty()) {
     say(fmt::format(
-        "{0}/{1} is {2} with the tuned gains and nothing else changed. Before the robot's first motion under them: "
-        "docs/ros.md\n",
+        "{0}/{1} is {2} with the tuned gains and nothing else changed. Read docs/ros.md before the robot "
+        "moves with them.\n",
         folder, outcome.controllers, shown_path(study_.gains)));
   } else if (outcome.ending != Ending::kInterrupted && is_ros_file(study_)) {
     say(fmt::format(
-        "{} with the tuned gains is not written: a check failed or was left out, or the file cannot hold the gains; 'armtune export {} "
-        "--into FILE --out NEW' writes it where it can\n",
+        "{} with the tuned gains is not written, because a check failed or was left out, or because the file "
+        "cannot hold the gains. 'armtune export {} --into FILE --out NEW' writes it if the file can hold "
+        "them.\n",
         shown_path(study_.gains), folder));
   }
   if (outcome.ending == Ending::kInterrupted) {
-    say(fmt::format("interrupted: {}; to go on: {} tune --resume {}\n",
+    say(fmt::format("interrupted: {}; to resume: {} tune --resume {}\n",
                     outcome.result.interrupted ? "the search was not finished"
-                                               : "the search was finished, the analysis after it was not",
+                                               : "the search was finished, but the analysis after it was not",
                     program_name(), folder));
     return;
   }

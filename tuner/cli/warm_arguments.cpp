@@ -10,18 +10,21 @@ namespace armtune::internal::cli {
 
 void add_warm_options(CLI::App& command, WarmArguments& args) {
   command.add_option("--warm-start", args.from,
-                     "run folder or gains file where the search begins; the objective stays relative to the "
-                     "study's start gains");
+                     "run folder or gains file with whose gains the search begins; the objective stays "
+                     "relative to the study's start gains");
   command.add_option("--warm-parameters", args.parameters,
-                     "gains or fields taken from there, the others from the start (default: all tuned ones)");
+                     "gains to take from --warm-start, such as task_space_gains_p or task_space_gains_p/x; "
+                     "the others begin at the start gains (default: all tuned gains)");
   command
       .add_option(
           "--warm-box", args.box,
-          "search only this part of each parameter's range, around that point (default: 1, all of it)")
+          "width of the search around the warm start, as a share of each gain's range (default: 1, the whole "
+          "range)")
       ->check(CLI::Range(1e-6, 1.0));
   command
       .add_option("--warm-step", args.step,
-                  "initial step there, of the range (default: the study's, times the box)")
+                  "initial step of a warm start, as a share of each gain's range (default: the study's step "
+                  "times --warm-box)")
       ->check(CLI::Range(1e-6, 0.5));
 }
 
@@ -30,8 +33,8 @@ void apply(const WarmArguments& args, Study& study) {
   if (args.from.empty() && !refined) return;
   if (args.from.empty() && !study.warm) {
     throw InputError(
-        fmt::format("{}: no warm start for --warm-parameters, --warm-box or --warm-step to refine; give "
-                    "--warm-start too",
+        fmt::format("{}: --warm-parameters, --warm-box and --warm-step need a warm start, and the study "
+                    "has none; give --warm-start too",
                     study.source));
   }
   WarmStart warm = study.warm.value_or(WarmStart{});

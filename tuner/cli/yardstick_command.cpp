@@ -22,7 +22,7 @@ namespace {
 int run(const YardstickRequest& request) {
   if (request.folder.empty() || !is_there(request.folder + "/."))
     throw InputError(request.folder +
-                     ": is no folder; give that of a run that was simulated with --out, or tuned");
+                     ": is not a folder; give the folder of a run of 'simulate --out' or 'tune'");
   refuse_used_output(request);
   const Stopwatch watch;
   const std::vector<Scenario> scenarios = rollout_scenarios(request.folder, request.scenarios);
@@ -47,39 +47,38 @@ void add_yardstick_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "RUN", args->folder,
-          "folder of a run, or of one of its gain sets (RUN/start), with gains.yaml and rollout_*.csv")
+          "run folder, or folder of one of its gain sets (RUN/start), with gains.yaml and rollout_*.csv")
       ->required();
   command->add_option(
       "--scenarios", args->scenarios,
-      "bundled names or files; unless given, the run's own, as its study.yaml or run.yaml says");
+      "bundled scenarios or scenario files (default: those of the run, by its study.yaml or run.yaml)");
   command->add_option("--out", args->out,
-                      "file to write in place of RUN/yardstick.csv; run and report then stay as they are");
-  command->add_option("--velocity", args->options.velocity, "factor on the velocity limits, for a reserve")
+                      "new file instead of RUN/yardstick.csv; the run's files and report then stay "
+                      "unchanged");
+  command->add_option("--velocity", args->options.velocity, "share of the velocity limits that plans may use")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  command->add_option("--effort", args->options.effort, "share of the effort limits")
+  command->add_option("--effort", args->options.effort, "share of the effort limits that plans may use")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
   command
       ->add_option(
           "--knots", args->options.knots,
-          "time grid of each plan; a lap's has intervals of 25 ms at most, of 12.5 ms if targets switch")
+          "number of intervals in each plan's time grid; the plan of a lap has more if they would be longer "
+          "than 25 ms (12.5 ms if targets switch)")
       ->check(CLI::Range(20, 10000))
       ->capture_default_str();
   command->footer(
-      "Each plan starts from the arm's state when the event begins, knows everything, and keeps the robot's "
-      "positions,\n"
-      "velocities and torques at its knots. It is the best found from one first guess: a local optimum. A "
-      "lap is held\n"
-      "against a small error, not against the least time; the mean is over the rollout's own times on both "
-      "sides.\n"
-      "Where the scenario has obstacles, plans keep the gains' influence radius from them, or what the arm "
-      "has "
-      "when the\n"
-      "event begins; where no plan is found that does, they are left out and status says so. Scenarios with "
-      "a "
-      "stimulus\n"
-      "are left out. A run's report.html is made again and shows all this.\n\n"
+      "Each plan starts from the arm's state at the beginning of the event. It uses the exact model of\n"
+      "the arm and the future motion of targets and obstacles. It keeps the limits of joint position,\n"
+      "velocity and torque at its knots. It is the best plan found from one first guess: a local optimum.\n"
+      "The plan of a switch or return has the least time, the plan of a lap the least error. For a lap,\n"
+      "the RMS gaze errors at the times of the rollout are compared. If the scenario has obstacles, a\n"
+      "plan keeps the gains' influence radius from them, or the least distance of the rollout during the\n"
+      "event if that is smaller. If no such plan is found, the obstacles are ignored, and the column\n"
+      "status shows that. Scenarios are left out if they have a stimulus, if they give the tool's\n"
+      "orientation, or if their task is the position alone. The run's report.html is written again, with\n"
+      "the comparison.\n\n"
       "Example:\n  armtune simulate target_switch --out runs/published\n  armtune yardstick "
       "runs/published\n");
   command->callback([args, &exit_code] { exit_code = run(*args); });

@@ -31,7 +31,7 @@ std::string report_again(const std::string& run) {
     warn_of_left_out(report::write_report(run, run + "/report.html"), printer);
     return fmt::format(", {}/report.html", run);
   } catch (const std::exception& error) {
-    print_warning(fmt::format("the report is as it was: {}", error.what()));
+    print_warning(fmt::format("the report was not updated: {}", error.what()));
     return {};
   }
 }

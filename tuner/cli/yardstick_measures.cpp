@@ -32,17 +32,17 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
       continue;
     }
     if (scenario.orientation) {
-      say(fmt::format("{}: left out: it gives the tool's orientation, and plans know gaze targets only\n",
+      say(fmt::format("{}: left out, because it gives the tool's orientation; plans need gaze targets\n",
                       scenario.name));
       continue;
     }
     if (!tracks_orientation(scenario.mask)) {
-      say(fmt::format("{}: left out: its task is the position alone, and plans keep the gaze as well\n",
+      say(fmt::format("{}: left out, because it tracks the position only; plans always include the gaze\n",
                       scenario.name));
       continue;
     }
     if (scenario.robot->chain.link_radius.size() > 0 && !scenario.obstacles.empty())
-      say(fmt::format("{}: plans keep joint origins and tool clear of obstacles, not links\n",
+      say(fmt::format("{}: plans keep the joint origins and the tool clear of obstacles, but not the links\n",
                       scenario.name));
     const Gains set = gains(scenario);
     options.gaze_threshold = set.slerpAngularErrorThreshold;
@@ -50,7 +50,8 @@ std::vector<Pending> pending_in(const std::string& folder, const std::vector<Sce
     const HashedTable rollout = read_hashed_table(run_file(folder, "rollout_" + scenario.name + ".csv"));
     recordings.emplace_back(rollout.table.name(), rollout.hash);
     const std::vector<Event> events = events_of(rollout.table, scenario, options.gaze_threshold);
-    if (events.empty()) say(fmt::format("{}: no switch, return or whole lap\n", scenario.name));
+    if (events.empty())
+      say(fmt::format("{}: has no target switch, return to the path or complete lap\n", scenario.name));
     for (const Event& event : events) pending.push_back({&scenario, event, options});
   }
   return pending;

@@ -20,8 +20,8 @@ FurtherColumn reacquisition_column(const std::vector<Scenario>& scenarios,
   limit.column = {
       "reacquisition/limit",
       "s",
-      "the least that reacquisition/time can be within the arm's limits: of the switch that took longest, "
-      "from the rollout's own state on; empty where no plan was found for it",
+      "least possible reacquisition/time within the arm's limits, planned for the switch that took longest, "
+      "from the rollout's state at that switch; empty if no plan was found",
       {}};
   limit.values.reserve(scenarios.size());
   for (const Scenario& scenario : scenarios)
@@ -33,14 +33,14 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
                                const std::function<Gains(const Scenario&)>& gains) {
   YardstickFiles files;
   try {
-    say(fmt::format("against the best that the arm's limits allow ({}):\n", folder));
+    say(fmt::format("comparison with the best that the arm's limits allow ({}):\n", folder));
     const std::vector<Measure> measures = measure_rollouts(folder, scenarios, gains, {}).measures;
     write_text_file(folder + "/yardstick.csv", yardstick_csv(measures));
     files.written = {"yardstick.csv"};
     files.columns = {{"yardstick.csv", yardstick_columns()}};
     if (!stop_requested()) files.errors = {reacquisition_column(scenarios, measures)};
   } catch (const std::exception& error) {
-    fmt::print(stderr, "armtune: warning: the run is finished, but its yardstick is not: {}\n", error.what());
+    fmt::print(stderr, "armtune: warning: the run is finished, but its yardstick failed: {}\n", error.what());
   }
   return files;
 }
@@ -49,8 +49,8 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
 
 void add_yardstick_option(CLI::App& command, bool& wanted) {
   command.add_flag("--yardstick", wanted,
-                   "also plan the best that the arm's limits allow for each target switch, return and lap: "
-                   "yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
+                   "also plan the best that the arm's limits allow for each target switch, return and lap; "
+                   "writes yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
 }
 
 Yardstick yardstick_if(bool wanted) {

@@ -73,8 +73,8 @@ ControllerInFile read_controller(const std::string& file, const std::string& nod
   const auto fields = searched_fields(read.gains);
   if (std::all_of(fields.begin(), fields.end(),
                   [&read](const GainField* field) { return values_of(read.gains, *field).isZero(0.0); }))
-    throw InputError(fmt::format("{}: every p, i and d of {} is 0; give it gains to begin with", file,
-                                 read.controller.name));
+    throw InputError(
+        fmt::format("{}: every p, i and d of {} is 0; give start gains above 0", file, read.controller.name));
   require_room(read);
   return read;
 }

@@ -50,7 +50,7 @@ std::optional<double> controller_rate(const RosController& controller, const std
   if (rate == nullptr) return std::nullopt;
   const double hertz = number(*rate);
   if (hertz >= kSlowest && hertz <= kFastest) return hertz;
-  throw InputError(one_line(fmt::format("{}:{}: update_rate is {}; expected Hz, from {:g} to {:g}", file,
+  throw InputError(one_line(fmt::format("{}:{}: update_rate is {}; expected {:g} to {:g} Hz", file,
                                         rate->line, shown(rate->text), kSlowest, kFastest)));
 }
 

@@ -39,9 +39,9 @@ robot: {robot}
 planned: {{file: {motion}, segments: as_ros{units}}}
 duration: planned
 control_period: {period}   # s
-theta_start: {{model_scale: 1.0}}   # no matter: this controller knows no masses
+theta_start: {{model_scale: 1.0}}   # no effect: this controller uses no masses
 {cell}
-# What the real arm has and the controller does not know: change it to what is known of yours.
+# Properties of the real arm that the controller lacks. Replace them by the values of your arm.
 plant:
   position_noise: 0.0001     # rad, m
   velocity_noise: 0.005      # rad/s, m/s
@@ -49,11 +49,11 @@ plant:
 )";
 
 constexpr const char* kStudy = R"(description: {description}
-gains: {gains}   # the start; it scores 1
+gains: {gains}   # start gains; their objective is 1
 {node}scenarios: [{scenarios}]
 
-# Every p, i and d that is not 0, from a fifth to five times its value, or within bounds of your own:
-# {{name: ..., lower: ..., upper: ...}}. A d of 0 begins without damping.
+# Every p, i and d that is not 0 is tuned from a fifth to five times its value. To give other bounds, write
+# {{name: ..., lower: ..., upper: ...}}. A d of 0 starts without damping.
 parameters:
 {parameters}
 objective:
@@ -65,13 +65,13 @@ constraints:
   - {{metric: joint_velocity/max_ratio, at_most: 0.9}}
   - {{metric: joint_effort/max_ratio, at_most: 0.9}}
 {more}
-# Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for each
-# stability margin must hold on the arm of the model.
+# Robust gains: every metric is the worst over the arm and six random arms. For each stability margin, one
+# more rollout with extra delay, gain, noise or a lower rate must keep the limits.
 robust: {{samples: 6, measure: worst}}
 margins: {{delay_periods: 2, gain: 1.5, noise: 2, rate: 0.8}}
 
 search:
-  engine: native      # Simbody judges what is found
+  engine: native      # Simbody checks the best gains found
   max_evaluations: 400
   seed: 1
 )";
@@ -168,13 +168,13 @@ JointSpline motion_of(const Move& move, const ControllerStudyInputs& inputs, con
 void add_notes(const Move& move, const JointSpline& motion, std::vector<std::string>& notes) {
   if (is_straight(motion))
     notes.push_back(fmt::format(
-        "{} has positions without velocities: as ROS does, they are joined by straight lines, and the desired "
-        "velocity jumps at every point; a file with velocities is followed better",
+        "{} has positions but no velocities; as in ROS, straight lines join them, so that the desired "
+        "velocity jumps at every point. A file with velocities is tracked better",
         move.file));
   if (motion.begin() > 0.0)
     notes.push_back(fmt::format(
-        "{} begins at {:g} s: how the robot comes to its first point is not simulated; add a point at 0 s where the "
-        "arm stands",
+        "{} begins at {:g} s, and the motion to its first point is not simulated; add a point at 0 s with "
+        "the arm's position at that time",
         move.file, motion.begin()));
 }
 
@@ -189,12 +189,11 @@ std::string scenario_yaml(const Move& move, const Arm& arm, const ControllerStud
       fmt::arg("robot", yaml::quoted(arm.reference)),
       fmt::arg("motion", yaml::quoted(absolute_path(move.file))), fmt::arg("period", period),
       fmt::arg("units", degrees ? ", units: {angle: deg}" : ""),
-      fmt::arg(
-          "cell",
-          arm.touches_itself() && !arm.has_cell
-              ? "\n# The arm is not to touch itself. What stands around it belongs here too: floor, parts.\n"
-                "cell: {}\n"
-              : ""));
+      fmt::arg("cell",
+               arm.touches_itself() && !arm.has_cell
+                   ? "\n# The arm must not touch itself. Describe its surroundings here too: floor, parts.\n"
+                     "cell: {}\n"
+                   : ""));
 }
 
 std::string study_yaml(const std::vector<Move>& moves, const Arm& arm, const ControllerStudyInputs& inputs,
@@ -238,7 +237,7 @@ ControllerStudyFiles write_controller_study(const ControllerStudyInputs& inputs,
       inputs.rate > 0.0 ? inputs.rate : controller_rate(from.controller, inputs.controllers);
   if (!rate)
     throw InputError(fmt::format(
-        "{}: it has no update_rate of the controller manager; say how often the controller runs with --rate HZ",
+        "{}: the file has no update_rate of the controller manager; give the control rate with --rate HZ",
         inputs.controllers));
   const std::vector<Move> moves = moves_of(inputs.trajectories);
 

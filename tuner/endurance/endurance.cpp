@@ -65,19 +65,19 @@ std::vector<std::string> how_extended(const Scenario& scenario) {
   std::vector<std::string> sentences;
   if (scenario.planned && !scenario.has_task()) {
     sentences.emplace_back(
-        "after the planned motion comes the scenario's task; without one the tool is held where the motion "
-        "ends");
+        "after the planned motion the scenario's task follows; without a task the tool stays where the "
+        "motion ends");
   }
   if (scenario.path.spline && !scenario.path.spline->loops())
-    sentences.emplace_back("the tool's waypoints are held at the last one");
+    sentences.emplace_back("the tool stays at its last waypoint");
   if (scenario.orientation && scenario.orientation->turn && !scenario.orientation->turn->loops())
-    sentences.emplace_back("the orientation's waypoints are held at the last one");
+    sentences.emplace_back("the orientation stays at its last waypoint");
   if (scenario.stimulus) {
     sentences.emplace_back(std::holds_alternative<Step>(scenario.stimulus->shape)
-                               ? "the step is held at its height"
-                               : "the sines go on");
+                               ? "the step keeps its height"
+                               : "the sines continue");
   }
-  if (!scenario.schedule.empty()) sentences.emplace_back("the last target of the schedule stays");
+  if (!scenario.schedule.empty()) sentences.emplace_back("the last target of the schedule stays active");
   return sentences;
 }
 

@@ -43,15 +43,15 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   };
   add("evaluation", "1", "number of the evaluation, from 0");
   add("phase", "",
-      "start, sweep, warm, global, search, gradient, verify; of a front: start, warm, anchor, level, "
-      "gradient");
-  add("engine", "", "simbody or native: what simulated it");
-  add("objective", "1", "weighted metrics relative to the start gains, which score 1");
+      "phase of the search: start, sweep, warm, global, search, gradient, verify; in a trade-off: start, "
+      "warm, anchor, level, gradient");
+  add("engine", "", "engine of the simulation: simbody or native");
+  add("objective", "1", "weighted metrics relative to the start gains, whose objective is 1");
   add("feasible", "1", "1 if every constraint holds in every scenario");
   add("violation", "1",
-      "sum of the violations relative to their limits; larger than that of any completed candidate if a "
-      "scenario did not complete");
-  add("status", "", "completed, or what went wrong first");
+      "sum of the constraint violations relative to their limits; if a scenario did not complete, larger "
+      "than for any completed candidate");
+  add("status", "", "completed, or the first failure");
   for (const Parameter& p : study.space.free) add(p.entry.name, p.entry.field->unit, p.entry.field->meaning);
   for (const auto& [s, metric] : figures(study.terms)) {
     const MetricField& f = field(metric);
@@ -63,12 +63,11 @@ std::vector<Column> evaluation_columns(const Study& study, const std::vector<Ext
   }
   for (const MarginDemand& demand : study.margins) {
     add(fmt::format("margin/{}", name(demand.kind)), "1",
-        fmt::format("what is missing in the worst scenario for the loop to hold with {} at {}; zero or less: "
-                    "it holds",
+        fmt::format("excess over the limits in the worst scenario with {} at {}; up to 0 the margin holds",
                     name(demand.kind), demand.value));
   }
   for (const ExtraColumn& e : extra) columns.push_back(e.column);
-  add("time/wall", "s", "wall time since the run began, to the millisecond");
+  add("time/wall", "s", "wall time of the run so far");
   return columns;
 }
 

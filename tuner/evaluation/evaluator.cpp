@@ -29,12 +29,12 @@ std::optional<Evaluation> Evaluator::recall(std::uint64_t number, const Candidat
   if (record->x != candidate.x || record->phase != candidate.phase ||
       record->results.size() != results_per_evaluation(study_)) {
     throw InputError(
-        fmt::format("{}: as evaluation {} the search now asks for {} than the journal holds: its file was "
-                    "changed, or this program searches in another way; begin the run anew",
+        fmt::format("{}: the search cannot be resumed, because evaluation {} {}; the study's file was "
+                    "changed, or this program searches differently. Start the run again",
                     study_.source, number,
                     record->phase == candidate.phase
-                        ? std::string("another point")
-                        : fmt::format("a point of phase {}, not {},", candidate.phase, record->phase)));
+                        ? std::string("differs from the journal")
+                        : fmt::format("has phase {}, in the journal {}", candidate.phase, record->phase)));
   }
   Evaluation e;
   e.x = candidate.x;

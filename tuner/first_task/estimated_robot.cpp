@@ -65,14 +65,14 @@ std::string estimated_robot_yaml(const RobotFile& file, const RobotModel& estima
       fmt::format(
           "\n# No file gives the rotor inertia of {}. It is estimated from the limits of effort and velocity, in\n"
           "# kg m^2: [{}].\n"
-          "# A list of the arm's own figures in place of 'estimated' is better.\nrotor_inertia: estimated\n",
+          "# Better: replace 'estimated' by a list of the arm's real values.\nrotor_inertia: estimated\n",
           estimated.estimated_rotors.size() == std::size_t(estimated.n())
               ? "the joints"
               : fmt::format("{}", fmt::join(estimated.estimated_rotors, ", ")),
           fmt::join(figures, ", "));
   if (file.root && (!says_the_same(text, file) || names_waypoints(file))) {
     throw InputError(fmt::format(
-        "{}: it gives no rotor inertia; add the line 'rotor_inertia: estimated' to it", file.path));
+        "{}: the file gives no rotor inertia; add the line 'rotor_inertia: estimated' to it", file.path));
   }
   return text;
 }

@@ -11,10 +11,10 @@
 namespace armtune::internal {
 namespace {
 
-constexpr const char* kStudy = R"(gains: gains.yaml     # the start; it scores 1
+constexpr const char* kStudy = R"(gains: gains.yaml     # start gains; their objective is 1
 scenarios: [task.yaml]
 
-parameters:           # from the start's values; bounds of your own: {{name: ..., lower: ..., upper: ...}}
+parameters:           # default bounds around the start gains; others: {{name: ..., lower: ..., upper: ...}}
   - {{name: task_space_gains_p}}
   - {{name: task_space_gains_d}}
   - {{name: trajectoryDurationErrorGain}}
@@ -29,13 +29,13 @@ constraints:
   - {{metric: joint_position/min_margin, at_least: 0}}
   - {{metric: joint_effort/max_ratio, at_most: 0.9}}
 {clearances}
-# Gains that hold: the worst of the arm and six others at random counts, and one corner rollout for
-# each stability margin must hold on the arm of the model.
+# Robust gains: every metric is the worst over the arm and six random arms. For each stability margin, one
+# more rollout with extra delay, gain, noise or a lower rate must keep the limits.
 robust: {{samples: 6, measure: worst}}
 margins: {{delay_periods: 2, gain: 1.5, noise: 2, rate: 0.8}}
 
 search:
-  engine: native      # Simbody judges what is found
+  engine: native      # Simbody checks the best gains found
   max_evaluations: 200
   seed: 1
 )";
@@ -91,8 +91,8 @@ std::string FirstDemands::broken(const Gains& gains) {
   objective.judge(e);
   for (std::size_t c = 0; c < study_.constraints.size(); ++c) {
     if (e.constraints[c] > 0.0)
-      return fmt::format("{} is broken on the arm, or on one of {} at random", objective.constraint_name(c),
-                         study_.robust->samples);
+      return fmt::format("{} is violated on the arm or on one of {} random arms",
+                         objective.constraint_name(c), study_.robust->samples);
   }
   return e.feasible ? "" : e.status;
 }

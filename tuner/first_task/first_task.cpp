@@ -46,10 +46,10 @@ class Search {
       has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
-          progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times its time",
-                                options_.mask == TaskMask::kPosition ? " of position alone" : "",
-                                options_.without_floor ? " without a floor" : "",
-                                options_.thorough ? " among ten times as many positions" : "", place + 1,
+          progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times the usual duration",
+                                options_.mask == TaskMask::kPosition ? ", position only" : "",
+                                options_.without_floor ? ", no floor" : "",
+                                options_.thorough ? ", ten times as many positions" : "", place + 1,
                                 tasks.size(), pace.slowness));
         }
         if (tasks[place].load < lightest_) {
@@ -72,7 +72,7 @@ class Search {
   std::string failed() const {
     if (lightest_ < kHeavy) return failed_;
     return fmt::format(
-        "{}; on the lightest of them, to hold the arm still takes {:.2g} of the effort limit of joint '{}'",
+        "{}; even at the easiest place, holding the arm still takes {:.2g} of the effort limit of joint '{}'",
         failed_, lightest_, arm_->joints[static_cast<std::size_t>(loaded_)].name);
   }
 
@@ -126,8 +126,8 @@ FirstTask found_for(const std::shared_ptr<const RobotModel>& arm, const TaskOpti
     if (auto found = search.find()) return *found;
     if (!search.has_place()) continue;
     last = fmt::format(
-        "{}: no gains were found with which {} completes a first task within its limits. With the last of those "
-        "tried, {}. Check limits and masses, or write a scenario and gains of its own",
+        "{}: no gains were found with which {} completes a first task within its limits. The last attempt "
+        "failed: {}. Check limits and masses, or write a scenario and start gains yourself",
         arm->source, arm->name, search.failed());
   }
   if (last.empty()) default_task(arm, options);  // which says why there is no place
@@ -152,7 +152,7 @@ FirstTask find_first_task(const std::string& robot, const TaskOptions& options, 
   if (const auto cell = cell_of(file, inputs)) {
     if (options.floor) {
       throw InputError(fmt::format(
-          "{}: its 'cell' says what stands around the arm; leave --floor out, and give 'floor' there",
+          "{}: the key 'cell' already describes the surroundings; leave --floor out, and give 'floor' there",
           file.path));
     }
     in_cell.cell = *cell;

@@ -14,9 +14,10 @@ namespace armtune::internal {
 void write_first_task(const FirstTask& found, const std::string& folder) {
   const Scenario& scenario = found.task.scenario;
   const std::vector<std::string> comments = {
-      fmt::format("from the inertia and the limits of {}; a start, not tuned", scenario.robot->name),
+      fmt::format("start gains computed from inertia and limits of {}; not tuned", scenario.robot->name),
       fmt::format(
-          "completes task.yaml in Simbody, with at most {:.2g} of the velocity limits and {:.2g} of the effort limits",
+          "they complete task.yaml in Simbody with at most {:.2g} of the velocity limits and {:.2g} of "
+          "the effort limits",
           found.metrics[Metric::kJointVelocityMaxRatio], found.metrics[Metric::kJointEffortMaxRatio])};
   const FolderLock lock = make_run_folder(folder);
   if (!found.robot_yaml.empty()) write_text_file(folder + "/robot.yaml", found.robot_yaml);

@@ -51,13 +51,12 @@ std::optional<Metrics> FirstTrial::completed_with(const Gains& gains) {
   if (!passes(result, "")) return std::nullopt;
   for (const Scenario& scenario : other_rotors_) {
     Rollout other(scenario, Stepper::kMidpoint, Engine::kSimbody);
-    if (!passes(other.run(gains, {}, ends), " with other rotor inertia than estimated")) return std::nullopt;
+    if (!passes(other.run(gains, {}, ends), " if the rotor inertia differs from the estimate"))
+      return std::nullopt;
   }
   if (!endures(gains)) return std::nullopt;
   if (nearly_all_hold(scenario_, gains, workers_)) return result.metrics;
-  failed_ =
-      fmt::format("more than {} of {} arms that differ from this one at random do not keep their limits",
-                  most_lost_arms(), kOtherArms);
+  failed_ = fmt::format("more than {} of {} random arms break their limits", most_lost_arms(), kOtherArms);
   return std::nullopt;
 }
 
@@ -77,7 +76,7 @@ bool FirstTrial::endures(const Gains& gains) {
   // NaN where there was nothing to compare.
   const VerdictThresholds most;
   if (!(result.rms_growth > most.rms_growth) && !(result.peak_growth > most.peak_growth)) return true;
-  failed_ = fmt::format("errors grow within {} minutes", most.minutes);
+  failed_ = fmt::format("errors grow within {} simulated minutes", most.minutes);
   return false;
 }
 

@@ -119,7 +119,7 @@ std::string gains_difference(const std::vector<NamedGains>& sets, const std::vec
   const auto all = rows.size();
   std::erase_if(rows, is_same);
   for (Row& row : rows) tell_apart(row);
-  if (rows.empty()) return fmt::format("the same in all {} gains\n", all);
+  if (rows.empty()) return fmt::format("all {} values are the same\n", all);
 
   std::size_t width = 4;
   for (const Row& row : rows) width = std::max(width, row.name.size());
@@ -135,7 +135,7 @@ std::string gains_difference(const std::vector<NamedGains>& sets, const std::vec
       if (i > 0) text += fmt::format("  {:>9}", ratio(row, i));
     }
   }
-  return text + fmt::format("\n{} of {} are the same\n", all - rows.size(), all);
+  return text + fmt::format("\n{} of {} values are the same\n", all - rows.size(), all);
 }
 
 }  // namespace armtune::internal

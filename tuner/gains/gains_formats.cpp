@@ -20,8 +20,8 @@ void refuse_node(const std::string& node) {
   const bool begins_well = !node.empty() && (is_letter(node[0]) || node[0] == '/' || node[0] == '_');
   if (!begins_well || !std::all_of(node.begin(), node.end(), is_allowed)) {
     throw InputError(
-        fmt::format("node '{}': is no name in ROS; give one of letters, digits, '_' and '/' that begins with "
-                    "none of the digits",
+        fmt::format("node '{}': not a valid ROS name; use letters, digits, '_' and '/', and do not start "
+                    "with a digit",
                     node));
   }
 }
@@ -29,8 +29,8 @@ void refuse_node(const std::string& node) {
 std::vector<std::string> header_of(const GainsFile& file) {
   std::vector<std::string> lines;
   for (const auto& [what, words] : file.origin) lines.push_back(fmt::format("{}: {}", what, words));
-  lines.emplace_back("six numbers of the task: x y z rx ry rz");
-  lines.push_back(fmt::format("numbers of joints: {}", fmt::join(file.joints, " ")));
+  lines.emplace_back("order of six task-space numbers: x y z rx ry rz");
+  lines.push_back(fmt::format("order of joint numbers: {}", fmt::join(file.joints, " ")));
   return lines;
 }
 

@@ -64,7 +64,7 @@ std::string worst_of(const CsvTable& errors, Metric metric) {
 void add_limits(const std::string& folder, Rows& rows) {
   const auto file = find_run_file(folder, "errors.csv");
   if (!file) {
-    rows.emplace_back("limits", "not known, the run's errors.csv is not there");
+    rows.emplace_back("limits", "unknown, because the run has no errors.csv");
     return;
   }
   const CsvTable errors = CsvTable::read(*file);
@@ -90,7 +90,7 @@ void add_margins(const std::string& folder, Rows& rows) {
       const char* bound = !std::isnan(number("fails")) ? "" : stands < number("nominal") ? "<= " : ">= ";
       words = bound + with_unit(stands, text("unit"));
     }
-    if (!text("reason").empty()) words += "; then " + text("reason");
+    if (!text("reason").empty()) words += "; limited by " + text("reason");
     rows.emplace_back("margin/" + text("margin"), words);
   }
 }
@@ -119,8 +119,8 @@ Rows origin_of_run(const std::string& folder, bool with_figures) {
   const bool figures = with_figures && !changed;
   if (changed) {
     rows.emplace_back("warning",
-                      "gains.yaml was changed after the run, whose objective, limits and margins are not "
-                      "these gains'; simulate them");
+                      "gains.yaml was changed after the run; objective, limits and margins of the run do not "
+                      "apply to these gains, simulate them");
   }
   for (const auto& [key, what] : kOfRun) {
     const bool of_best = std::string_view(key) == "objective" || std::string_view(key) == "feasible";

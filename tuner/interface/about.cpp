@@ -20,7 +20,7 @@ std::vector<std::string> bundled(const std::string& folder) {
   const std::vector<std::string> folders = {"robots", "scenarios", "gains", "studies", "tasks", "theta"};
   if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
     throw InputError(
-        fmt::format("folder: {}, must be one of {}", internal::shown(folder), fmt::join(folders, ", ")));
+        fmt::format("folder: {}; it must be one of {}", internal::shown(folder), fmt::join(folders, ", ")));
   }
   return internal::bundled_names(folder);
 }

@@ -83,7 +83,7 @@ void LawState::model_torque(const Eigen::Ref<const Eigen::VectorXd>& v,
                             Eigen::Ref<Eigen::VectorXd> tau) const {
   const Eigen::Index n = in_.measured.q.size();
   if (v.size() != n || a.size() != n || tau.size() != n) {
-    throw InputError(fmt::format("model_torque: vectors of {} numbers are needed", n));
+    throw InputError(fmt::format("model_torque: v, a and tau must have {} numbers each", n));
   }
   law_.v_ = v;
   law_.a_ = a;
@@ -130,7 +130,7 @@ void register_controller(const ControllerKind& kind) {
 
 std::vector<double> joint_inertia(const Robot& robot, std::span<const double> q) {
   if (q.size() != robot.joints().size()) {
-    throw InputError(fmt::format("joint_inertia: {} positions are given, {} has {} joints", q.size(),
+    throw InputError(fmt::format("joint_inertia: {} positions are given, but {} has {} joints", q.size(),
                                  robot.name(), robot.joints().size()));
   }
   const internal::JointVector inertia = internal::joint_inertia(*robot.model(), joint_vector(q));

@@ -19,8 +19,8 @@ const internal::GainField& field_of(const internal::Gains& gains, const std::str
   for (const internal::GainField& field : internal::fields_of(gains)) {
     if (field.name != name) continue;
     if (field.is_number() == numeric) return field;
-    throw InputError(
-        fmt::format("{}: {}", name, numeric ? "is a switch or a word, not numbers" : "has numbers, no word"));
+    throw InputError(fmt::format("{}: {}", name,
+                                 numeric ? "is a switch or a word, not numbers" : "has numbers, not a word"));
   }
   throw InputError(
       fmt::format("{}: the controller {} has no such gain", internal::shown(name), gains.controller));
@@ -68,7 +68,8 @@ void Gains::set(const std::string& name, const std::vector<double>& values) {
   } else if (values.size() == target.size()) {
     std::copy(values.begin(), values.end(), target.begin());
   } else {
-    throw InputError(fmt::format("{}: {} numbers are given, it has {}", name, values.size(), target.size()));
+    throw InputError(
+        fmt::format("{}: {} numbers are given, but the gain has {}", name, values.size(), target.size()));
   }
 }
 
@@ -83,7 +84,7 @@ void Gains::set_word(const std::string& name, const std::string& word) {
                                                          : std::vector<std::string>{"start", "current"};
   if (word != words[0] && word != words[1]) {
     throw InputError(
-        fmt::format("{}: {}, must be {} or {}", name, internal::shown(word), words[0], words[1]));
+        fmt::format("{}: {} is given; it must be {} or {}", name, internal::shown(word), words[0], words[1]));
   }
   if (flag != nullptr) {
     (*inside_).** flag = word == "true";

@@ -42,7 +42,7 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
   for (const auto& some : files) {
     if (some == nullptr) {
       throw InputError(fmt::format(
-          "{}: {} is not what any file says, so that the folder could not tell what was simulated; leave the folder out",
+          "{}: {} exists in no file, so the folder could not record what was simulated; run without a folder",
           folder, what));
     }
   }
@@ -52,7 +52,8 @@ KeptInputs::KeptInputs(const std::string& folder, const std::vector<std::shared_
     for (const auto& [path, hash] : *some) {
       internal::read_input_file(path, std::size_t{1} << 30U, "an input");
       if (internal::hash_of_input(path) != hash) {
-        throw InputError(fmt::format("{}: has changed since it was read; load the study again", path));
+        throw InputError(
+            fmt::format("{}: has changed since it was read; load the study or scenario again", path));
       }
     }
   }

@@ -26,7 +26,7 @@ internal::Perturbation perturbation_of(const std::map<std::string, double>& widt
     if (found == fields.end()) {
       std::vector<std::string> known;
       for (const auto& field : fields) known.emplace_back(field.name);
-      throw InputError(fmt::format("perturbation: {} is no quantity that can differ; there are: {}",
+      throw InputError(fmt::format("perturbation: {} cannot be varied; the quantities are: {}",
                                    internal::shown(given.first), fmt::join(known, ", ")));
     }
     perturbation.*found->width = given.second;
@@ -53,7 +53,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   require_fit(gains, scenarios);
   constexpr std::uint64_t kMost = 1'000'000;
   if (options.samples < 1 || options.samples > kMost) {
-    throw InputError(fmt::format("samples: {}, must lie between 1 and {}", options.samples, kMost));
+    throw InputError(fmt::format("samples: {}; it must lie between 1 and {}", options.samples, kMost));
   }
   const KeptInputs inputs(options.folder, files_of(scenarios), "a scenario that was changed");
   internal::MonteCarloSettings settings;
@@ -71,7 +71,7 @@ Robustness robustness(const std::vector<Scenario>& scenarios, const Gains& gains
   internal::MonteCarloSession session(std::move(settings), context_of(options.watch), observer);
   const internal::MonteCarloOutcome outcome = session.run(alone).value();
   if (outcome.was_finished)
-    throw InputError(options.folder + ": the run there has ended; there is nothing to resume");
+    throw InputError(options.folder + ": this run is finished; there is nothing to resume");
 
   Robustness found;
   found.verdict = outcome.verdict;

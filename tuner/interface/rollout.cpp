@@ -40,7 +40,7 @@ void RolloutMaker::record(Rollout& rollout, internal::Recorder recorder, bool co
 }
 
 const internal::ScenarioResult& RolloutMaker::result_of(const Rollout& rollout) {
-  if (rollout.result_ == nullptr) throw InputError("a Rollout is given that nothing was simulated for");
+  if (rollout.result_ == nullptr) throw InputError("a Rollout is empty; give only results of a simulation");
   return *static_cast<const internal::ScenarioResult*>(rollout.result_.get());
 }
 
@@ -56,11 +56,13 @@ std::vector<internal::Scenario> internal_of(const std::vector<Scenario>& scenari
 }
 
 void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios) {
-  if (scenarios.empty()) throw InputError("scenarios: none are given; give one at least");
+  if (scenarios.empty()) throw InputError("scenarios: none are given; give at least one");
   internal::validate(gains.inside(), gains.joints(), "gains");
   for (const Scenario& scenario : scenarios) {
     if (internal::joint_names(*scenario.inside().robot) != gains.joints()) {
-      throw InputError(fmt::format("{}: the gains are for an arm of other joints", scenario.name()));
+      throw InputError(fmt::format(
+          "{}: the gains are for an arm with other joints; load gains for the arm of this scenario",
+          scenario.name()));
     }
   }
 }
@@ -68,7 +70,7 @@ void require_fit(const Gains& gains, const std::vector<Scenario>& scenarios) {
 void require_workers(int workers) {
   constexpr int kMost = 1024;
   if (workers < 1 || workers > kMost) {
-    throw InputError(fmt::format("workers: {}, must lie between 1 and {}", workers, kMost));
+    throw InputError(fmt::format("workers: {}; it must lie between 1 and {}", workers, kMost));
   }
 }
 
@@ -86,7 +88,7 @@ static void require_names(const std::vector<Scenario>& scenarios) {
 double Rollout::metric(const std::string& name) const {
   const auto found = metrics_.find(name);
   if (found == metrics_.end()) {
-    throw InputError(fmt::format("{} is no metric; 'armtune metrics' lists them", internal::shown(name)));
+    throw InputError(fmt::format("{} is not a metric; 'armtune metrics' lists them", internal::shown(name)));
   }
   return found->second;
 }
@@ -108,7 +110,7 @@ std::vector<Rollout> simulate(const std::vector<Scenario>& scenarios, const Gain
   require_workers(options.workers);
   require_fit(gains, scenarios);
   if (options.record_every < 0) {
-    throw InputError(fmt::format("record_every: {}, must not be negative", options.record_every));
+    throw InputError(fmt::format("record_every: {}; it must not be negative", options.record_every));
   }
   internal::SimulateOptions how;
   how.workers = options.workers;

@@ -52,10 +52,11 @@ void Scenario::set_name(const std::string& name) {
   });
   if (name.empty() || !plain || internal::is_formula(name) || name[0] == '.') {
     throw InputError(
-        fmt::format("name: {}; give one of letters, digits, '_', '-' and '.'", internal::shown(name)));
+        fmt::format("name: {}; use letters, digits, '_', '-' and '.', but neither '-' nor '.' first",
+                    internal::shown(name)));
   }
   if (name == internal::kAllScenarios)
-    throw InputError(fmt::format("name: results call all scenarios together '{}'; give another", name));
+    throw InputError(fmt::format("name: '{}' stands for all scenarios in results; give another name", name));
   inside_ = changed(*inside_, [&](internal::Scenario& s) { s.name = name; });
   files_.reset();
 }

@@ -88,7 +88,7 @@ std::uint64_t Study::seed() const {
 }
 
 void Study::set_max_evaluations(long most) {
-  if (most < 1) throw InputError(fmt::format("max_evaluations: {}, must be 1 or more", most));
+  if (most < 1) throw InputError(fmt::format("max_evaluations: {}; it must be at least 1", most));
   inside_ = changed(*inside_, [&](internal::Study& s) { s.max_evaluations = most; });
 }
 

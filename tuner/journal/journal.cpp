@@ -84,8 +84,8 @@ class Lines {
       if (is_there(path))
         throw InputError(
             fmt::format("{}: cannot be opened: {}", path, std::generic_category().message(reason)));
-      throw InputError(
-          path + ": cannot be read; only the folder of a run that has begun can be resumed: begin it anew");
+      throw InputError(path +
+                       ": cannot be read; only a run that has started can be resumed. Start the run again");
     }
   }
   /// False at the end. `whole`: the line has its end.
@@ -96,7 +96,7 @@ class Lines {
     try {
       read_line();
     } catch (const std::ios_base::failure& e) {
-      throw InputError(fmt::format("{}: cannot read it: {}", path_, e.what()));
+      throw InputError(fmt::format("{}: cannot be read: {}", path_, e.what()));
     }
     if (!whole_ && line_.empty()) return false;
     ++number_;
@@ -118,7 +118,7 @@ class Lines {
       }
       if (line_.size() == kMaxLine) {
         throw InputError(
-            fmt::format("{}:{}: a line of more than {} MB; it is no journal of armtune, or damaged", path_,
+            fmt::format("{}:{}: a line of more than {} MB; this is not an armtune journal, or damaged", path_,
                         number_ + 1, kMaxLine >> 20));
       }
       line_ += static_cast<char>(byte);
@@ -138,19 +138,19 @@ RunHeader read_header(Lines& lines, const std::string& path) {
   bool first = true;
   while (lines.next()) {
     const auto payload = lines.whole() ? payload_of(lines.line()) : std::nullopt;
-    if (!payload && first) throw InputError(path + ": is no journal of armtune, or its beginning is damaged");
+    if (!payload && first)
+      throw InputError(path + ": this is not an armtune journal, or its start is damaged");
     if (!payload) {
       throw InputError(
-          fmt::format("{}:{}: the journal's header is damaged, so the run it belongs to is not known; "
-                      "begin it anew",
+          fmt::format("{}:{}: the journal's header is damaged, so its run is not known; start the run again",
                       path, lines.number()));
     }
     std::string_view rest = *payload;
     const std::string_view kind = first_word(rest);
     if (first) {
       if (*payload != kFormat) {
-        throw InputError(fmt::format("{}: {} is not '{}': another version of armtune wrote it", path,
-                                     shown(*payload), kFormat));
+        throw InputError(fmt::format("{}: {} is not '{}'; another version of armtune wrote this journal",
+                                     path, shown(*payload), kFormat));
       }
       first = false;
     } else if (kind == kHeaderEnd) {
@@ -166,7 +166,7 @@ RunHeader read_header(Lines& lines, const std::string& path) {
   }
   throw InputError(
       path +
-      ": ends within its header: the run was killed before it began; take the folder away and begin it anew");
+      ": the header is incomplete, because the run was killed at its start; delete the folder, start again");
 }
 
 }  // namespace
@@ -215,8 +215,8 @@ std::string Journal::read(const RunHeader& now) {
       differences(was, now, [&folder](const std::string& hash) { return copy_of_hash(folder, hash); });
   if (!other.empty()) {
     throw InputError(
-        fmt::format("{}: cannot go on with another run than the one it was begun for: {}; put it "
-                    "back{}, or begin a run of its own with --out",
+        fmt::format("{}: the run cannot be resumed, because its inputs differ: {}. Restore them{}, or start "
+                    "a new run with --out",
                     path_, other, where_copies_are(folder)));
   }
   long damaged = 0;  // number of the first damaged line, none yet
@@ -224,8 +224,8 @@ std::string Journal::read(const RunHeader& now) {
   long records = 0;
   const auto refuse = [&](const std::string& what) {
     throw InputError(
-        fmt::format("{}:{}: record {} {}, and it is not the last one, which a kill could have torn: "
-                    "take the file from a backup, or begin the run anew",
+        fmt::format("{}:{}: record {} {}; a kill damages only the last record. Restore the file from a "
+                    "backup, or start the run again",
                     path_, damaged, records, what));
   };
   while (lines.next()) {
@@ -239,7 +239,7 @@ std::string Journal::read(const RunHeader& now) {
     try {
       take(*payload, lines.place());
     } catch (const std::invalid_argument& e) {
-      throw InputError(fmt::format("{}:{}: record {} {}; another version of armtune wrote it", path_,
+      throw InputError(fmt::format("{}:{}: record {}: {}; another version of armtune wrote it", path_,
                                    lines.number(), records, e.what()));
     }
     ++records;
@@ -250,8 +250,8 @@ std::string Journal::read(const RunHeader& now) {
   const long cut = size_ - damaged_place;
   size_ = damaged_place;
   return fmt::format(
-      "{}:{}: the last record was torn, as a kill or a power cut does; its {} bytes were cut off, and "
-      "what it recorded is done again",
+      "{}:{}: the last record is incomplete, as after a kill or a power cut; its {} bytes were removed, and "
+      "its work is repeated",
       path_, damaged, cut);
 }
 
@@ -261,7 +261,7 @@ void Journal::take(std::string_view payload, long place) {
   if (kind == "finished") {
     const JournalRecord record = record_from_line(rest);
     if (!places_.emplace(record.number, place).second) {
-      throw std::invalid_argument(fmt::format("gives number {} a second time", record.number));
+      throw std::invalid_argument(fmt::format("number {} occurs a second time", record.number));
     }
     seconds_ = std::max(seconds_, record.seconds);
   } else if (const auto minutes = minutes_of(kind)) {
@@ -270,10 +270,10 @@ void Journal::take(std::string_view payload, long place) {
     constexpr std::uint64_t kLargestExitCode = 255;
     const std::uint64_t exit_code = number_in(rest);
     if (exit_code > kLargestExitCode)
-      throw std::invalid_argument(fmt::format("{} is no exit code", exit_code));
+      throw std::invalid_argument(fmt::format("{} is not an exit code", exit_code));
     exit_code_ = static_cast<int>(exit_code);
   } else {
-    throw std::invalid_argument(fmt::format("is of the unknown kind {}", shown(kind)));
+    throw std::invalid_argument(fmt::format("unknown kind {}", shown(kind)));
   }
 }
 
@@ -285,7 +285,7 @@ std::optional<JournalRecord> Journal::find(std::uint64_t number) const {
   std::string line;
   std::getline(file, line);
   const auto payload = file.eof() ? std::nullopt : payload_of(line);
-  if (!payload) throw InputError(fmt::format("{}: was changed while the run went on", path_));
+  if (!payload) throw InputError(fmt::format("{}: the file was changed during the run", path_));
   std::string_view rest = *payload;
   first_word(rest);
   return record_from_line(rest);

@@ -24,7 +24,7 @@ class Fields {
   bool more() const { return more_; }
 
   std::string_view next(const char* what) {
-    if (!more_) throw std::invalid_argument(fmt::format("ends before its {}", what));
+    if (!more_) throw std::invalid_argument(fmt::format("it ends before its {}", what));
     const std::size_t tab = rest_.find('\t');
     const std::string_view field = rest_.substr(0, tab);
     more_ = tab != std::string_view::npos;
@@ -52,7 +52,7 @@ class Fields {
       double value = 0.0;
       const auto [after, error] = std::from_chars(at, end, value);
       if (error != std::errc() || (after != end && *after != ' ')) {
-        throw std::invalid_argument(fmt::format("its {} hold something that is not a number", what));
+        throw std::invalid_argument(fmt::format("its {} contain a value that is not a number", what));
       }
       values.push_back(value);
       at = after == end ? end : after + 1;
@@ -129,7 +129,7 @@ JournalRecord record_from_line(std::string_view line) {
     const int status = fields.number<int>("status");
     r.status = static_cast<RolloutStatus>(status);
     if (status < 0 || std::string_view(name(r.status)).empty()) {
-      throw std::invalid_argument(fmt::format("has the unknown status {}", status));
+      throw std::invalid_argument(fmt::format("unknown status {}", status));
     }
     r.end_time = fields.number<double>("end time");
     r.reason = unescaped(fields.next("reason"));
@@ -137,13 +137,13 @@ JournalRecord record_from_line(std::string_view line) {
     const std::vector<double> values = fields.numbers("metrics");
     if (values.size() != r.metrics.value.size()) {
       throw std::invalid_argument(
-          fmt::format("has {} metrics where there are {}", values.size(), r.metrics.value.size()));
+          fmt::format("it has {} metrics; expected {}", values.size(), r.metrics.value.size()));
     }
     std::copy(values.begin(), values.end(), r.metrics.value.begin());
   }
   if (record.results.size() != count) {
     throw std::invalid_argument(
-        fmt::format("has {} scenarios where it says {}", record.results.size(), count));
+        fmt::format("it has {} scenarios; expected {}", record.results.size(), count));
   }
   return record;
 }

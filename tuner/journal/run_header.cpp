@@ -41,15 +41,14 @@ std::string differences(const RunHeader& was, const RunHeader& is,
   const auto tell = [&](const std::string& name, const std::string& before, const std::string& now) {
     if (++told > kMostTold) return;
     if (name == RunHeader::kProgram) {
-      text += fmt::format("{}the program is another build than the one that began the run",
-                          text.empty() ? "" : "; ");
+      text += fmt::format("{}the program is not the build that started the run", text.empty() ? "" : "; ");
       return;
     }
     const auto [line_before, line_now] = first_difference(before, now);
     text += fmt::format("{}{} was '{}', is '{}'", text.empty() ? "" : "; ", one_line(name),
                         beginning(line_before), beginning(line_now));
     if (const auto copy = copy_of ? copy_of(before) : std::nullopt)
-      text += fmt::format(" ({} is as it was)", *copy);
+      text += fmt::format(" (the original is {})", *copy);
   };
   // By name and value: a name may stand more than once. What is told of is in one of the two alone.
   using Identity = decltype(RunHeader::identity);

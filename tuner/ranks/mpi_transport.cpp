@@ -28,18 +28,18 @@ CallWatch watch_all(const Notice& notice, const std::string& verb, double limit)
   constexpr double kRankZeroFirst = 5.0;
   const RankPlace place = rank_place();
   const auto say = [notice, verb, place](const std::string& more) {
-    notice(fmt::format("rank {} on {} has waited for the other {} ranks to {} for {}", place.rank,
-                       host_name(), place.size - 1, verb, more));
+    notice(fmt::format("rank {} on {} has waited for the other {} ranks to {}: {}", place.rank, host_name(),
+                       place.size - 1, verb, more));
   };
   const bool speaks = place.rank == 0;
   const double end = limit + (speaks ? 0.0 : kRankZeroFirst);
   return {kSayAfter,
           [say, speaks, end] {
-            if (speaks) say(fmt::format("{} s; it gives up after {} s", kSayAfter, end));
+            if (speaks) say(fmt::format("{} s so far; it gives up after {} s", kSayAfter, end));
           },
           end,
           [say, end] {
-            say(fmt::format("{} s: one of them hangs, has ended, or is another program; this run ends", end));
+            say(fmt::format("{} s. One of them hangs, has ended, or is another program; this run ends", end));
             std::_Exit(EXIT_FAILURE);
           }};
 }
@@ -59,7 +59,7 @@ class MpiTransport final : public Transport {
     check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "MPI_Comm_rank");
     check(MPI_Comm_size(MPI_COMM_WORLD, &size_), "MPI_Comm_size");
     if (provided < MPI_THREAD_SERIALIZED) {
-      throw InputError("MPI offers no thread support (MPI_THREAD_SERIALIZED), which armtune needs");
+      throw InputError("MPI does not support threads (MPI_THREAD_SERIALIZED), which armtune needs");
     }
   }
 
@@ -133,8 +133,8 @@ std::unique_ptr<Transport> begin_mpi(const Notice& notice) {
   auto transport = std::make_unique<MpiTransport>(notice);
   if (transport->size() != rank_place().size) {
     throw InputError(
-        fmt::format("the launcher started {} ranks, MPI sees {}: use the mpirun of the MPI armtune was built "
-                    "with ({}); with srun, try --mpi=pmix",
+        fmt::format("the launcher started {} ranks, but MPI sees {}. Use the mpirun of the MPI that armtune "
+                    "was built with ({}); with srun, try --mpi=pmix",
                     rank_place().size, transport->size(), mpi_version()));
   }
   return transport;

@@ -9,8 +9,8 @@ namespace armtune::internal {
 
 std::unique_ptr<Transport> begin_mpi(const Notice& /*notice*/) {
   throw InputError(fmt::format(
-      "{} ranks were started, but this armtune was built without MPI (-DARMTUNE_MPI=OFF): start one, with "
-      "--workers for its threads, or build it with MPI",
+      "{} ranks were started, but this armtune was built without MPI (-DARMTUNE_MPI=OFF). Start one process "
+      "and set its threads with --workers, or build armtune with MPI",
       rank_place().size));
 }
 

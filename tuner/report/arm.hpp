@@ -28,9 +28,10 @@ struct ArmJoint {
   bool operator==(const ArmJoint&) const = default;
 
   static void declare(auto& f, auto& joint) {
-    f.type("Joint", "It turns about, or moves along, its own z.")("name", joint.name);
+    f.type("Joint", "A joint that turns about its own z axis, or moves along it.")("name", joint.name);
     f("kind", joint.prismatic, {"revolute", "prismatic"});
-    f("p", joint.pose.p, "Its frame in the previous joint's (the base for the first) at position 0, m.");
+    f("p", joint.pose.p,
+      "Origin of the joint's frame at position 0, in the frame of the previous joint or of the base, m.");
     f("q", joint.pose.q)("velocity_limit", joint.velocity_limit, "rad/s or m/s.");
     f("effort_limit", joint.effort_limit, "N m or N.");
     f("lower", joint.lower, "rad or m; null without a limit.")("upper", joint.upper);
@@ -46,12 +47,13 @@ struct ArmShape {
   bool operator==(const ArmShape&) const = default;
 
   static void declare(auto& f, auto& shape) {
-    f.type("Shape")("joint", shape.joint, "Index of the joint it moves with; -1: the base.")("kind",
-                                                                                             shape.kind);
+    f.type("Shape")("joint", shape.joint, "Index of the joint that it moves with; -1: fixed to the base.")(
+        "kind", shape.kind);
     f("size", shape.size,
-      "m. box: edges; cylinder: radius, length along z; sphere: radius; capsule: radius, length along z between the centres of its half-spheres; mesh: scale (empty: 1).");
-    f("p", shape.pose.p, "Of its middle in the joint's frame, m.")("q", shape.pose.q);
-    f("triangles", shape.triangles, "mesh: base64 of little-endian float32, nine per triangle.",
+      "Dimensions, m. Box: edges. Cylinder: radius, length along z. Sphere: radius. Capsule: radius, length "
+      "along z between the centres of its half-spheres. Mesh: scale factors; 1 if empty.");
+    f("p", shape.pose.p, "Origin of the shape in the joint's frame, m.")("q", shape.pose.q);
+    f("triangles", shape.triangles, "Of a mesh: base64 of little-endian float32, nine per triangle.",
       record::Presence::kIfAny);
   }
 };
@@ -67,8 +69,8 @@ struct Arm {
   static void declare(auto& f, auto& arm) {
     f.type("Robot", "An arm as the replay draws it.")("name", arm.name)("joints", arm.joints)("shapes",
                                                                                               arm.shapes);
-    f("undrawn", arm.undrawn, "Shapes of the URDF that could not be drawn.", record::Presence::kLater);
-    f("tool", arm.tool, "Its frame in the last joint's; z is the direction of gaze.");
+    f("undrawn", arm.undrawn, "Number of URDF shapes that could not be drawn.", record::Presence::kLater);
+    f("tool", arm.tool, "Pose of the tool in the last joint's frame; its z axis is the direction of gaze.");
   }
 };
 

@@ -37,7 +37,7 @@ std::string violation(const Table& table, const StudyLimit& limit, std::size_t s
   const bool kept = limit.upper ? value <= bound : value >= bound;
   if (kept) return {};
   const auto [is, allowed] = told_apart(value, bound);
-  return fmt::format("{} is {} in {} (at {} {})", name(limit.metric), is, table.scenario,
+  return fmt::format("{} is {} in {} (must be at {} {})", name(limit.metric), is, table.scenario,
                      limit.upper ? "most" : "least", allowed);
 }
 

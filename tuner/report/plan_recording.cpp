@@ -70,7 +70,7 @@ std::vector<std::pair<double, double>> stretches(const std::string& text, double
     const bool first = std::from_chars(begin, middle, ends[0]).ptr == middle && middle != begin;
     const bool second = middle != end && std::from_chars(middle + 1, end, ends[1]).ptr == end;
     if (!first || !second)
-      throw InputError("limits.csv: '" + word + "' is no stretch of time; expected FROM:TO in seconds");
+      throw InputError("limits.csv: '" + word + "' is not a time interval; expected FROM:TO in seconds");
     found.emplace_back(ends[0] - start, ends[1] - start);
   }
   return found;

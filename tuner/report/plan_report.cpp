@@ -27,11 +27,11 @@ constexpr double kReplaySamples = 250.0;  // of a motion of any length, where it
 constexpr std::pair<const char*, const char*> kFigures[] = {
     {"phases", "phases"},
     {"knots", "knots of the time grid"},
-    {"violation", "largest constraint violation, of the limit"},
+    {"violation", "largest constraint violation, relative to the limit"},
     {"kkt_stationarity", "KKT residual: stationarity"},
     {"kkt_complementarity", "KKT residual: complementarity"},
-    {"interior_point_steps", "interior point steps on all grids"},
-    {"wall_seconds", "seconds"}};
+    {"interior_point_steps", "interior-point steps on all grids"},
+    {"wall_seconds", "wall clock seconds"}};
 
 class PlanAssembly {
  public:
@@ -104,7 +104,7 @@ class PlanAssembly {
 
   NumberTable read_motion(ReportScenario& shown) {
     NumberTable motion = NumberTable::read(file("motion.csv"), [](std::string_view) { return true; });
-    if (motion.rows() == 0) throw InputError(file("motion.csv") + ": has no row");
+    if (motion.rows() == 0) throw InputError(file("motion.csv") + ": the file has no rows");
     data_.plan->start = motion.number(0, motion.column("time"));
     if (shown.name.empty()) shown.name = "plan";
     return motion;
@@ -123,7 +123,7 @@ class PlanAssembly {
       keep_nearest(motion, room / kOfObstacle, *scene);
       for (const SceneObstacle& obstacle : scene->obstacles) shown.obstacles.push_back(obstacle.radius);
       if (scene->obstacles.size() < scenario()->obstacles.size())
-        data_.thinned.push_back(fmt::format("{} of {} obstacles in the replay, the farthest from the tool",
+        data_.thinned.push_back(fmt::format("{} of {} obstacles in the replay, those farthest from the tool",
                                             scenario()->obstacles.size() - scene->obstacles.size(),
                                             scenario()->obstacles.size()));
     }
@@ -163,10 +163,10 @@ class PlanAssembly {
     }
     if (worst == nullptr) return {};
     if (worst->between_knots < kBeyond)
-      return "Between its knots, too, no limit is exceeded by more than 0.1 %";
+      return "Between the knots, too, no limit is exceeded by more than 0.1 %";
     return fmt::format(
-        "Between its knots, where limits are not enforced, {} reaches {:.2f} % of its limit; more knots "
-        "bring it down",
+        "Between the knots, where limits are not enforced, {} reaches {:.2f} % of its limit; more knots "
+        "reduce this",
         worst->words, 100.0 * worst->between_knots);
   }
 
@@ -177,7 +177,7 @@ class PlanAssembly {
                                headline.empty() ? "" : held_back(limits)});
     if (const std::string words = between(limits); !words.empty()) verdict.details.push_back(words);
     if (scene_.arms.empty())
-      verdict.details.emplace_back("The folder's scene.json is missing, so there is no replay.");
+      verdict.details.emplace_back("There is no replay, because the folder has no readable scene.json.");
     return verdict;
   }
 

@@ -49,7 +49,7 @@ int state_in(const NumberTable& rollout, std::size_t row, std::size_t column) {
   const bool known =
       state >= 0.0 && state <= static_cast<double>(ControlState::kFollowPlan) && state == std::floor(state);
   if (!known)
-    throw InputError(fmt::format("{}:{}: {} in column state is no state of the controller", rollout.name(),
+    throw InputError(fmt::format("{}:{}: {} in column state is not a state of the controller", rollout.name(),
                                  row + 2, shown_cell(state)));
   return static_cast<int>(state);
 }

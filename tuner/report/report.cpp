@@ -25,8 +25,7 @@ Written write_report(const std::string& folder, const std::string& path, Existin
                      const std::optional<Live>& live) {
   if (!available()) {
     throw FailedError(
-        "this armtune was built without the report's page; install node and npm (scripts/setup does) and "
-        "build it "
+        "this armtune was built without the report page; install node and npm with scripts/setup, and build "
         "again with -DARMTUNE_REPORT=ON");
   }
   constexpr std::size_t kAroundData = 1000;  // the element that holds them
@@ -35,7 +34,7 @@ Written write_report(const std::string& folder, const std::string& path, Existin
   const std::string html = filled_page(page_text(), report_json(data));
   if (html.size() > kMostBytes) {
     data.left_out.push_back(
-        fmt::format("nothing more, but the page has {:.1f} MB: names and texts alone take it above {:.0f} MB",
+        fmt::format("nothing more, but the page has {:.1f} MB: its names and texts alone exceed {:.0f} MB",
                     1e-6 * static_cast<double>(html.size()), 1e-6 * static_cast<double>(kMostBytes)));
   }
   existing == Existing::kReplace ? write_text_file(path, html) : write_new_text_file(path, html);

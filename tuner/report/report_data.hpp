@@ -33,12 +33,12 @@ struct MetricRow {
     const MetricField& metric = field(row.metric);
     const auto better = {"lower", "higher", ""};
     f.type("MetricRow", "One metric of a scenario.")("metric", metric.name)("unit", metric.unit);
-    f("words", metric.words, "As a sentence has it: \"largest position error\".")("meaning", metric.meaning);
-    f("values", row.values, "One per set; null where there is none.", kOrNull);
-    f("text", row.text, "One per set: what stands behind it, such as the joint and the time of a ratio.",
+    f("words", metric.words, "Name in a sentence: \"largest position error\".")("meaning", metric.meaning);
+    f("values", row.values, "One per set; null if there is none.", kOrNull);
+    f("text", row.text, "One per set: a note on the value, such as the joint and the time of a ratio.",
       kIfAny);
     f("better", better.begin()[static_cast<int>(metric.better)], {"lower", "higher"},
-      "Which direction is an improvement; without it neither is coloured.", kIfAny);
+      "The direction of an improvement; absent: neither direction is coloured.", kIfAny);
   }
 };
 
@@ -50,8 +50,8 @@ struct Table {
   static void declare(auto& f, auto& table) {
     f.type("Table", "Numbers of one scenario, one value per set.")("scenario", table.scenario)("rows",
                                                                                                table.rows);
-    f("status", table.status, "One per set: \"completed\", \"diverged\" ..., empty where there is none.");
-    f("reason", table.reason, "One per set: when, where and why it ended, of what did not complete.");
+    f("status", table.status, "One per set: \"completed\", \"diverged\" ...; empty if there is none.");
+    f("reason", table.reason, "One per set: when, where and why the rollout ended; empty if it completed.");
   }
 };
 
@@ -61,8 +61,9 @@ struct Judged {
 
   static void declare(auto& f, auto& judged) {
     f.type("Judged",
-           "What a study on many arms was judged by, where the other tables are of the nominal arm alone.");
-    f("measure", judged.measure, "\"worst of 5 arms each\".")("tables", judged.tables);
+           "Tables over all arms of a study on many arms; the other tables are of the nominal arm alone.");
+    f("measure", judged.measure, "The measure over the arms, such as \"worst of 5 arms each\".")(
+        "tables", judged.tables);
   }
 };
 
@@ -72,10 +73,8 @@ struct Plan {
   std::vector<std::pair<std::string, std::string>> figures;
 
   static void declare(auto& f, auto& plan) {
-    f.type(
-        "Plan",
-        "What a plan is and how well it was solved, beside its limits, which stand with the one scenario.");
-    f("start", plan.start, "When it begins on its scenario's time, s; the page counts from there.");
+    f.type("Plan", "A plan, and how well it was solved. Its limits are in the only scenario.");
+    f("start", plan.start, "Time of its scenario at which it begins, s; the page counts from there.");
     f("scenario", plan.scenario)("figures", plan.figures, "Name and value: knots, violation, residuals ...");
   }
 };
@@ -93,11 +92,11 @@ struct Live {
   long written = 0;
 
   static void declare(auto& f, auto& live) {
-    f.type("Live", "Of a page that is written again and again while its run lasts.");
+    f.type("Live", "Progress of a run that rewrites its page until it ends.");
     f("evaluations", live.evaluations)("most_evaluations", live.most_evaluations);
-    f("seconds_left", live.seconds_left, "About, of the search.", kOrNull);
-    f("every", live.every, "Seconds after which the page loads itself again.");
-    f("written", live.written, "When it was written: seconds since 1970.");
+    f("seconds_left", live.seconds_left, "Estimated time left in the search.", kOrNull);
+    f("every", live.every, "Seconds after which the page reloads itself.");
+    f("written", live.written, "Time at which the page was written: seconds since 1970.");
   }
 };
 
@@ -134,7 +133,7 @@ struct ReportData {
     f.type("ReportData")("format", 1)("kind", data.kind)("title", data.title)("verdict", data.verdict);
     f("sets", data.sets, "Names of the gain sets; index 0 is the reference, the last is the result.");
     f("tables", data.tables);
-    f("robots", data.arms, "Every arm of the scenarios; empty where the folder does not say.");
+    f("robots", data.arms, "Every arm of the scenarios; empty if they are unknown.");
     f("scenarios", data.scenarios)("provenance", data.provenance)("live", data.live, "", kIfAny);
     f("judged", data.judged, "", kIfAny)("evaluations", data.evaluations, "", kIfAny);
     f("gains", data.gains, "", kIfAny)("sensitivity", data.sensitivity, "", kIfAny);

@@ -109,7 +109,7 @@ long sample_in(const CsvTable& samples, std::size_t row, std::size_t column) {
   constexpr double kMost = 1e15;
   const double number = samples.number(row, column);
   if (!(number >= 0.0 && number <= kMost)) {
-    throw InputError(fmt::format("{}:{}: '{}' is not the number of a sample", samples.name(), row + 2,
+    throw InputError(fmt::format("{}:{}: '{}' is not a sample number", samples.name(), row + 2,
                                  samples.text(row, column)));
   }
   return static_cast<long>(number);

@@ -41,8 +41,8 @@ std::vector<double> rising_times(const NumberTable& table) {
                                    table.name(), r + 2, shown_cell(times[r]), kMost, kMost));
     }
     if (r > 0 && times[r] < times[r - 1]) {
-      throw InputError(fmt::format("{}:{}: time {} comes after {}; times must not fall", table.name(), r + 2,
-                                   times[r], times[r - 1]));
+      throw InputError(fmt::format("{}:{}: time {} comes after {}; times must not decrease", table.name(),
+                                   r + 2, times[r], times[r - 1]));
     }
   }
   return times;

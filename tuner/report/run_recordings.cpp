@@ -84,7 +84,7 @@ class Recordings {
           files_[s].push_back({set, *std::move(path)});
         } else if (of_set(name, set, &Table::status) == "completed") {  // what ended early leaves none
           data_.left_out.push_back(
-              fmt::format("{}/{}: is not there; so are its plots and replay", folder_, file));
+              fmt::format("{}/{}: the file is missing, and its plots and replay with it", folder_, file));
         }
       } catch (const InputError& error) {
         data_.left_out.emplace_back(error.what());
@@ -115,7 +115,7 @@ class Recordings {
     }
     if (kept == order.size()) return;
     data_.thinned.push_back(fmt::format(
-        "plots and replays of {} of {} scenarios; those that failed or broke a limit are shown first",
+        "plots and replays of {} of {} scenarios; scenarios that failed or broke a limit come first",
         order.size() - kept, order.size()));
     order.resize(kept);
   }
@@ -138,7 +138,7 @@ class Recordings {
     const double row_after =
         run.end * (1.0 + 1.5 / static_cast<double>(std::max<std::size_t>(2, recording.rows()) - 1));
     if (scenario != nullptr && run.status == "completed" && row_after < scenario->duration) {
-      data_.left_out.push_back(fmt::format("{}: what comes after {:.3f} s of {:.6g} s; it was cut off",
+      data_.left_out.push_back(fmt::format("{}: the time after {:.3f} s of {:.6g} s; the file was cut off",
                                            file.path, run.end, scenario->duration));
     }
     if (run.reason.empty() && !run.status.empty() && run.status != "completed")
@@ -194,15 +194,15 @@ class Recordings {
   void tell(const ReportScenario& shown, std::size_t obstacles) {
     if (shown.obstacles.size() < obstacles) {
       data_.thinned.push_back(
-          fmt::format("{} of {} obstacles in the replay of {}, the farthest from the tool",
+          fmt::format("{} of {} obstacles in the replay of {}, those farthest from the tool",
                       obstacles - shown.obstacles.size(), obstacles, shown.name));
     }
     for (const Run& run : shown.runs) {
       if (run.replay.n > 1) coarsest_ = std::max(coarsest_, run.replay.dt);
       if (run.shortest_state > 0.0) {
         data_.thinned.push_back(
-            fmt::format("states and slerps of {} under {:.3g} s, of which there are too many", shown.name,
-                        run.shortest_state));
+            fmt::format("states and slerps of {} shorter than {:.3g} s, because there are too many",
+                        shown.name, run.shortest_state));
       }
     }
   }
@@ -211,7 +211,7 @@ class Recordings {
     constexpr double kWorthAWord = 0.1;  // [s]
     if (coarsest_ > kWorthAWord)
       data_.thinned.push_back(
-          fmt::format("in the replays what lies between two samples, up to {:.3g} s", coarsest_));
+          fmt::format("in the replays, everything between two samples, up to {:.3g} s", coarsest_));
   }
 
   static constexpr std::size_t kLeastOfScenario = 12'000;  // [bytes] its path and names

@@ -54,7 +54,8 @@ class Assembly {
     data_.title = title();
     data_.verdict = verdict_of(data_, facts_);
     if (scene_.arms.empty() && !data_.scenarios.empty()) {
-      data_.verdict.details.emplace_back("The folder holds no scene.json, so there is no replay.");
+      data_.verdict.details.emplace_back(
+          "There is no replay, because the folder has no readable scene.json.");
     }
     fill();
     return std::move(data_);

@@ -32,9 +32,9 @@ struct PlotColumn {
   static void declare(auto& f, auto& column) {
     f.type("Column");
     f("name", column.name,
-      "As in rollout_*.csv, such as error/position/x or joint/elbow_joint/velocity_ratio.");
-    f("group", column.group, kPlots, "The plot that it is drawn in.")("unit", column.unit);
-    f("series", column.series, "As many points as the run's `time`.");
+      "Name in rollout_*.csv, such as error/position/x or joint/elbow_joint/velocity_ratio.");
+    f("group", column.group, kPlots, "The plot that shows the column.")("unit", column.unit);
+    f("series", column.series, "Values; as many points as the run's `time`.");
   }
 };
 
@@ -50,16 +50,17 @@ struct Replay {
 
   static void declare(auto& f, auto& replay) {
     f.type("Replay", "Sampled evenly in time: point i is at i * dt. All series have n points.");
-    f("dt", replay.dt, "s.")("n", replay.n, "0 where the run has no replay.");
-    f("q", replay.q, "Per joint, rad or m.");
-    f("target", replay.target, "x, y, z of the active target in the base frame; empty without one.");
-    f("obstacles", replay.obstacles, "Per obstacle: x, y, z of its centre.")("tool", replay.tool, "x, y, z.");
-    f("cell", replay.cell, "Per part of the cell: x, y, z of its centre.");
+    f("dt", replay.dt, "Sample period, s.")("n", replay.n, "Number of points; 0 if the run has no replay.");
+    f("q", replay.q, "Position of each joint, rad or m.");
+    f("target", replay.target, "x, y, z of the active target in the base frame; empty without a target.");
+    f("obstacles", replay.obstacles, "x, y, z of each obstacle's centre.")("tool", replay.tool, "x, y, z.");
+    f("cell", replay.cell, "x, y, z of the centre of each part of the cell.");
     f("closest", replay.closest,
-      "x, y, z of the arm's point that is closest to what it must not touch, then of the point that it is closest to; empty where nobody looked.");
-    f("error", replay.error, "Norm of the position error, m; no value where the state tracks no position.");
+      "x, y, z of the arm's point with the smallest clearance, then x, y, z of the nearest point that the "
+      "arm must not touch; empty if no clearance was computed.");
+    f("error", replay.error, "Norm of the position error, m; no value in states that track no position.");
     f("velocity_ratio", replay.velocity_ratio,
-      "Per joint, |velocity| over its limit: the largest within dt / 2 of the sample, so that no peak is missed.");
+      "|velocity| / limit of each joint: the largest within dt / 2 of the sample, to miss no peak.");
   }
 };
 
@@ -86,13 +87,15 @@ struct Run {
 
   static void declare(auto& f, auto& run) {
     f.type("Run")("set", run.set, "Index into `sets`.")("status", run.status);
-    f("reason", run.reason, "When, where and why it ended, of what did not complete.");
+    f("reason", run.reason, "When, where and why the run ended; empty if it completed.");
     f("start", run.start,
-      "What the scenario's clock began with, s: 0, or the time at which a planned trajectory begins. All other times are since then.");
-    f("end", run.end, "When it ended, s: before the scenario's duration, unless it completed.");
-    f("states", run.states, "Changes, in order.")("slerps", run.slerps, "Begin and end of every slerp, s.");
+      "Time of the scenario at which the run begins, s: 0, or the start of a planned trajectory. All other "
+      "times count from it.");
+    f("end", run.end, "Time at which the run ended, s; below the duration if it did not complete.");
+    f("states", run.states, "Changes, in order.")("slerps", run.slerps, "Start and end of every slerp, s.");
     f("time", run.time,
-      "s, not decreasing. Two points per bucket (the smallest and the largest of each column, in order of time), or every sample of a short run.");
+      "Times, s, not decreasing. A short run has every sample. A longer one has two points per bucket: the "
+      "smallest and the largest value of each column, in order of time.");
     f("columns", run.columns)("replay", run.replay);
   }
 };
@@ -105,21 +108,22 @@ struct PlanLimit {
   std::string group, column;
 
   static void declare(auto& f, auto& limit) {
-    f.type("PlanLimit", "A limit of one joint or axis that a plan keeps. Times from the plan's start, s.");
+    f.type("PlanLimit",
+           "A limit of one joint or axis that a plan keeps. Times count from the plan's start, s.");
     f("limit", limit.limit, "\"velocity\", \"torque\", \"gaze\" ...")("part", limit.part,
                                                                       "The joint or axis.");
-    f("words", limit.words, "Both: \"torque of elbow_joint\", \"gaze\".")("unit", limit.unit);
-    f("lower", limit.lower, "In `unit`; null: none on this side.", kOrNull)("upper", limit.upper, "",
-                                                                            kOrNull);
-    f("from", limit.from, "When it holds.")("to", limit.to);
-    f("at_knots", limit.at_knots, "Largest share of it that is used at the plan's knots, 1 at the limit.",
-      kOrNull);
-    f("between_knots", limit.between_knots, "The same between them, where it is not enforced.", kOrNull);
-    f("active", limit.active, "Share of the knots at which it holds the plan back.");
+    f("words", limit.words, "Limit and part: \"torque of elbow_joint\", \"gaze\".")("unit", limit.unit);
+    f("lower", limit.lower, "Lower bound in `unit`; null: no bound on this side.", kOrNull)(
+        "upper", limit.upper, "", kOrNull);
+    f("from", limit.from, "Time from which the limit holds.")("to", limit.to);
+    f("at_knots", limit.at_knots, "Largest share of the limit that is used at the plan's knots.", kOrNull);
+    f("between_knots", limit.between_knots,
+      "Largest share that is used between the knots, where the limit is not enforced.", kOrNull);
+    f("active", limit.active, "Share of the knots at which the limit is active.");
     f("strength", limit.strength,
-      "Sum of its multipliers: s, or cost, per unit of relief; 0 where inactive.");
+      "Sum of its multipliers: s, or cost, per unit by which the limit is relaxed; 0 if inactive.");
     f("active_lower", limit.active_lower)("active_upper", limit.active_upper);
-    f("group", limit.group, kPlots, "The plot that it is drawn in.")("column", limit.column, "Beside which.");
+    f("group", limit.group, kPlots, "The plot that shows it.")("column", limit.column, "The limited column.");
   }
 };
 
@@ -128,7 +132,7 @@ struct ReportPart {
   ArmShape shape;
 
   static void declare(auto& f, auto& part) {
-    f.type("CellPart")("name", part.name)("shape", part.shape, "Turned as `q` says, about its centre.");
+    f.type("CellPart")("name", part.name)("shape", part.shape, "`q` turns the shape about its centre.");
   }
 };
 
@@ -148,14 +152,14 @@ struct ReportScenario {
     f.type("Scenario")("name", scenario.name)("duration", scenario.duration, "s.");
     f("path", scenario.path, "Closed polyline of the desired path, m.");
     f("influence_radius", scenario.influence_radius, "m; 0 without obstacles.");
-    f("obstacles", scenario.obstacles, "Radius of the body of each, m.");
-    f("cell", scenario.cell, "What stands around the arm.");
-    f("floor", scenario.floor, "Height above the base frame's origin, m; null: none is known.");
+    f("obstacles", scenario.obstacles, "Radius of each obstacle's body, m.");
+    f("cell", scenario.cell, "Parts of the cell around the arm.");
+    f("floor", scenario.floor, "Height of the floor above the base frame's origin, m; null if unknown.");
     f("states", record::names_of<ControlState>(), "Names of the controller's states.");
     f("robot", scenario.arm,
-      "Index into `robots`; -1 where the folder does not say: its runs have no replay.");
+      "Index into `robots`; -1 if the arm is unknown, and its runs then have no replay.");
     f("runs", scenario.runs, "At most one per set.");
-    f("limits", scenario.limits, "Of a plan, the strongest first.", kIfAny);
+    f("limits", scenario.limits, "Limits of a plan, the strongest first.", kIfAny);
   }
 };
 

@@ -78,7 +78,7 @@ constexpr std::size_t kMaxSceneBytes = 32 << 20;
 void require_inside(const yaml::Node& node) {
   const std::filesystem::path path = node.as_string();
   if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
-    node.fail(fmt::format("'{}' leads out of the run's folder", path.string()));
+    node.fail(fmt::format("'{}' is outside the run's folder; expected a path inside it", path.string()));
 }
 
 /// Base64 of nine singles for each triangle, which needs no padding.
@@ -87,7 +87,7 @@ void require_triangles(const yaml::Node& node) {
   constexpr const char* kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const std::string text = node.as_string();
   if (text.size() % kOfTriangle != 0 || text.find_first_not_of(kAlphabet) != std::string::npos)
-    node.fail("these are no triangles in base64");
+    node.fail("expected triangles in base64, nine float32 values each");
 }
 
 void require_index(const yaml::Node& node, long first, std::size_t count, const char* what) {

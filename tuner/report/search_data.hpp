@@ -20,7 +20,7 @@ struct PhaseRun {
   static void declare(auto& f, auto& run) {
     f.type("PhaseStretch", "Consecutive evaluations of one phase.");
     f("phase", run.phase, "Index into `phase` of the evaluations.");
-    f("from", run.from, "Number of its first evaluation.")("to", run.to, "And of its last one.");
+    f("from", run.from, "Number of its first evaluation.")("to", run.to, "Number of its last evaluation.");
   }
 };
 
@@ -31,9 +31,8 @@ struct ThinnedEvaluations {
   bool more_phase_runs = false;
 
   static void declare(auto& f, auto& all) {
-    f.type("ThinnedEvaluations", "Counts of all evaluations, where there are too many to show.");
-    f("number", all.number, "Of each evaluation that is shown.")("total", all.total)("feasible",
-                                                                                     all.feasible);
+    f.type("ThinnedEvaluations", "Counts of all evaluations, if there are too many to show.");
+    f("number", all.number, "Number of each shown evaluation.")("total", all.total)("feasible", all.feasible);
     f("native", all.native)("without_objective", all.without_objective);
     f("phase_runs", all.phase_runs, "The first 500.")("more_phase_runs", all.more_phase_runs);
   }
@@ -48,15 +47,15 @@ struct Evaluations {
   std::optional<ThinnedEvaluations> thinned;
 
   static void declare(auto& f, auto& all) {
-    f.type("Evaluations", "Each list has an item for each evaluation, but the first.");
-    f("phase", all.phases, "Dictionary of phases: start, sweep, search ...");
+    f.type("Evaluations", "Every list except the first has one item per evaluation.");
+    f("phase", all.phases, "Names of the phases: start, sweep, search ...");
     f("of", all.of, "Index into `phase`.")("objective", all.objective, "", kOrNull)("feasible", all.feasible);
     f("violation", all.violation, "", kOrNull);
-    f("start", all.start, "Index of the start's evaluation; -1 if there is none.");
-    f("chosen", all.chosen, "Of the one that was chosen; -1 if there is none.");
+    f("start", all.start, "Index of the evaluation of the start gains; -1 if there is none.");
+    f("chosen", all.chosen, "Index of the chosen evaluation; -1 if there is none.");
     f("native", all.native,
-      "Of armtune's own engine: neither chosen nor reported. Absent: all are Simbody's.", kIfAny);
-    f("thinned", all.thinned, "Left out where all evaluations are shown.", kIfAny);
+      "True for armtune's own engine, whose results are not reported. Absent: all are from Simbody.", kIfAny);
+    f("thinned", all.thinned, "Absent if all evaluations are shown.", kIfAny);
   }
 };
 
@@ -78,9 +77,9 @@ struct Sensitivity {
 
   static void declare(auto& f, auto& one) {
     f.type("Sensitivity")("gain", one.gain);
-    f("importance", one.importance, "What the merit loses when this gain alone goes back to its start.",
+    f("importance", one.importance, "Increase of the merit if this gain alone returns to its start value.",
       kOrNull);
-    f("local", one.local, "Change of the merit for a small step of the gain, either way.", kOrNull);
+    f("local", one.local, "Largest relative change of the merit for a small step of the gain.", kOrNull);
     f("elasticity", one.elasticity, "", kOrNull)("rank_correlation", one.rank_correlation, "", kOrNull);
   }
 };
@@ -92,11 +91,12 @@ struct MarginRow {
 
   static void declare(auto& f, auto& row) {
     f.type("Margin")("margin", row.margin)("unit", row.unit);
-    f("scenario", row.scenario, "Scenario, or \"all\" for the smallest.");
-    f("values", row.values, "Per set: how far it stands.", kOrNull);
+    f("scenario", row.scenario, "Name of a scenario, or \"all\" for the smallest margin.");
+    f("values", row.values, "Per set: the last value that the loop tolerates.", kOrNull);
     f("text", row.text,
-      "Per set, the value in words: \"2\", \"≥ 100\" where nothing failed, \"none\" where not even the nominal value stands, empty where it was not looked for.");
-    f("reason", row.reason, "Per set: why it ends there.");
+      "Per set, the value as text: \"2\"; \"≥ 100\" if nothing failed; \"none\" if the nominal value fails; "
+      "empty if it was not searched.");
+    f("reason", row.reason, "Per set: what fails beyond this value.");
   }
 };
 
@@ -125,7 +125,7 @@ struct CriterionLimit {
   bool operator==(const CriterionLimit&) const = default;
 
   static void declare(auto& f, auto& limit) {
-    f.type("CriterionLimit", "What the study allows of a criterion.");
+    f.type("CriterionLimit", "A limit of the study for a criterion.");
     f("criterion", limit.criterion, "Index into `criteria`.")("value", limit.value);
   }
 };
@@ -153,8 +153,8 @@ struct Histogram {
   static void declare(auto& f, auto& one) {
     f.type("Histogram")("metric", field(one.metric).name)("unit", field(one.metric).unit);
     f("scenario", one.scenario)("limit", one.limit)("counts", one.counts);
-    f("failed", one.failed, "How many arms did not complete; they have no value.");
-    f("edges", one.edges, "One more than counts.")("nominal", one.nominal);
+    f("failed", one.failed, "Number of arms that did not complete; they have no value.");
+    f("edges", one.edges, "Edges of the bins, one more than counts.")("nominal", one.nominal);
   }
 };
 
@@ -180,8 +180,9 @@ struct Robustness {
 
   static void declare(auto& f, auto& all) {
     f.type("Robustness")("samples", all.samples);
-    f("yield", all.yield(), "Portion of the arms that keep every limit.");
-    f("interval", all.interval, "Its 95 % interval.")("histograms", all.histograms)("worst", all.worst);
+    f("yield", all.yield(), "Share of the arms that keep every limit.");
+    f("interval", all.interval, "95 % interval of the yield.")("histograms", all.histograms)("worst",
+                                                                                             all.worst);
   }
 };
 

@@ -48,7 +48,7 @@ void shorten_tables(std::vector<Table>& tables, std::size_t most_bytes, std::siz
   }
   if (kept == order.size()) return;
   data.thinned.push_back(fmt::format(
-      "numbers of {} of {} scenarios, those that failed or broke a limit are shown first; all are in {}",
+      "numbers of {} of {} scenarios; scenarios that failed or broke a limit come first, and {} has all",
       order.size() - kept, order.size(), file));
   order.resize(kept);
   std::sort(order.begin(), order.end());
@@ -139,7 +139,7 @@ void shorten(ReportData& data) {
   keep_first(data.margins, kMostRows, "rows of margins.csv", data);
   keep_first(data.yardstick, kMostRows, "rows of yardstick.csv", data);
   if (data.robustness)
-    keep_first(data.robustness->histograms, kMostHistograms, "histograms, which summary.csv has in numbers",
+    keep_first(data.robustness->histograms, kMostHistograms, "histograms; summary.csv has their figures",
                data);
   keep_first(data.verdict.details, kMostHistograms, "lines of this list", data);
   keep_first(data.provenance.entries, kMostRows, "entries of run.yaml", data);
@@ -153,7 +153,8 @@ void drop_meshes(std::size_t bytes, ReportData& data) {
     const std::size_t dropped = draw_without_meshes(*arm);
     if (dropped == 0) continue;
     size -= std::min(size, dropped);
-    data.thinned.push_back(fmt::format("meshes of {}, whose links are drawn as capsules", arm->name));
+    data.thinned.push_back(
+        fmt::format("meshes of {}; links without other shapes are drawn as capsules", arm->name));
   }
 }
 

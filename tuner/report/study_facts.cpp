@@ -9,7 +9,8 @@ namespace {
 
 const yaml::Node& needed(const yaml::Node& map, const char* key) {
   const yaml::Node* node = map.find(key);
-  if (node == nullptr) map.fail(std::string("has no '") + key + "', which armtune writes into a run's study");
+  if (node == nullptr)
+    map.fail(std::string("key '") + key + "' is missing; armtune writes it into a run's study");
   return *node;
 }
 
@@ -59,7 +60,7 @@ StudyFacts read_study_facts(const std::string& path) {
     constexpr long kMost = 1'000'000'000;
     const yaml::Node& node = needed(*robust, "samples");
     const long samples = node.as_integer();
-    if (samples < 0 || samples > kMost) node.fail("is not a number of arms");
+    if (samples < 0 || samples > kMost) node.fail("expected a number of arms, from 0 to 1000000000");
     // The scenario's own arm counts too.
     facts.measure = fmt::format("{} of {} arms each", needed(*robust, "measure").as_string(), samples + 1);
   }

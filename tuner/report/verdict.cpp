@@ -51,7 +51,7 @@ Verdict of_unfinished(const ReportData& data, const VerdictFacts& facts) {
                                        : "This run is not finished: it is still running, or it was killed",
                              "so far " + so_far});
   if (facts.resumable && !data.live) {
-    verdict.details.push_back(fmt::format("To go on with it: armtune {} --resume FOLDER", name(data.kind)));
+    verdict.details.push_back(fmt::format("To resume it: armtune {} --resume FOLDER", name(data.kind)));
   }
   return verdict;
 }
@@ -72,7 +72,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
   if (!std::isnan(objective)) {
     gain = objective < 1.0
                ? fmt::format("the objective falls by {:.0f} %", 100.0 * (1.0 - objective))
-               : fmt::format("the objective alone is no better: {:.3g} times the start's", objective);
+               : fmt::format("the objective did not improve: it is {:.3g} times the start's", objective);
   }
   std::string kept = feasible ? "every constraint holds" : "";
   if (feasible && !beside.empty()) kept += ", but the arm's own limits do not: " + first_of(beside);
@@ -83,7 +83,7 @@ Verdict of_tune(const ReportData& data, const VerdictFacts& facts) {
                              closest_joint(tables, tuned), kept});
   if (data.judged) {
     verdict.details.push_back(
-        fmt::format("Every figure here is the {}; the nominal arm's stand below", data.judged->measure));
+        fmt::format("Every figure here is the {}; those of the nominal arm are below", data.judged->measure));
   }
   if (data.evaluations) {
     verdict.details.push_back(fmt::format("{} evaluations{}", data.evaluations->objective.size(),
@@ -122,7 +122,7 @@ Verdict of_simulate(const ReportData& data) {
       {failed.empty() ? completed
                       : fmt::format("{} of {} scenarios failed: {}", failed.size(), count, first_of(failed)),
        std::isnan(position) ? ""
-                            : fmt::format("while tracking the tool is at most {:.3g} mm and {:.3g} deg off",
+                            : fmt::format("while tracking, the tool error is up to {:.3g} mm and {:.3g} deg",
                                           1e3 * position, orientation * 180.0 / std::numbers::pi),
        closest_joint(data.tables, 0),
        !broken.empty()  ? first_of(broken)
@@ -140,7 +140,7 @@ Verdict of_compare(const ReportData& data) {
   const auto broken = wrong_with(data.tables, limits_of_arm(), last);
   const auto better = std::count_if(all.begin(), all.end(), improvement);
   Verdict verdict;
-  verdict.sentence = joined({fmt::format("against {}, {} is better in {} of {} figures", data.sets[0],
+  verdict.sentence = joined({fmt::format("compared with {}, {} is better in {} of {} metrics", data.sets[0],
                                          data.sets[last], better, all.size()),
                              improvements(all, data.tables.size()), price(data.tables, last),
                              closest_joint(data.tables, last),
@@ -201,22 +201,20 @@ Verdict of_pareto(const ReportData& data) {
           ? 0
           : std::count_if(data.front->points.begin(), data.front->points.end(),
                           [&](const FrontPoint& p) { return is_point(p) && beats(p, *start, *data.front); });
-  verdict.sentence = joined(
-      {points == 0
-           ? "no feasible point was found"
-           : fmt::format("the front has {} points, {} of them nowhere worse than the start and somewhere "
-                         "better: {}",
-                         points, better, fmt::join(ranges, ", ")),
-       data.front->hypervolume ? fmt::format("hypervolume {:.3f}", *data.front->hypervolume) : "",
-       last > 0 ? closest_joint(data.tables, last) : ""});
+  verdict.sentence =
+      joined({points == 0 ? "no feasible point was found"
+                          : fmt::format("the front has {} points (dominating the start: {}) and spans {}",
+                                        points, better, fmt::join(ranges, ", ")),
+              data.front->hypervolume ? fmt::format("hypervolume {:.3f}", *data.front->hypervolume) : "",
+              last > 0 ? closest_joint(data.tables, last) : ""});
   verdict.details = std::move(ranges);
   if (last > 0) {
-    verdict.details.push_back(fmt::format("replay, plots and tables show {}, the one with the least {}",
+    verdict.details.push_back(fmt::format("Replay, plots and tables show {}, which has the best {}",
                                           data.sets[last], data.front->criteria.front().name));
     const auto told = improvements(changes(data.tables, headline_terms(), last), data.tables.size());
     if (!told.empty()) verdict.details.push_back(fmt::format("{}: {}", data.sets[last], told));
     const std::string worse = price(data.tables, last);
-    if (!worse.empty()) verdict.details.push_back("its price: " + worse);
+    if (!worse.empty()) verdict.details.push_back("The price: " + worse);
     add(verdict.details, violations(data.tables, limits_of_arm(), last), kMostLines);
   }
   return verdict;
@@ -233,10 +231,10 @@ Verdict of_robustness(const ReportData& data) {
   verdict.sentence = joined(
       {fmt::format("{:.1f} % of {} arms keep every limit (95 % confidence: {:.1f} to {:.1f} %)",
                    100.0 * r.yield(), r.samples, 100.0 * r.interval.first, 100.0 * r.interval.second),
-       r.broken.empty()
-           ? ""
-           : fmt::format("most often broken: {}, by {}", r.broken.front().first, r.broken.front().second),
-       closest_joint(data.tables, 0).empty() ? "" : "on the nominal arm " + closest_joint(data.tables, 0)});
+       r.broken.empty() ? ""
+                        : fmt::format("most often broken: {}, by {} of the arms", r.broken.front().first,
+                                      r.broken.front().second),
+       closest_joint(data.tables, 0).empty() ? "" : "on the nominal arm, " + closest_joint(data.tables, 0)});
   for (const auto& [limit, count] : r.broken) {
     verdict.details.push_back(fmt::format("{} of {} arms: {}", count, r.samples, limit));
   }

@@ -19,9 +19,9 @@ struct KindWords {
 };
 
 constexpr KindWords kKinds[] = {
-    {"switch", "reacquired in ", "not reacquired", "the next target takes up to"},
-    {"return", "back on the path in ", "not back on the path", "a return to the path up to"},
-    {"lap", "a gaze error of ", "no gaze error", "a lap's gaze error is up to"},
+    {"switch", "reacquired in ", "not reacquired", "a target switch takes up to"},
+    {"return", "back on the path in ", "not back on the path", "a return to the path takes up to"},
+    {"lap", "a gaze error of ", "gaze error not measured", "the gaze error of a lap is up to"},
 };
 
 const KindWords& words_of(const std::string& event) {
@@ -51,11 +51,12 @@ std::string limit_words(const YardstickRow& row) {
   if (row.outcome == kept_words::kAlreadyThere) return {};
   const std::string by = row.held_back_by.empty() ? std::string() : fmt::format(" ({})", row.held_back_by);
   if (row.status == kept_words::kThereAtOnce)
-    return row.event == "return" ? "; the tool is on the path to begin with"
-                                 : "; the gaze is on target to begin with";
+    return row.event == "return" ? "; the tool is on the path from the beginning"
+                                 : "; the gaze is on target from the beginning";
   if (std::isnan(row.limit)) {
-    return row.status == kept_words::kInfeasible ? "; nothing within the limits does it from there" + by
-                                                 : fmt::format("; no limit was found: {}", row.status);
+    return row.status == kept_words::kInfeasible
+               ? "; no motion within the limits achieves this" + by
+               : fmt::format("; the best possible is unknown: {}", row.status);
   }
   return fmt::format("; the joint limits allow {}{}{}", figure(row.limit, row.unit),
                      row.status == kept_words::kSolved ? "" : ", " + row.status, by);
@@ -108,12 +109,12 @@ std::string yardstick_sentence(const std::vector<YardstickRow>& rows, std::size_
   for (const KindWords& kind : kKinds) {
     const YardstickRow* worst = worst_of(rows, set, kind.event);
     if (worst == nullptr) continue;
-    told.push_back(fmt::format("{} {:.3g} times that ({} beside {}, {} at {:.4g} s)", kind.at_worst,
+    told.push_back(fmt::format("{} {:.3g} times the best ({} instead of {}, {} at {:.4g} s)", kind.at_worst,
                                worst->ratio, figure(worst->reached, worst->unit),
                                figure(worst->limit, worst->unit), worst->scenario, worst->time));
   }
   if (told.empty()) return {};
-  return fmt::format("Of the best that the joint limits allow from the same state: {}",
+  return fmt::format("Compared with the best that the joint limits allow from the same state: {}",
                      fmt::join(told, ", "));
 }
 

@@ -19,17 +19,16 @@ struct YardstickRow {
   static void declare(auto& f, auto& row) {
     using enum record::Presence;
     f.type("YardstickEvent",
-           "A part of a rollout beside the best that the arm's limits allow from the same state.");
+           "A part of a rollout, and the best that the arm's limits allow from the same state.");
     f("set", row.set, "Index into `sets`.")("scenario", row.scenario)("event", row.event,
                                                                       {"switch", "return", "lap"});
-    f("time", row.time, "When it begins, s.");
-    f("reached", row.reached, "Of `unit`; null where it was not reached.", kOrNull);
-    f("limit", row.limit, "Of `unit`; null where none was found.", kOrNull);
-    f("ratio", row.ratio, "reached / limit; null where there is none.", kOrNull)("unit", row.unit,
-                                                                                 {"s", "rad"});
-    f("held_back_by", row.held_back_by, "The limit of the arm that costs the plan most.");
+    f("time", row.time, "Time at which it begins, s.");
+    f("reached", row.reached, "Result of the rollout in `unit`; null if the goal was not reached.", kOrNull);
+    f("limit", row.limit, "Best possible result in `unit`; null if none was found.", kOrNull);
+    f("ratio", row.ratio, "reached / limit; null if there is none.", kOrNull)("unit", row.unit, {"s", "rad"});
+    f("held_back_by", row.held_back_by, "The limit of the arm that restricts the plan most.");
     f("words", row.words,
-      "\"reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)\".");
+      "Such as \"reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)\".");
   }
 };
 

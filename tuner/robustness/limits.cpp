@@ -22,7 +22,7 @@ MetricLimit parse_limit(const std::string& text) {
   const std::size_t place = text.find_first_of("<>");
   if (place == std::string::npos || place + 1 >= text.size() || text[place + 1] != '=') {
     throw InputError(
-        fmt::format("limit '{}': give METRIC<=VALUE or METRIC>=VALUE, such as "
+        fmt::format("limit '{}': it must have the form METRIC<=VALUE or METRIC>=VALUE, such as "
                     "joint_velocity/max_ratio<=0.9",
                     text));
   }
@@ -32,7 +32,8 @@ MetricLimit parse_limit(const std::string& text) {
   if (!known) {
     std::vector<std::string> names;
     for (const MetricField& field : metric_fields()) names.emplace_back(field.name);
-    throw InputError(fmt::format("limit '{}': no metric '{}'{}", text, metric, suggestion(metric, names)));
+    throw InputError(
+        fmt::format("limit '{}': there is no metric '{}'{}", text, metric, suggestion(metric, names)));
   }
   limit.metric = *known;
   limit.upper = text[place] == '<';

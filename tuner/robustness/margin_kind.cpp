@@ -41,17 +41,17 @@ const std::array<MarginField, kMarginCount>& margin_fields() {
   // Strides: narrow enough that the first failure is met rather than an island beyond it; noise, which has
   // the longest way to go, in larger ones.
   static const std::array<MarginField, kMarginCount> fields{{
-      {"torque_delay", "periods", "largest torque delay on top of the scenario's own, in control periods",
+      {"torque_delay", "periods", "largest additional torque delay, in control periods",
        [](const Scenario&) { return 0.0; }, delay_more,
        EdgeSearch{.first = 1.0, .stride = 2.0, .last = 1000.0, .whole = true}},
       {"gain_factor", "1",
-       "largest common factor on task_space_gains_p, task_space_gains_d and a controller's own gains",
+       "largest common factor on task_space_gains_p, task_space_gains_d and the controller's own gains",
        [](const Scenario&) { return 1.0; }, scale_gains, EdgeSearch{.stride = 1.25, .last = 100.0}},
-      {"control_rate", "Hz", "smallest rate of the control periods, their torque delay as many as before",
-       rate, set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},
+      {"control_rate", "Hz", "lowest control rate, with the same torque delay in control periods", rate,
+       set_rate, EdgeSearch{.stride = 0.8, .last = 10.0}},
       {"velocity_noise", "rad/s",
-       "largest standard deviation of the measured velocities' noise; that of the positions grows in the "
-       "scenario's ratio or, where it has none, by 0.01 rad per rad/s",
+       "largest standard deviation of the velocity noise; the position noise keeps the scenario's ratio to "
+       "it, or is 0.01 rad per rad/s if the scenario has no velocity noise",
        velocity_noise, set_noise, EdgeSearch{.first = 0.01, .stride = 1.5, .last = 10.0}},
   }};
   return fields;

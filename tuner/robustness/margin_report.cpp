@@ -45,7 +45,7 @@ std::string what_ends(const std::vector<Scenario>& scenarios, const ComparedMarg
     const auto smallest = least(scenarios, set.margins, kind);
     if (!smallest || !smallest->fails) continue;
     if (!smallest->stands) {
-      return fmt::format("{}: as it is, {} does not stand: {}\n", set.name, smallest->scenario,
+      return fmt::format("{}: {} fails without any change: {}\n", set.name, smallest->scenario,
                          smallest->reason);
     }
     text += fmt::format("{}: {} fails at {:.4g} in {}: {}\n", set.name, name(kind), *smallest->fails,

@@ -58,8 +58,8 @@ std::vector<ScenarioResult> simulate(const std::vector<Scenario>& scenarios,
     results[i].shake = shakes.first();
     if (late) {
       results[i].result.reason += fmt::format(
-          " of {} s: its deadline of {} s was over; allow more with --rollout-deadline, or find "
-          "out what slows it down",
+          " of {} s, because its deadline of {} s has passed; give more time with --rollout-deadline, or "
+          "find out what slows it down",
           scenarios[i].duration, deadline);
     }
     const RolloutStatus status = results[i].result.status;

@@ -52,8 +52,8 @@ AppendFile::AppendFile(const std::string& path, Open open, double patience)
   file_ = published_ ? ::open(name.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | flags(open), 0644)
                      : make_partial_file(path, O_APPEND);
   if (file_ < 0) {
-    throw InputError(fmt::format("{}: cannot {} it: {}", path, open == Open::kContinue ? "open" : "make",
-                                 std::strerror(errno)));
+    throw InputError(fmt::format("{}: cannot {} this file: {}", path,
+                                 open == Open::kContinue ? "open" : "create", std::strerror(errno)));
   }
   if (open != Open::kReplace && !locked(file_, patience)) {
     const int reason = errno;
@@ -61,9 +61,9 @@ AppendFile::AppendFile(const std::string& path, Open open, double patience)
     if (open == Open::kNew && reason != EWOULDBLOCK) ::unlink(name.c_str());
     throw InputError(
         reason == EWOULDBLOCK
-            ? fmt::format("{}: another process is writing it; wait for that run or stop it", path)
-            : fmt::format("{}: cannot lock it against other processes: {}; choose a file system "
-                          "that can",
+            ? fmt::format("{}: another process is writing this file; wait for that run, or stop it", path)
+            : fmt::format("{}: cannot lock this file against other processes: {}; use a file system that "
+                          "supports locks",
                           path, std::strerror(reason)));
   }
   if (open == Open::kNew) sync_folder_of(path);
@@ -74,7 +74,7 @@ AppendFile::~AppendFile() {
 }
 
 void AppendFile::fail(const char* what) const {
-  throw FailedError(fmt::format("{}: cannot {} it: {}; what was finished before is in it", path_, what,
+  throw FailedError(fmt::format("{}: cannot {} this file: {}; it holds all work finished before", path_, what,
                                 std::strerror(errno)));
 }
 
@@ -82,7 +82,7 @@ void AppendFile::append(const std::string& text, bool sync) {
   // What goes to a file that nobody can find again is lost: better said at once than in the morning.
   struct stat now {};
   if (::fstat(file_, &now) == 0 && now.st_nlink == 0) {
-    throw FailedError(fmt::format("{}: was deleted while the run went on", path_));
+    throw FailedError(fmt::format("{}: the file was deleted during the run", path_));
   }
   const char* data = text.data();
   std::size_t left = text.size();
@@ -102,7 +102,7 @@ void AppendFile::sync() {
 }
 
 void AppendFile::truncate(long size) {
-  if (::ftruncate(file_, size) != 0) fail("cut");
+  if (::ftruncate(file_, size) != 0) fail("shorten");
 }
 
 void AppendFile::publish() {

@@ -40,13 +40,13 @@ std::optional<std::string> find_run_file(const std::string& folder, const std::s
     std::error_code error;
     status = fs::symlink_status(path, error);
     if (status.type() == fs::file_type::not_found) return std::nullopt;
-    if (error) throw InputError(fmt::format("{}: cannot be looked at: {}", path.string(), error.message()));
+    if (error) throw InputError(fmt::format("{}: cannot be accessed: {}", path.string(), error.message()));
     if (status.type() == fs::file_type::symlink) refuse_link(path);
   }
   if (status.type() == fs::file_type::regular) return path.string();
   throw InputError(
       fmt::format("{}: is {}; expected a file", path.string(),
-                  status.type() == fs::file_type::directory ? "a folder" : "a pipe, a device or the like"));
+                  status.type() == fs::file_type::directory ? "a folder" : "a pipe, a device or similar"));
 }
 
 std::string run_file(const std::string& folder, const std::string& name) {
@@ -60,7 +60,7 @@ void refuse_links(const std::string& folder) {
     if (at->symlink_status(error).type() == fs::file_type::symlink) refuse_link(at->path());
     if (error) break;
   }
-  if (error) throw InputError(fmt::format("{}: cannot be looked through: {}", folder, error.message()));
+  if (error) throw InputError(fmt::format("{}: cannot list this folder: {}", folder, error.message()));
 }
 
 }  // namespace armtune::internal

@@ -54,13 +54,13 @@ void refuse_unusable_path(const std::string& folder) {
   // Below it stand "rollouts_<label>/rollout_<scenario>.csv.partial" and shorter ones.
   constexpr std::size_t kBelow = 2 * kLongestName + 40;
   if (folder.size() + kBelow > PATH_MAX) {
-    throw InputError(fmt::format("{}: the path has {} bytes, too many for the files in it: at most {}",
-                                 folder, folder.size(), PATH_MAX - kBelow));
+    throw InputError(fmt::format("{}: the path has {} bytes; give one of at most {} bytes", folder,
+                                 folder.size(), PATH_MAX - kBelow));
   }
   if (!is_printable(folder)) {
     throw InputError(fmt::format(
-        "{}: holds a control character, a line separator or a byte that is not UTF-8, which files "
-        "of results cannot name; choose another folder",
+        "{}: the path contains a control character, a line separator or a byte that is not UTF-8, which "
+        "result files cannot hold; choose another folder",
         folder));
   }
 }
@@ -70,7 +70,7 @@ void refuse_unusable_path(const std::string& folder) {
 void refuse_used_folder(const std::string& folder) {
   if (is_missing_or_empty(folder)) return;
   throw InputError(fmt::format(
-      "{}: is there already and not empty; name another folder with --out, or take this one away", folder));
+      "{}: this folder exists and is not empty; name another folder with --out, or delete this one", folder));
 }
 
 FolderLock::~FolderLock() {
@@ -103,7 +103,7 @@ FolderLock make_run_folder(const std::string& folder) {
   // Where a file system locks no folders, what is in it has to do.
   if (!lock.take() && errno == EWOULDBLOCK) {
     throw InputError(
-        fmt::format("{}: another run is about to write into it; name another folder with --out", folder));
+        fmt::format("{}: another run is about to write into this folder; name another with --out", folder));
   }
   try {
     refuse_used_folder(folder);  // by one that has ended meanwhile

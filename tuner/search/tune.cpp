@@ -165,7 +165,7 @@ std::string Run::reason(const std::vector<SolverOutcome>& outcomes) const {
     if (outcome.stopped) return budget_used_up();
   }
   if (outcomes.size() == 1) return outcomes.front().reason;
-  return fmt::format("all {} searches ended, the first: {}", outcomes.size(), outcomes.front().reason);
+  return fmt::format("all {} searches ended; the first: {}", outcomes.size(), outcomes.front().reason);
 }
 
 bool Run::search_together(const char* phase, const std::vector<JoinedSearch>& searches, long most) {
@@ -259,8 +259,8 @@ void Run::turn_back() {
     if (!last_->feasible || !better(*last_, start) || !callbacks_.fault(last_->gains).empty()) continue;
     faultless_ = last_;
     out_.passed_over = fmt::format(
-        "what the search found best (objective {:.4f}) fails a check ({}); the result passes it, {:.0f} % of the way "
-        "there from the start",
+        "the best gains found (objective {:.4f}) fail a check ({}); the result passes it, {:.0f} % of the "
+        "way from the start gains to these",
         best.objective, fault, 100.0 * share);
     return;
   }

@@ -41,10 +41,10 @@ std::string missing(const ParameterSensitivity& s) {
     text += fmt::format("{}no {}: {}", text.empty() ? "" : "; ", figure, why);
   };
   if (!std::isfinite(s.importance)) add("importance", "a merit is not finite");
-  if (!std::isfinite(s.local)) add("local", "the best's merit is zero or one is not finite");
-  if (!std::isfinite(s.elasticity)) add("elasticity", "the gain or the best's merit is zero");
+  if (!std::isfinite(s.local)) add("local", "the best merit is zero or a merit is not finite");
+  if (!std::isfinite(s.elasticity)) add("elasticity", "the gain or the best merit is zero");
   if (!std::isfinite(s.rank_correlation))
-    add("rank_correlation", "fewer than three evaluations or the gain never moved");
+    add("rank_correlation", "fewer than three evaluations or the gain never changed");
   return text.empty() ? "complete" : text;
 }
 
@@ -138,23 +138,22 @@ std::vector<std::string> advice(const Study& study, const Sensitivity& sensitivi
     const bool no_effect = s.local < kNoEffect && std::abs(s.importance) < kNoEffect * sensitivity.merit;
     if (no_effect) {
       lines.push_back(
-          fmt::format("{} has no effect: {:.0f} % of its range up or down change the merit by {:.2g} %, its "
-                      "start value by {:.2g} %; "
-                      "leave it out with '{{name: {}, fixed: {:.6g}}}'",
+          fmt::format("{} has no effect: a step of {:.0f} % of its range changes the merit by {:.2g} %, and "
+                      "its start value by {:.2g} %; fix it with '{{name: {}, fixed: {:.6g}}}'",
                       name, 100.0 * kSensitivityStep, 100.0 * s.local,
                       100.0 * s.importance / sensitivity.merit, name, p.start));
     } else if (s.best <= p.lower * (1.0 + 1e-9)) {
       lines.push_back(
           p.lower > 0.0
               ? fmt::format(
-                    "{} ended at its lower bound {:.6g}: more may be gained below; set 'lower: {:.3g}'", name,
-                    p.lower, 0.5 * p.lower)
-              : fmt::format("{} ended at zero, the least a gain can be: it does more harm than good here; "
-                            "leave it out with '{{name: {}, fixed: 0}}'",
+                    "{} ended at its lower bound {:.6g}; lower values may be better: set 'lower: {:.3g}'",
+                    name, p.lower, 0.5 * p.lower)
+              : fmt::format("{} ended at zero, the lowest possible value, so it does more harm than good "
+                            "here; fix it with '{{name: {}, fixed: 0}}'",
                             name, name));
     } else if (s.best >= p.upper * (1.0 - 1e-9)) {
       lines.push_back(
-          fmt::format("{} ended at its upper bound {:.6g}: more may be gained above; set 'upper: {:.3g}'",
+          fmt::format("{} ended at its upper bound {:.6g}; higher values may be better: set 'upper: {:.3g}'",
                       name, p.upper, 2.0 * p.upper));
     }
   }

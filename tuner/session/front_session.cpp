@@ -82,14 +82,14 @@ std::optional<FrontOutcome> FrontSession::run(RankGroup& ranks) {
 ParetoOptions FrontSession::options() const {
   constexpr std::size_t kLeast = 2, kMost = 3;
   if (settings_.criteria.size() < kLeast || settings_.criteria.size() > kMost) {
-    throw InputError(fmt::format("criteria: {} are given, must be two or three", settings_.criteria.size()));
+    throw InputError(fmt::format("criteria: {} are given; give two or three", settings_.criteria.size()));
   }
-  if (settings_.levels == 1) throw InputError("levels: 1 of each criterion, must be 2 or more");
+  if (settings_.levels == 1) throw InputError("levels: 1 is given; give at least 2");
   ParetoOptions options;
   for (const std::string& name : settings_.criteria) {
     options.criteria.push_back(criterion_from_name(name));
     for (std::size_t k = 0; k + 1 < options.criteria.size(); ++k) {
-      if (options.criteria[k].name() == name) throw InputError("criterion " + name + " stands twice");
+      if (options.criteria[k].name() == name) throw InputError("criterion " + name + " is given twice");
     }
   }
   options.levels = settings_.levels > 0           ? settings_.levels
@@ -100,8 +100,8 @@ ParetoOptions FrontSession::options() const {
   const auto least = static_cast<long>(options.searches() * (study_.space.free.size() + 1));
   if (options.max_evaluations < 3 * least / 2) {
     observer_.warned(fmt::format(
-        "{} evaluations are too few for {} searches over {} gains: each search begins with one evaluation per "
-        "gain; allow {} or ask for fewer --levels",
+        "{} evaluations are too few for {} searches over {} gains, because each search starts with one "
+        "evaluation per gain; allow {} evaluations, or use fewer --levels",
         options.max_evaluations, options.searches(), study_.space.free.size(), 3 * least / 2));
   }
   return options;

@@ -21,7 +21,8 @@ LiveReport::LiveReport(std::string folder, SessionObserver& observer)
     : folder_(std::move(folder)), observer_(observer), every_(kLeastSeconds) {
   if (!report::available())
     throw InputError(
-        "--live: this armtune was built without the report's page; install node and npm, and build it again");
+        "--live: this armtune was built without the report page; install node and npm with scripts/setup, "
+        "and rebuild");
 }
 
 void LiveReport::update(long evaluations, long most_evaluations, double seconds_left) {
@@ -37,7 +38,7 @@ void LiveReport::update(long evaluations, long most_evaluations, double seconds_
     report::write_report(folder_, folder_ + "/report.html", report::Existing::kReplace, live);
   } catch (const std::exception& error) {
     failed_ = true;
-    observer_.warned(fmt::format("the live report is not kept any more: {}", error.what()));
+    observer_.warned(fmt::format("the live report is no longer updated: {}", error.what()));
     return;
   }
   const double took = std::chrono::duration<double>(Clock::now() - now).count();

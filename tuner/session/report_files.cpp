@@ -34,7 +34,7 @@ std::vector<std::string> add_report(const std::string& folder, const std::functi
     warn_of_left_out(report::write_report(folder, folder + "/" + kReport), observer);
     written.emplace_back(kReport);
   } catch (const std::exception& error) {
-    observer.warned(fmt::format("the run is finished, but its report is not: {}", error.what()));
+    observer.warned(fmt::format("the run is finished, but its report was not written: {}", error.what()));
   }
   return written;
 }

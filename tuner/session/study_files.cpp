@@ -72,7 +72,7 @@ Provenance study_provenance(const Study& study, const Invocation& invocation, in
   p.workers = workers;
   p.wall_seconds = seconds;
   p.extra = {{"study", shown_path(study.source)},
-             {"start", study.given ? "first gains of armtune's" : stem(study.gains)}};
+             {"start", study.given ? "armtune's first gains" : stem(study.gains)}};
   p.extra.insert(p.extra.end(), found.begin(), found.end());
   return p;
 }
@@ -81,7 +81,7 @@ void write_start(const Study& study, const std::string& folder) {
   make_folder(folder + "/start");
   write_text_file(
       folder + "/start/gains.yaml",
-      gains_yaml(study.space.start, {study.given ? "first gains of armtune's, for " + shown_path(study.source)
+      gains_yaml(study.space.start, {study.given ? "armtune's first gains, for " + shown_path(study.source)
                                                  : "start of " + shown_path(study.source)}));
   if (study.given) {
     make_folder(folder + "/given");
@@ -113,8 +113,8 @@ void warn_of_clamped(const Study& study, SessionObserver& observer) {
 std::string given_note(const Study& study) {
   if (!study.given) return {};
   return fmt::format(
-      "the start gains of the study cannot be a reference ({}), so that first gains of armtune's are the start and "
-      "the reference; 'given' are those of the study",
+      "the start gains of the study cannot be a reference ({}), so 'start' are first gains from armtune, and "
+      "'given' are the start gains of the study",
       study.given_failure);
 }
 

@@ -21,14 +21,14 @@ std::vector<std::string> warn_of_task(const Scenario& scenario, const Gains& gai
   const double end = scenario.start_time + scenario.duration;
   if (scenario.path.spline && scenario.path.spline->begin() >= end) {
     warnings.push_back(fmt::format(
-        "{}: the path's waypoints begin at {:.4g} s, and the scenario ends at {:.4g} s; if their times are not in "
-        "seconds, say so: units: {{time: ms}}",
+        "{}: the path's waypoints begin at {:.4g} s, but the scenario ends at {:.4g} s; if their times are "
+        "not in seconds, give the unit, as in 'units: {{time: ms}}'",
         scenario.name, scenario.path.spline->begin(), end));
   }
   if (!controller_kind(gains.controller).learns && start_theta(scenario).isZero(0.0)) {
     warnings.push_back(fmt::format(
-        "{}: the controller {} learns nothing, and the scenario tells it nothing of the arm, not even its "
-        "weight; give it 'theta_start: {{model_scale: 1}}', or a theta from armtune identify",
+        "{}: the controller {} does not adapt, and the scenario gives it no model of the arm, not even its "
+        "weight; add 'theta_start: {{model_scale: 1}}', or a theta from armtune identify",
         scenario.name, gains.controller));
   }
   for (const std::string& warning : warnings) observer.warned(warning);

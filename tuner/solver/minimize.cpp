@@ -77,7 +77,7 @@ SolverOutcome minimize(const SolverProblem& problem, const SolverOptions& option
       problem, options, [&served](const std::vector<double>& x, bool derivatives, SolverAnswer& answer) {
         return served.answer(x, derivatives, answer);
       });
-  if (served.circling()) outcome = {false, false, "ended: it asks for nothing new any more"};
+  if (served.circling()) outcome = {false, false, "ended: the search only repeats known points"};
   return outcome;
 }
 

@@ -60,8 +60,8 @@ const Offered& find(const std::string& name) {
     names.emplace_back(candidate.info.name);
     all += (all.empty() ? "" : ", ") + names.back();
   }
-  throw InputError("algorithm '" + name + "' is not offered" + suggestion(name, names) +
-                   "; there are: " + all);
+  throw InputError("algorithm '" + name + "' is unknown" + suggestion(name, names) +
+                   "; the algorithms are: " + all);
 }
 
 using Optimizer = std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)>;
@@ -198,7 +198,7 @@ const AlgorithmInfo& algorithm_for(const std::string& name, std::size_t paramete
   const AlgorithmInfo& info = algorithm_from_name(name);
   if (info.most_parameters > 0 && parameters > info.most_parameters) {
     throw InputError(fmt::format(
-        "algorithm '{}' takes at most {} parameters, and there are {}; take another one, or tune fewer", name,
+        "algorithm '{}' takes at most {} parameters, but there are {}; use another one, or tune fewer", name,
         info.most_parameters, parameters));
   }
   return info;

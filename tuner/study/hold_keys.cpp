@@ -16,7 +16,7 @@ namespace {
 double read_threshold(yaml::MapReader& map, const ThresholdField& field, double fallback) {
   const double value = map.number_in(field.name, fallback, field.least, field.most);
   if (field.whole && value != std::floor(value))
-    map.required(field.name).fail(fmt::format("{} {}: give a whole number", value, field.unit));
+    map.required(field.name).fail(fmt::format("{} [{}] must be a whole number", value, field.unit));
   return value;
 }
 
@@ -39,7 +39,8 @@ SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scen
   constexpr long kMostSamples = 1000;
   const long samples = map.integer("samples", static_cast<long>(set.samples));
   if (samples < 1 || samples > kMostSamples)
-    map.required("samples").fail(fmt::format("{}: must lie between 1 and {}", samples, kMostSamples));
+    map.required("samples").fail(
+        fmt::format("{} samples; the number must lie in 1 .. {}", samples, kMostSamples));
   set.samples = static_cast<std::size_t>(samples);
   const long seed = map.integer("seed", static_cast<long>(set.seed));
   if (seed < 0) map.required("seed").fail("must not be negative");
@@ -53,7 +54,7 @@ SampleSet read_samples(const yaml::Node& node, const std::vector<Scenario>& scen
   set.measure = static_cast<RiskMeasure>(found - names.begin());
   set.level = map.number_in("level", set.level, 0.0, 1.0);
   if (set.level <= 0.0 || set.level >= 1.0)
-    map.required("level").fail("must lie between 0 and 1, ends excluded");
+    map.required("level").fail("must lie between 0 and 1, both excluded");
   if (const yaml::Node* widths = map.optional("uncertainty")) {
     yaml::MapReader uncertainty(*widths);
     for (const PerturbationField& f : perturbation_fields()) {
@@ -79,12 +80,13 @@ void read_margins(const yaml::Node& node, Study& study) {
                      [&margin](const ThresholdField& f) { return std::string(f.name) == margin.key; });
     if (!map.has(margin.key)) continue;
     if (margin.kind == MarginKind::kVelocityNoise && !has_noise(study.scenarios))
-      map.required(margin.key).fail("no scenario has velocity noise to multiply");
+      map.required(margin.key)
+          .fail("no scenario has velocity noise, so there is no noise margin; leave this key out");
     study.margins.push_back({margin.kind, read_threshold(map, *field, 0.0)});
   }
   map.finish();
   if (study.margins.empty())
-    node.fail("no margin is demanded; leave the key out, or give one of: delay_periods, gain, rate, noise");
+    node.fail("no margin is given; leave the key out, or give one of: delay_periods, gain, rate, noise");
   add_margin_constraints(study);
 }
 

@@ -24,15 +24,15 @@ double scale_of(double bound) {
                                    const std::string& where) {
   const std::string what =
       std::isfinite(start)
-          ? fmt::format("{} of the start gains in {} is {}, and no reference can be zero or less",
+          ? fmt::format("{} of the start gains in {} is {}, but a reference must be above zero",
                         name(term.metric), scenario, start)
-          : fmt::format("the start gains give no {} in {}, so there is no reference", name(term.metric),
-                        scenario);
+          : fmt::format("the start gains give no value of {} in {}, so there is no reference",
+                        name(term.metric), scenario);
   throw InputError(
-      fmt::format("{}: {}; start with other gains, leave the scenario out of the term's 'scenarios', or "
+      fmt::format("{}: {}. Use other start gains, leave the scenario out of the term's 'scenarios', or "
                   "give the term a 'floor', the smallest reference [{}]{}",
                   where, what, field(term.metric).unit,
-                  larger_is_better(term.metric) ? "; a constraint with 'at_least' needs no reference" : ""));
+                  larger_is_better(term.metric) ? ". A constraint with 'at_least' needs no reference" : ""));
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     pushed_.push_back(scenarios[s].pushed);
     if (start[s].status != RolloutStatus::kCompleted && !scenarios[s].pushed) {
       throw InputError(
-          fmt::format("{}: the start gains do not complete {}: {}; the objective is relative to them, so "
-                      "begin with gains that do; a study with 'robust' asks it of every arm that it draws",
+          fmt::format("{}: the start gains do not complete {}: {}. The objective is relative to the start "
+                      "gains; give gains that complete every scenario, with 'robust' on every random arm too",
                       where, scenarios[s].name, start[s].reason));
     }
     durations_.push_back(scenarios[s].duration);
@@ -57,8 +57,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
     own_start_ = own_(of_scenarios(start));
     if (!(std::isfinite(own_start_) && own_start_ > 0.0)) {
       throw InputError(fmt::format(
-          "{}: the objective of the start gains is {}, and it must be a number above zero: the search sees it "
-          "relative to that",
+          "{}: the objective of the start gains is {}, but it must be a number above zero, because all "
+          "objectives are divided by it",
           where, own_start_));
     }
   }
@@ -78,8 +78,8 @@ Objective::Objective(std::vector<ObjectiveTerm> terms, std::vector<Constraint> c
       if (constraint.margin) continue;
       if (judged[s] && !constraint.limit && std::isnan(start_[s][constraint.metric])) {
         throw InputError(
-            fmt::format("{}: the start gains give no {} in {}, so 'start' is no limit; give a number", where,
-                        name(constraint.metric), scenarios[s].name));
+            fmt::format("{}: the start gains give no {} in {}, so 'start' is not a limit; give a number",
+                        where, name(constraint.metric), scenarios[s].name));
       }
     }
   }
@@ -102,8 +102,8 @@ void Objective::set_end_limits(const std::vector<Scenario>& scenarios, const std
         end_limits_[s].push_back(end);
       } else if (stated) {
         throw InputError(fmt::format(
-            "{}: {} of the start gains in {} is {}, hopeless from {} on; a search that begins there "
-            "learns nothing: give a 'hopeless' beyond that, or never",
+            "{}: {} of the start gains in {} is {}, but 'hopeless' begins at {}, so the start itself would "
+            "be abandoned; give a 'hopeless' beyond the start's value, or never",
             where, name(constraint.metric), scenarios[s].name, start_[s][constraint.metric], *value));
       }
     }
@@ -140,7 +140,7 @@ double Objective::limit(std::size_t c, std::size_t s) const {
 std::string Objective::constraint_name(std::size_t c) const {
   const Constraint& constraint = constraints_[c];
   if (constraint.margin) {
-    return fmt::format("margin {} holds at {}", name(constraint.margin->kind), constraint.margin->value);
+    return fmt::format("margin {} at {}", name(constraint.margin->kind), constraint.margin->value);
   }
   return fmt::format("{} {} {}", name(constraint.metric), constraint.upper ? "<=" : ">=",
                      constraint.limit ? fmt::format("{}", *constraint.limit) : "start");
@@ -181,7 +181,8 @@ double Objective::own_score(const Evaluation& e) const {
   if (!completed) return kIncompletePenalty;
   const double value = own_(results);
   if (!(std::isfinite(value) && value > 0.0)) {
-    throw FailedError(fmt::format("the objective of a candidate is {}, must be a number above zero", value));
+    throw FailedError(
+        fmt::format("the objective of a candidate is {}; it must be a number above zero", value));
   }
   return std::min(value / own_start_, kLargestRatio);
 }

@@ -92,22 +92,23 @@ void validate(const ParameterSpace& space, const std::string& where) {
       throw InputError(fmt::format("{}: parameter {}: {}", where, p.entry.name, what));
     };
     if (p.lower == 0.0 && p.upper == 0.0) {
-      fail("its bounds are factors on its start, which is 0; give 'lower' and 'upper', or leave it out");
+      fail("its default bounds are multiples of its start, 0; give 'lower' and 'upper', or remove it");
     }
     if (p.lower == p.upper) {
-      fail(fmt::format("both its bounds are {0}; give a range, or keep it there by 'fixed: {0}'", p.lower));
+      fail(fmt::format("both bounds are {0}; give a range, or fix the value with 'fixed: {0}'", p.lower));
     }
     if (!std::isfinite(p.lower) || !std::isfinite(p.upper) || p.lower > p.upper) {
       fail(fmt::format("lower bound {} is not below upper bound {}", p.lower, p.upper));
     }
-    if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; gains are not", p.lower));
+    if (p.lower < 0.0) fail(fmt::format("lower bound {} is negative; a gain must not be negative", p.lower));
     if (p.scale == Scale::kLog && p.lower <= 0.0) {
-      fail(fmt::format("lower bound {} on a log scale; give one above zero or 'scale: linear'", p.lower));
+      fail(fmt::format("lower bound {} does not fit a log scale; give one above zero, or 'scale: linear'",
+                       p.lower));
     }
     if (p.scale == Scale::kLog && !(p.upper / p.lower <= kWidestSpan)) {
       fail(
-          fmt::format("its bounds {} .. {} span more than a factor of {:.0e}, the most of a log scale; raise "
-                      "the lower bound or give 'scale: linear'",
+          fmt::format("its bounds {} .. {} span more than a factor of {:.0e}, too much for a log scale; "
+                      "raise the lower bound, or give 'scale: linear'",
                       p.lower, p.upper, kWidestSpan));
     }
     if (!(p.start >= p.lower && p.start <= p.upper)) {

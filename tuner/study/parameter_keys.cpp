@@ -22,7 +22,7 @@ std::vector<GainEntry> find_entries(const yaml::Node& node, const std::vector<Ga
     names.push_back(entry.name);
   }
   if (found.empty())
-    node.fail("'" + name + "' is no gain" + suggestion(name, names) + "; see armtune controllers");
+    node.fail("'" + name + "' is not a gain" + suggestion(name, names) + "; see armtune controllers");
   return found;
 }
 
@@ -74,7 +74,7 @@ void read_parameter(const yaml::Node& node, const std::vector<GainEntry>& all, P
     // A link knows its parameter by its place: once there is one, nothing may change places.
     const bool linked = find_by_name(space.links, entry.name) != space.links.end();
     if (linked || (!space.links.empty() && find_by_name(space.free, entry.name) != space.free.end())) {
-      node.fail(entry.name + " stands here again after a link was made; name every gain before the links");
+      node.fail(entry.name + " is listed again after a link; list every gain before the links");
     }
     if (const auto old = find_by_name(space.free, entry.name); old != space.free.end()) space.free.erase(old);
     if (fixed != nullptr) {
@@ -138,7 +138,7 @@ std::vector<SweepAxis> read_sweep(const yaml::Node& node, const std::vector<Gain
     points *= static_cast<double>(axis.factors.size());
     map.finish();
   }
-  if (points > 1e5) node.fail(fmt::format("{:.0f} points; at most 100000", points));
+  if (points > 1e5) node.fail(fmt::format("the sweep has {:.0f} points; give at most 100000", points));
   return axes;
 }
 

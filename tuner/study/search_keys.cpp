@@ -52,10 +52,10 @@ void read_engine(yaml::MapReader& map, Study& study) {
   study.verify_share = map.number_in("verify_share", study.verify_share, 0.0, 1.0);
   if (study.engine == Engine::kSimbody && map.has("verify_share")) {
     map.required("verify_share")
-        .fail("Simbody searches already; leave it out, or search with engine: native");
+        .fail("has no effect, because Simbody does the search; leave it out, or give engine: native");
   }
   if (study.engine == Engine::kNative && study.stepper == Stepper::kReference) {
-    map.required("stepper").fail("'reference' is Simbody's own; take another one, or engine: simbody");
+    map.required("stepper").fail("'reference' exists in Simbody only; give another one, or engine: simbody");
   }
 }
 
@@ -86,27 +86,29 @@ void read_search(const yaml::Node& node, Study& study) {
   study.solver.penalty = map.number_in("penalty", study.solver.penalty, 1e-6, 1e6);
   study.max_evaluations = map.integer("max_evaluations", study.max_evaluations);
   if (study.max_evaluations < 1)
-    map.required("max_evaluations").fail(fmt::format("is {}, must be at least 1", study.max_evaluations));
+    map.required("max_evaluations").fail(fmt::format("is {}; it must be at least 1", study.max_evaluations));
   study.max_minutes = map.number_in("max_minutes", 0.0, 0.0, kInfinity);
   study.solver.initial_step = map.number_in("initial_step", study.solver.initial_step, 1e-6, 0.5);
   study.solver.x_tolerance = map.number_in("x_tolerance", study.solver.x_tolerance, 0.0, 1.0);
   study.solver.objective_tolerance =
       map.number_in("objective_tolerance", study.solver.objective_tolerance, 0.0, 1.0);
   const long seed = map.integer("seed", 1);
-  if (seed < 0) map.required("seed").fail(fmt::format("is {}, must not be negative", seed));
+  if (seed < 0) map.required("seed").fail(fmt::format("is {}; it must not be negative", seed));
   study.solver.seed = static_cast<std::uint64_t>(seed);
   read_engine(map, study);
   read_differences(map, study.solver);
   const long starts = map.integer("starts", 1);
   if (starts < 1 || starts > kMostStarts) {
-    map.required("starts").fail(fmt::format("{} searches at once; give 1 .. {}", starts, kMostStarts));
+    map.required("starts").fail(
+        fmt::format("{} searches at once are not possible; give 1 .. {}", starts, kMostStarts));
   }
   study.starts = static_cast<std::size_t>(starts);
   if (map.has("global")) study.global_by_default = false;
   study.global_algorithm = read_algorithm(map, "global", study.global_algorithm, study.space.free.size());
   study.global_share = map.number_in("global_share", study.global_share, 0.0, 1.0);
   if (map.has("global_share") && study.global_algorithm.empty()) {
-    map.required("global_share").fail("there is no global search to have a share; name one with 'global'");
+    map.required("global_share")
+        .fail("the study has no global search; name one with 'global', or leave this key out");
   }
   // Studies and run folders of earlier versions have it. It changed no result, so it is read and left alone.
   map.boolean("end_outdone", true);
@@ -119,10 +121,10 @@ void read_warm_start(const yaml::Node& node, Study& study) {
   const yaml::Node& from = map.required("from");
   if (const yaml::Node* names = map.optional("parameters")) {
     warm.parameters = names->as_strings();
-    if (warm.parameters.empty()) names->fail("empty; leave the key out for all parameters");
+    if (warm.parameters.empty()) names->fail("the list is empty; leave the key out to use all parameters");
   }
   warm.box = map.number_in("box", warm.box, 0.0, 1.0);
-  if (warm.box <= 0.0) map.required("box").fail("must be above 0: a part of each parameter's range");
+  if (warm.box <= 0.0) map.required("box").fail("must be above 0; it is a share of each parameter's range");
   if (map.has("step")) warm.step = map.number_in("step", 0.0, 1e-6, 0.5);
   map.finish();
   try {

@@ -31,7 +31,7 @@ std::string why_not_last(const std::vector<Scenario>& scenarios) {
                        last.name);
   }
   for (std::size_t i = 0; i + 1 < scenarios.size(); ++i) {
-    if (scenarios[i].name == last.name) return last.name + " stands twice";
+    if (scenarios[i].name == last.name) return last.name + " is listed twice";
   }
   return {};
 }
@@ -42,7 +42,7 @@ std::vector<Scenario> read_scenarios(const yaml::Node& node, const std::string& 
     scenarios.push_back(load_scenario(find_data_file("scenarios", name, folder)));
     if (const std::string why = why_not_last(scenarios); !why.empty()) node.fail(why);
   }
-  if (scenarios.empty()) node.fail("empty; name at least one scenario");
+  if (scenarios.empty()) node.fail("the list is empty; name at least one scenario");
   return scenarios;
 }
 
@@ -55,9 +55,8 @@ constexpr double kLargest = 1e12;
 double require_moderate(double value, const yaml::Node& node) {
   const double magnitude = std::abs(value);
   if (magnitude == 0.0 || (magnitude >= kSmallest && magnitude <= kLargest)) return value;
-  node.fail(
-      fmt::format("{} is neither 0 nor of a magnitude from {:.0e} to {:.0e}; give a value in this range",
-                  value, kSmallest, kLargest));
+  node.fail(fmt::format("{} is neither 0 nor of magnitude {:.0e} .. {:.0e}; give a value in this range",
+                        value, kSmallest, kLargest));
 }
 
 /// Returns a number of a map that is not negative and moderate.
@@ -71,7 +70,7 @@ Metric read_metric(const yaml::Node& node) {
   if (const auto metric = metric_from_name(name)) return *metric;
   std::vector<std::string> names;
   for (const MetricField& field : metric_fields()) names.emplace_back(field.name);
-  node.fail(fmt::format("'{}' is no metric{}; there are: {}", name, suggestion(name, names),
+  node.fail(fmt::format("'{}' is not a metric{}; the metrics are: {}", name, suggestion(name, names),
                         fmt::join(names, ", ")));
 }
 
@@ -84,7 +83,7 @@ std::vector<std::size_t> read_subset(const yaml::Node& node, const std::vector<S
     if (found == scenarios.end()) node.fail("'" + name + "' is not one of the study's scenarios");
     subset.push_back(static_cast<std::size_t>(found - scenarios.begin()));
   }
-  if (subset.empty()) node.fail("empty; leave the key out for all scenarios");
+  if (subset.empty()) node.fail("the list is empty; leave the key out to use all scenarios");
   return subset;
 }
 
@@ -106,8 +105,8 @@ std::vector<std::size_t> applicable(const yaml::Node& node, Metric metric,
   }
   if (found.empty()) {
     node.fail(
-        fmt::format("{} does not apply to {}: nothing that it measures is there; list under 'scenarios' "
-                    "only those of the study that have it, or leave this entry out",
+        fmt::format("{} does not apply to {}; under 'scenarios', list only scenarios in which it can be "
+                    "measured, or remove this entry",
                     name(metric), fmt::join(names, ", ")));
   }
   return found;
@@ -132,7 +131,8 @@ std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vec
     term.metric = read_metric(map.required("metric"));
     if (field(term.metric).better == Better::kNeither) {
       map.required("metric").fail(fmt::format(
-          "{} is no goal: neither more nor less of it is better; take another metric", name(term.metric)));
+          "{} cannot be an objective, because neither more nor less is better; give another metric",
+          name(term.metric)));
     }
     term.weight = read_scale(map, "weight", 1.0);
     term.floor = read_scale(map, "floor", 0.0);
@@ -141,7 +141,7 @@ std::vector<ObjectiveTerm> read_objective(const yaml::Node& node, const std::vec
   }
   double weights = 0.0;
   for (const ObjectiveTerm& term : terms) weights += term.weight;
-  if (!(weights > 0.0)) node.fail("no term with a weight above zero");
+  if (!(weights > 0.0)) node.fail("no term has a weight above zero; give one");
   return terms;
 }
 
@@ -173,7 +173,7 @@ void end_no_sample_early(const yaml::Node& node, std::vector<Constraint>& constr
     if (constraints[c].hopeless.kind == Hopeless::Kind::kFrom) {
       node.items()[c]
           .find("hopeless")
-          ->fail("one arm beyond it decides only with 'measure: worst' under 'robust'; leave the key out");
+          ->fail("is possible only with 'measure: worst' under 'robust'; leave the key out");
     }
     constraints[c].hopeless.kind = Hopeless::Kind::kNever;
   }
@@ -214,7 +214,7 @@ Gains gains_of(yaml::MapReader& map, const std::string& folder, const StudyParts
     study.node = map.string("node", "");
     if (named != nullptr && !study.source.empty())
       study.gains = find_data_file("gains", named->as_string(), folder);
-    if (parts.joints != joints) throw InputError("study: the start gains are for an arm of other joints");
+    if (parts.joints != joints) throw InputError("study: the start gains are for an arm with other joints");
     return *parts.start;
   }
   study.gains = find_data_file("gains", map.required("gains").as_string(), folder);

@@ -37,8 +37,8 @@ std::string auto_text(const Constraint& c) {
   if (c.hopeless.kind != Hopeless::Kind::kAuto) return {};
   if (!default_hopeless(c.metric, c.upper, 0.0)) return "  # hopeless: never";
   if (!c.limit)
-    return fmt::format("  # hopeless: {}", c.upper ? "from twice the start's on" : "0.1 below the start's");
-  return fmt::format("  # hopeless from {} on, where the start is not",
+    return fmt::format("  # hopeless: {}", c.upper ? "twice the start value" : "0.1 below the start value");
+  return fmt::format("  # hopeless from {} on, unless the start gains are beyond it",
                      *default_hopeless(c.metric, c.upper, *c.limit));
 }
 

@@ -6,22 +6,22 @@ namespace armtune::internal {
 
 const std::array<ThresholdField, 9>& threshold_fields() {
   static constexpr std::array<ThresholdField, 9> fields{{
-      {"delay_periods", "control periods", "extra torque delay that the loop must hold",
+      {"delay_periods", "control periods", "extra torque delay that the loop must tolerate",
        &VerdictThresholds::delay_periods, true, 0.0, 1000.0, true},
-      {"gain", "1", "common factor on the loop's gains that the loop must hold", &VerdictThresholds::gain,
-       true, 1.0, 100.0},
-      {"noise", "1", "factor on the sensors' noise that the loop must hold", &VerdictThresholds::noise, true,
-       1.0, 1000.0},
-      {"rate", "1", "share of the control rate at which the loop must still hold", &VerdictThresholds::rate,
-       false, 0.01, 1.0},
+      {"gain", "1", "common factor on the gains that the loop must tolerate", &VerdictThresholds::gain, true,
+       1.0, 100.0},
+      {"noise", "1", "factor on the sensor noise that the loop must tolerate", &VerdictThresholds::noise,
+       true, 1.0, 1000.0},
+      {"rate", "1", "share of the control rate that the loop must tolerate", &VerdictThresholds::rate, false,
+       0.01, 1.0},
       {"yield", "1", "share of the random arms that must keep their limits", &VerdictThresholds::yield, true,
        0.0, 1.0},
       {"arms", "1", "number of random arms", &VerdictThresholds::arms, true, 1.0, 100000.0, true},
-      {"minutes", "min", "simulated time that every scenario is extended to", &VerdictThresholds::minutes,
+      {"minutes", "min", "simulated time to which every scenario is extended", &VerdictThresholds::minutes,
        true, 0.0, 1440.0},
-      {"rms_growth", "1", "largest RMS error of the last minutes over that of the first ones",
+      {"rms_growth", "1", "largest allowed ratio of RMS error, last minutes to first minutes",
        &VerdictThresholds::rms_growth, false, 1.0, 1000.0},
-      {"peak_growth", "1", "largest peak error of the last minutes over that of the first ones",
+      {"peak_growth", "1", "largest allowed ratio of peak error, last minutes to first minutes",
        &VerdictThresholds::peak_growth, false, 1.0, 1000.0},
   }};
   return fields;

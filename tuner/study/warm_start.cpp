@@ -28,7 +28,7 @@ std::vector<bool> given(const ParameterSpace& space, const std::vector<std::stri
       found = true;
     }
     if (!found) {
-      throw InputError(fmt::format("'{}' is not tuned by this study{}; name tuned gains or fields", name,
+      throw InputError(fmt::format("'{}' is not tuned by this study{}; name only tuned gains", name,
                                    suggestion(name, tuned)));
     }
   }
@@ -51,7 +51,7 @@ void load_warm_gains(WarmStart& warm, const std::string& folder_or_file, const P
   warm.gains = load_gains(warm.source, joints);
   if (warm.gains.controller != space.start.controller) {
     throw InputError(fmt::format(
-        "{}: gains of the controller {}, while the study tunes those of {}; take a warm start of the same",
+        "{}: gains of the controller {}, but the study tunes gains of {}; give gains of this controller",
         warm.source, warm.gains.controller, space.start.controller));
   }
 }
@@ -66,7 +66,7 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
     const GainEntry& entry = space.free[i].entry;
     if (!has(warm.gains, entry)) {
       throw InputError(
-          fmt::format("{}: no {}, which this study tunes; add it there, or name the gains to take from there",
+          fmt::format("{}: no {}, but the study tunes it; add it, or name the gains to take from this file",
                       warm.source, entry.name));
     }
     value(there, entry) = value(warm.gains, entry);
@@ -79,8 +79,8 @@ WarmPoint warm_point(const ParameterSpace& space, const WarmStart& warm) {
       point.x[i] = coordinates[i];
       if (v < p.lower || v > p.upper) {
         point.clamped.push_back(
-            fmt::format("{}: {} {} lies outside its bounds {} .. {} and begins at the nearer", warm.source,
-                        p.entry.name, v, p.lower, p.upper));
+            fmt::format("{}: {} {} lies outside its bounds {} .. {}; the search starts at the nearer bound",
+                        warm.source, p.entry.name, v, p.lower, p.upper));
       }
     }
     point.lower.push_back(std::max(0.0, point.x[i] - 0.5 * warm.box));

@@ -32,11 +32,11 @@ Criterion criterion_from_name(const std::string& name) {
   if (const auto metric = metric_from_name(name)) {
     if (field(*metric).better != Better::kNeither) return {metric};
     throw InputError(
-        fmt::format("{} is no goal: neither more nor less of it is better; name another criterion", name));
+        fmt::format("{} cannot be a criterion: neither more nor less of it is better; choose another", name));
   }
   std::vector<std::string> names{kObjective};
   for (const MetricField& f : metric_fields()) names.emplace_back(f.name);
-  throw InputError(fmt::format("'{}' is neither 'objective' nor a metric{}; there are: {}", name,
+  throw InputError(fmt::format("'{}' is neither 'objective' nor a metric{}; choose one of: {}", name,
                                suggestion(name, names), fmt::join(names, ", ")));
 }
 

@@ -29,13 +29,12 @@ std::vector<Column> pareto_columns(const Study& study, const ParetoOptions& opti
     columns.push_back({name, unit, meaning, {}});
   };
   add("point", "1", "number of the point; its gains are in points/");
-  add("kind", "",
-      "front: no other point is nowhere worse and somewhere better; start: the study's start gains");
-  add("evaluation", "1", "its number in evaluations.csv");
-  add("dominates_start", "1", "1 if it is nowhere worse and somewhere better than the start");
+  add("kind", "", "front: a point that no other point dominates; start: the study's start gains");
+  add("evaluation", "1", "number of the point in evaluations.csv");
+  add("dominates_start", "1", "1 if the point is worse than the start in no criterion and better in one");
   for (const Criterion& c : options.criteria) {
     add(c.name(), c.unit(),
-        c.metric ? fmt::format("{}; the worst over the scenarios", field(*c.metric).meaning)
+        c.metric ? fmt::format("{}; worst value of all scenarios", field(*c.metric).meaning)
                  : "weighted metrics relative to the start gains, which score 1");
   }
   if (!has_objective(options)) add("objective", "1", "weighted metrics relative to the start gains");
@@ -78,22 +77,21 @@ std::string pareto_table(const Study& study, const ParetoOptions& options, const
   if (!result.front.empty()) shown.insert({0, result.front.size() - 1});
   for (const std::size_t i : shown) {
     const bool better = dominates(result.front[i].costs, result.start.costs);
-    row(point_file(i), result.front[i], better ? "  better than the start in everything" : "");
+    row(point_file(i), result.front[i], better ? "  dominates the start" : "");
   }
   row(start_name(study), result.start,
-      result.start.e.feasible ? "" : "  breaks a constraint, which no point above does");
+      result.start.e.feasible ? "" : "  breaks a constraint; the points above do not");
   // Costs below zero, of metrics of which more is better, have no end.
   const bool bounded =
       std::all_of(result.start.costs.begin(), result.start.costs.end(), [](double c) { return c > 0.0; });
   if (result.front.empty()) {
     return text +
-           "\nno feasible point was found: see evaluations.csv for what stands in the way, allow more "
-           "evaluations, or "
-           "loosen the study's constraints\n";
+           "\nno feasible point was found; evaluations.csv shows which constraints are broken. Allow more "
+           "evaluations, or relax the study's constraints.\n";
   }
   text += fmt::format("\n{} of the front's {} points dominate the start; hypervolume {:.4f}{}\n",
                       result.dominating_start(), result.front.size(), result.hypervolume,
-                      bounded ? " (of 1: how much of all that is better than the start is reached)" : "");
+                      bounded ? " (share of the region better than the start; at most 1)" : "");
   return text;
 }
 

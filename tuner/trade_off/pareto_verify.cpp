@@ -45,7 +45,7 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
     }
     if (!agree(point.costs, seen.costs, same_engine ? 0.0 : kEngineTolerance) ||
         (same_engine && !point.e.feasible)) {
-      throw FailedError(fmt::format("evaluation {} simulated again gives {} {} instead of {}",
+      throw FailedError(fmt::format("simulating evaluation {} again gives {} {} instead of {}",
                                     seen.evaluation, options.criteria.front().name(), point.costs.front(),
                                     seen.costs.front()));
     }

@@ -29,10 +29,10 @@ std::string rotors_text(const RobotModel& robot) {
   }
   if (without.empty()) return fmt::format("the rotor inertia that the file of {} gives", robot.name);
   if (without.size() == static_cast<std::size_t>(robot.n())) {
-    return fmt::format("{} has no rotor inertia, as its file gives none", robot.name);
+    return fmt::format("{} has no rotor inertia, because its file gives none", robot.name);
   }
   return fmt::format(
-      "{} of {} without rotor inertia, because its file gives none; for its other joints the values of the file",
+      "{} of {} without rotor inertia, because its file gives none, and its other joints as in the file",
       fmt::join(without, ", "), robot.name);
 }
 
@@ -55,8 +55,8 @@ std::string looked_at_for_obstacles(const Scenario& scenario) {
   const bool bodies = std::any_of(scenario.obstacles.begin(), scenario.obstacles.end(),
                                   [](const MovingObstacle& obstacle) { return obstacle.radius > 0.0; });
   if (!bodies || (scenario.clearance && scenario.clearance->has(Clearance::kCell))) return {};
-  return scenario.robot->chain.link_radius.size() > 0 ? "capsules from joint to joint and on to the tool"
-                                                      : "the origins of its joints and the tool";
+  return scenario.robot->chain.link_radius.size() > 0 ? "the capsules between the arm's joints and its tool"
+                                                      : "the arm's joint origins and its tool";
 }
 
 }  // namespace
@@ -75,17 +75,17 @@ void add_controller_assumption(const std::vector<Scenario>& scenarios, const Gai
     if (gains.controller == kJointTrajectoryVelocityController)
       add_once(
           robot.drive_velocity_gain.size() > 0
-              ? fmt::format("the drives of {} are as its file says", robot.name)
-              : fmt::format("the drives of {} have velocity loops of {:.0f} /s, as no file says otherwise",
+              ? fmt::format("the drives of {} have the velocity loops that its file gives", robot.name)
+              : fmt::format("the drives of {} have velocity loops of {:.0f} /s, because its file gives none",
                             robot.name, kDriveRate),
           verdict.assumes);
     if (robot.compensates_gravity)
-      add_once(fmt::format("{} itself adds the torque that holds its weight, as its file says", robot.name),
-               verdict.assumes);
+      add_once(fmt::format("{} compensates gravity itself, as its file states", robot.name), verdict.assumes);
   }
   add_once(
-      "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: at the scenarios' control "
-      "period, along the motion as the scenario joins its points, and with an empty integral where a motion begins",
+      "joint_trajectory_controller as docs/joint_trajectory_controller.md describes it: it runs at the "
+      "scenarios' control period, interpolates points as the scenario does, and begins every motion with an "
+      "empty integral",
       verdict.assumes);
 }
 
@@ -97,26 +97,25 @@ void add_assumptions(const std::vector<Scenario>& scenarios, Stepper stepper, Si
     const RobotModel& robot = *scenario.robot;
     add_once(rotors_text(robot), verdict.assumes);
     for (const std::string& doubt : doubts(robot))
-      add_once(fmt::format("the file of {} is right where armtune doubts it: {}", robot.name, doubt),
+      add_once(fmt::format("the file of {} is correct, although it looks wrong: {}", robot.name, doubt),
                verdict.assumes);
     if (scenario.clearance && !scenario.clearance->arm().unknown.empty())
-      add_once(fmt::format("nothing touches those shapes of {} of {} that could not be read",
+      add_once(fmt::format("no contact with the shapes of {} of {} that could not be read",
                            fmt::join(scenario.clearance->arm().unknown, ", "), robot.name),
                verdict.assumes);
     if (scenario.clearance) {
       for (const std::string& pair : scenario.clearance->left_out_by_their_make())
-        add_once(fmt::format("{} do not touch: their shapes meet at nearly every position", pair),
+        add_once(fmt::format("{} do not touch, although their shapes overlap at nearly every position", pair),
                  verdict.assumes);
     }
     if (const std::string bodies = looked_at_for_obstacles(scenario); !bodies.empty())
-      add_once(fmt::format("of the arm, nothing but {} meets an obstacle in {}", bodies, scenario.name),
-               verdict.assumes);
+      add_once(fmt::format("only {} can touch an obstacle in {}", bodies, scenario.name), verdict.assumes);
     const RobotModel plant = plant_model(scenario);
     const std::vector<std::string> stiff = stiff_joints(scenario, plant);
     if (!stiff.empty() && stepper != Stepper::kReference) {
-      add_once(fmt::format("in {} friction stops {} within a control period: the simulation is stable, but "
-                           "peaks of its velocity may be higher on the arm (--stepper reference resolves "
-                           "them, with time: see --rollout-deadline)",
+      add_once(fmt::format("in {}, friction stops {} within a control period: the simulation is stable, but "
+                           "velocity peaks may be higher on the real arm (--stepper reference resolves them, "
+                           "but is slow: see --rollout-deadline)",
                            scenario.name, fmt::join(stiff, ", ")),
                verdict.assumes);
     }

@@ -160,8 +160,8 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
     if (!growth.passed) continue;
     growth.passed = false;
     growth.scenario = named(r.scenario, set);
-    growth.detail = rms ? "the RMS error of the last minutes over that of the first"
-                        : "the peak error of the last minutes over that of the first";
+    growth.detail = rms ? "RMS error of the last minutes divided by the RMS error of the first minutes"
+                        : "peak error of the last minutes divided by the peak error of the first minutes";
     growth.value = rms ? r.rms_growth : r.peak_growth;
     growth.threshold = rms ? thresholds.rms_growth : thresholds.peak_growth;
   }
@@ -169,7 +169,7 @@ void add_endurance_checks(const std::vector<EnduranceResult>& results, const Ver
   if (compared) {
     verdict.checks.push_back(std::move(growth));
   } else {
-    add_once(named("growth of errors (no scenario ran to its end with errors at both ends)", set),
+    add_once(named("growth of errors (no scenario completed with errors to compare)", set),
              verdict.not_checked);
   }
 }
@@ -179,7 +179,7 @@ void add_unchecked_rotors(const std::vector<Scenario>& scenarios, SimulationVerd
     return !scenario.robot->estimated_rotors.empty();
   });
   if (any)
-    verdict.not_checked.emplace_back("other rotor inertia than the estimated one (armtune robustness)");
+    verdict.not_checked.emplace_back("rotor inertia that differs from the estimate (armtune robustness)");
 }
 
 void add_unchecked(const std::vector<Scenario>& scenarios, bool extended, SimulationVerdict& verdict) {

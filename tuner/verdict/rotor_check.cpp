@@ -35,7 +35,7 @@ bool add_rotor_check(const Study& study, const Gains& gains, const DeepCheckOpti
     Corner& corner = corners[job];
     corner.why = loop_failure(with_rotors_scaled(*corner.scenario, corner.factor), gains, how, stop);
     const std::lock_guard lock(mutex);
-    if (options.progress) options.progress("other rotor inertia", ++done, corners.size());
+    if (options.progress) options.progress("rotor inertia changes", ++done, corners.size());
   });
   if (stop) return false;
   Check check{CheckKind::kRotorEstimate};
@@ -46,7 +46,7 @@ bool add_rotor_check(const Study& study, const Gains& gains, const DeepCheckOpti
     check.joint = corner.why->joint;
     check.time = corner.why->time;
     check.scenario = corner.scenario->name;
-    check.detail = fmt::format("with {:.3g} times the estimated rotor inertia the loop does not hold ({})",
+    check.detail = fmt::format("with {:.3g} times the estimated rotor inertia, the closed loop fails ({})",
                                corner.factor, corner.why->text);
   }
   verdict.checks.push_back(std::move(check));

@@ -19,8 +19,9 @@ namespace {
 /// Returns what a constraint's value is: that of the scenario's own arm, or of many arms by the study's
 /// measure.
 std::string judged_by(const Study& study) {
-  if (!study.robust) return "over the whole scenario";
-  return fmt::format("{} of {} arms", risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
+  if (!study.robust) return "value over the whole scenario";
+  return fmt::format("value: {} of {} arms",
+                     risk_measure_names()[static_cast<std::size_t>(study.robust->measure)],
                      arms(*study.robust));
 }
 
@@ -52,7 +53,7 @@ Check broken_constraint(const Study& study, const Evaluation& best, const Object
     check.arm = breach->arm;
     check.joint = breach->joint;
     check.time = breach->time;
-    check.detail += " (this is where it is first broken); " + judged_by(study);
+    check.detail += " (first broken at this time); " + judged_by(study);
   }
   return check;
 }
@@ -137,11 +138,11 @@ void add_search_checks(const Study& study, const TuneResult& result, const Objec
   if (!improvement.passed) {
     improvement.detail = outcome_of(result) == SearchOutcome::kStart
                              ? "nothing better than the start gains was found"
-                             : "nothing feasible was found";
+                             : "no feasible gains were found";
   } else if (!result.start.feasible && best.objective > 1.0) {
     verdict.notes.push_back(fmt::format(
-        "the tuned gains keep the constraints, which the start gains break, and their objective is {:.3g} "
-        "times the start's",
+        "the tuned gains keep the constraints, which the start gains break; their objective is {:.3g} times "
+        "that of the start gains",
         best.objective));
   }
   verdict.checks.push_back(std::move(improvement));
@@ -195,7 +196,7 @@ bool add_margin_checks(const Study& study, const Gains& gains, const DeepCheckOp
       check.time = reason.time;
       check.scenario = study.scenarios[s].name;
       check.detail =
-          fmt::format("with {} at {:.4g} {} the loop does not hold ({})", name(asked.kind),
+          fmt::format("with {} at {:.4g} {}, the closed loop fails ({})", name(asked.kind),
                       demanded_value(asked, study.scenarios[s]), field(asked.kind).unit, reason.text);
     }
     verdict.checks.push_back(std::move(check));

@@ -102,10 +102,10 @@ std::string to_text(const Verdict& verdict) {
   std::string text = internal::headline(verdict) + "\n";
   const auto failed = internal::failures(verdict);
   for (std::size_t i = 1; i < std::min(failed.size(), internal::kMostListed); ++i) {
-    text += "  and failed: " + to_text(*failed[i]) + "\n";
+    text += "  also failed: " + to_text(*failed[i]) + "\n";
   }
   if (failed.size() > internal::kMostListed)
-    text += fmt::format("  and {} more\n", failed.size() - internal::kMostListed);
+    text += fmt::format("  and {} more failed checks\n", failed.size() - internal::kMostListed);
   const auto line = [&text](const char* what, const std::vector<std::string>& items) {
     if (!items.empty()) text += fmt::format("{}: {}\n", what, fmt::join(items, "; "));
   };

@@ -65,7 +65,7 @@ Check yield_check(const std::vector<Scenario>& scenarios, const std::vector<Mont
         causes.begin(), causes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     check.joint = cause.joint;
     check.scenario = scenarios[cause.scenario].name;
-    check.detail = fmt::format("most often broken, on {} {}{}: {}; ", count, count == 1 ? "arm" : "arms",
+    check.detail = fmt::format("most frequent failure, on {} {}{}: {}; ", count, count == 1 ? "arm" : "arms",
                                cause.joint.empty() ? "" : " by this joint", cause.broken);
   }
   check.detail += kept_text(samples);
@@ -85,7 +85,7 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
   SimulationVerdict verdict;
   verdict.checks.push_back(yield_check(scenarios, samples, VerdictThresholds().yield));
   verdict.not_checked = {"the scenario's own arm (armtune simulate)",
-                         fmt::format("effort limits, but for torque that saturates in over {:.0f} % of the "
+                         fmt::format("effort limits, except torque that saturates in over {:.0f} % of the "
                                      "periods",
                                      100.0 * kSaturatedShare),
                          "what happens after the scenarios end (armtune simulate --endurance)",
@@ -97,7 +97,7 @@ SimulationVerdict yield_verdict(const std::vector<Scenario>& scenarios,
       return l.metric == own.metric && l.upper == own.upper &&
              (l.upper ? l.value <= own.value : l.value >= own.value);
     });
-    if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit has replaced", to_string(own)));
+    if (!kept) verdict.not_checked.push_back(fmt::format("{}, which --limit replaces", to_string(own)));
   }
   verdict.assumes.push_back(spread_text("the given", options.perturbation));
   add_engine_assumption(options.engine, kArmsThatKept, verdict);

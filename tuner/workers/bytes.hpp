@@ -62,7 +62,7 @@ class ByteReader {
  private:
   std::string_view take(std::uint64_t count) {
     if (count > left_.size()) {
-      throw FailedError("a message ends where " + std::to_string(count) + " more bytes should be, " +
+      throw FailedError("a message is too short: expected " + std::to_string(count) + " more bytes, but " +
                         std::to_string(left_.size()) + " are left");
     }
     const std::string_view taken = left_.substr(0, count);

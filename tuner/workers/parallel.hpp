@@ -41,9 +41,8 @@ inline void parallel_for(std::size_t count, int workers, const std::atomic<bool>
       for (int w = 1; w < workers; ++w) threads.emplace_back(work, static_cast<std::size_t>(w));
     } catch (const std::system_error& e) {
       next = count;  // the threads that have started must not do all jobs first
-      throw FailedError(
-          fmt::format("of {} threads the system starts no more than {} ({}): give fewer workers", workers,
-                      threads.size() + 1, e.what()));
+      throw FailedError(fmt::format("of {} threads, the system can start only {} ({}); give fewer workers",
+                                    workers, threads.size() + 1, e.what()));
     }
     work(0);
   }

@@ -36,10 +36,10 @@ std::string difference(const Hello& rank, const Hello& leader) {
     const auto& [expected, ours] = leader.facts[i];
     if (what != expected) return fmt::format("has {} where rank 0 has {}", what, expected);
     if (theirs != ours)
-      return fmt::format("has another {}: {}, rank 0 has {}", what, one_line(theirs), one_line(ours));
+      return fmt::format("has another {}: {}, but rank 0 has {}", what, one_line(theirs), one_line(ours));
   }
   if (rank.facts.size() == leader.facts.size()) return {};
-  return fmt::format("has {} facts, rank 0 has {}", rank.facts.size(), leader.facts.size());
+  return fmt::format("has {} values to compare, but rank 0 has {}", rank.facts.size(), leader.facts.size());
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void say_waiting(Peer& peer, double seconds, const std::string& what, double lim
   if (seconds < kSayAfter || peer.told || !notice) return;
   peer.told = true;
   notice(fmt::format(
-      "waiting for rank {} on {}, which has not answered for {:.0f} s{}; it is given up after {:.0f} s",
+      "waiting for rank {} on {}, which has not answered for {:.0f} s{}; the run fails after {:.0f} s",
       peer.rank, peer.host, seconds, what.empty() ? "" : fmt::format(" ({})", what), limit));
 }
 
@@ -86,7 +86,7 @@ bool RankGroup::begin(RolloutPlan plan, int threads) {
   }
   if (threads > 1) {
     throw InputError(
-        fmt::format("--workers is {}, but each of the {} ranks is one worker: start more ranks instead",
+        fmt::format("--workers is {}, but each of the {} ranks is one worker; start more ranks instead",
                     threads, ranks()));
   }
   compare(own());
@@ -101,7 +101,7 @@ std::string RankGroup::hear(Peer& peer, double limit) {
     if (seconds > limit) {
       peer.lost = true;
       throw FailedError(
-          fmt::format("rank {} on {} has said nothing for {} s: it hangs", peer.rank, peer.host, limit));
+          fmt::format("rank {} on {} has not answered for {} s: it hangs", peer.rank, peer.host, limit));
     }
     say_waiting(peer, seconds, {}, limit, notice_);
   }
@@ -173,7 +173,7 @@ void RankGroup::serve() {
         leave(message);
         return;
       default:
-        throw FailedError("rank 0 sent a message that is none of its own kinds");
+        throw FailedError("rank 0 sent a message of an unexpected kind");
     }
   }
 }

@@ -38,13 +38,13 @@ std::vector<std::pair<std::string, std::string>> facts_of(const RolloutPlan& pla
   facts.emplace_back("program", hash_of_file("/proc/self/exe"));
   facts.emplace_back("stepper", name(plan.stepper));
   facts.emplace_back("rollout deadline", fmt::format("{}", plan.deadline));
-  facts.emplace_back("seed of the arms",
-                     plan.draw ? fmt::format("{}", plan.draw->seed) : "no arms are drawn");
+  facts.emplace_back("seed of the random arms",
+                     plan.draw ? fmt::format("{}", plan.draw->seed) : "no random arms");
   if (plan.draw) {
     for (const PerturbationField& field : perturbation_fields()) {
       facts.emplace_back(field.name, fmt::format("{}", plan.draw->perturbation.*field.width));
     }
-    facts.emplace_back("phases", plan.draw->perturbation.phases ? "drawn" : "fixed");
+    facts.emplace_back("phases", plan.draw->perturbation.phases ? "random" : "fixed");
   }
   return facts;
 }

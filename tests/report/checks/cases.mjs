@@ -92,7 +92,7 @@ function casesOf(data) {
         { set: 0, scenario: "both", event: "switch", time: 8, reached: 1.48, limit: 1.21, ratio: 1.48 / 1.21, unit: "s", held_back_by: "velocity of elbow_joint", words: "reacquired in 1.48 s; the joint limits allow 1.21 s (velocity of elbow_joint)" },
         { set: 1, scenario: "both", event: "switch", time: 8, reached: null, limit: 1.21, ratio: null, unit: "s", held_back_by: "nothing", words: "not reacquired: not before the next switch; the joint limits allow 1.21 s" },
         { set: 1, scenario: "both", event: "lap", time: 10, reached: 0.012, limit: 0.0004, ratio: 30, unit: "rad", held_back_by: "nothing", words: "a gaze error of 12 mrad rms; the joint limits allow 0.4 mrad" },
-        { set: 1, scenario: "both", event: "return", time: 6, reached: null, limit: null, ratio: null, unit: "s", held_back_by: "", words: "not back on the path: cut off by an obstacle; no limit was found: not solved" },
+        { set: 1, scenario: "both", event: "return", time: 6, reached: null, limit: null, ratio: null, unit: "s", held_back_by: "", words: "not back on the path: cut off by an obstacle; the best possible is unknown: not solved" },
       ],
       front: {
         criteria: [{ name: "first", unit: "1" }, { name: "second", unit: "1" }],
@@ -145,7 +145,7 @@ async function checkEnds({ page, cases, expect }) {
 }
 
 async function checkWords({ page, expect }) {
-  for (const [tab, words] of [[2, "joint positions"], [3, "which arm"]]) {
+  for (const [tab, words] of [[2, "joint positions"], [3, "about the arm"]]) {
     await openTab(page, tab);
     const text = await inPanel(page, ".no-replay").textContent({ timeout: 3000 });
     expect(text.includes("No replay") && text.includes(words), `without a replay words stand in its place (${text})`);
@@ -164,7 +164,7 @@ async function checkArms({ page, cases, expect }) {
 
 async function checkMarks({ page, expect, touch }) {
   for (const [id, entries] of [
-    ["convergence", ["in the native engine", "best feasible so far, of either engine", "chosen"]],
+    ["convergence", ["feasible, in the native engine", "best feasible so far, in either engine", "chosen"]],
     ["front", ["start", "chosen", "shown here"]],
   ]) {
     await bringIntoView(page, `#${id}`);

@@ -96,7 +96,7 @@ TEST_F(OrientationFile, WaypointsMayStandInThePathsFile) {
   EXPECT_THAT(refused(kCircle + "orientation: {waypoints: round.csv}\n"),
               AllOf(HasSubstr("round.csv:4"), HasSubstr("turn it back")));
   EXPECT_THAT(refused("path: {waypoints: poses.csv}\norientation: {waypoints: round.csv}\n"),
-              AllOf(HasSubstr("poses.csv"), HasSubstr("of the same file")));
+              AllOf(HasSubstr("poses.csv"), HasSubstr("with the same file")));
   folder_.write("fast.csv", "time,qw,qx,qy,qz\n0,1,0,0,0\n1.0e-8,0,0,0,1\n1,1,0,0,0\n");
   EXPECT_THAT(refused(kCircle + "orientation: {waypoints: fast.csv}\n"),
               AllOf(HasSubstr("fast.csv"), HasSubstr("more time")));
@@ -106,18 +106,18 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
   EXPECT_THAT(refused(kCircle), AllOf(HasSubstr("targets")));
   EXPECT_THAT(refused(kCircle + "targets: []\n"), AllOf(HasSubstr("own.yaml:6"), HasSubstr("orientation")));
   EXPECT_THAT(refused(kCircle + "targets: [{name: a, hold: [0, 0, 0]}]\norientation: {rpy_deg: [0, 0, 0]}\n"),
-              AllOf(HasSubstr("own.yaml:7"), HasSubstr("set those to []")));
+              AllOf(HasSubstr("own.yaml:7"), HasSubstr("set targets to []")));
   EXPECT_THAT(refused(kCircle + "orientation: {}\n"), HasSubstr("give one of: rpy_deg"));
   EXPECT_THAT(refused(kCircle + "orientation: {rpy_deg: [0, 0, 0], quaternion: [1, 0, 0, 0]}\n"),
               HasSubstr("give one of"));
   EXPECT_THAT(refused("path: {hold: [-0.6, 0, 0.5]}\norientation: {along_path: [0, 0, -1]}\n"),
-              HasSubstr("goes nowhere"));
+              HasSubstr("does not move"));
   EXPECT_THAT(refused(kCircle + "orientation: {along_path: [0, 0, 0]}\n"), HasSubstr("direction"));
   EXPECT_THAT(refused(kCircle + "orientation: {along_path: [0, 1, 0]}\n"),
               AllOf(HasSubstr("runs along [0, 1, 0] at"), HasSubstr("another direction")));
   EXPECT_THAT(refused("path: {center: [-0.6, 0, 0.5], frequency: 1, terms: [{order: 1, sin: [0.1, 0, 0]}]}\n"
                       "orientation: {along_path: [0, 0, -1]}\n"),
-              AllOf(HasSubstr("turns round at 1.57"), HasSubstr("waypoints")));
+              AllOf(HasSubstr("reverses at 1.57"), HasSubstr("waypoints")));
   EXPECT_THAT(refused(kCircle + "task_mask: position\norientation: {rpy_deg: [180, 0, 0]}\n"),
               HasSubstr("task_mask of position"));
   EXPECT_THAT(refused(kCircle + "task_mask: position_and_axis\norientation: {along_path: [0, 0, -1]}\n"),
@@ -127,9 +127,9 @@ TEST_F(OrientationFile, WhatCannotBeIsRefusedWithLineAndAdvice) {
               "blend: 0.001}}\norientation: {along_path: [0, 0, -1]}\n"),
       AllOf(HasSubstr("rad/s at"), HasSubstr("round the path more")));
   const std::string fixed = kCircle + "orientation: {rpy_deg: [180, 0, 0]}\n";
-  EXPECT_THAT(refused(fixed + "target_camera: {noise: 0.001, bandwidth: 15}\n"), HasSubstr("there are none"));
+  EXPECT_THAT(refused(fixed + "target_camera: {noise: 0.001, bandwidth: 15}\n"), HasSubstr("has no targets"));
   EXPECT_THAT(refused(fixed + "stimulus: {on: target, step: {offset: [0.01, 0, 0], at: 8}}\n"),
-              HasSubstr("there are none"));
+              HasSubstr("has no targets"));
 }
 
 }  // namespace

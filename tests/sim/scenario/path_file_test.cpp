@@ -119,9 +119,9 @@ TEST(PathFile, MistakesAreNamedWithLineAndKey) {
   EXPECT_THAT(said("ellipse: {center: [0, 0, 0], axis_1: [1, 0, 0], period: 4}\n"), HasSubstr("axis_2"));
   EXPECT_THAT(said("hold: [0, 0]\n"), HasSubstr("hold"));
   EXPECT_THAT(said("hold: [0, 0, 1]\nfrequency: 2\n"),
-              AllOf(HasSubstr("hold"), HasSubstr("beside 'frequency'")));
+              AllOf(HasSubstr("hold"), HasSubstr("with 'frequency'")));
   EXPECT_THAT(said("hold: [0, 0, 1]\ncircle: {center: [0, 0, 0], radius: 1, period: 4}\n"),
-              HasSubstr("another curve already"));
+              HasSubstr("second curve"));
   EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: 1.0e-320}\n"),
               AllOf(HasSubstr("circle"), HasSubstr("fastest harmonic has inf rad/s")));
   EXPECT_THAT(said("circle: {center: [0, 0, 0], radius: 1, period: 4, start_deg: 1.0e308}\n"),

@@ -125,7 +125,7 @@ TEST(Plausibility, AClawThatTurnsIsNamedAndAWristIsNot) {
   arm.joints[5].limits.lower = -0.2;
   arm.joints[5].limits.upper = 0.85;
   EXPECT_THAT(doubts(arm),
-              ElementsAre(AllOf(HasSubstr("wrist_3_joint: the last joint turns by 1.05 rad only"),
+              ElementsAre(AllOf(HasSubstr("wrist_3_joint: the last joint turns by only 1.05 rad"),
                                 HasSubstr("hold: {wrist_3_joint: 0}"))));
   arm.joints[5].limits.lower = -1.6;
   arm.joints[5].limits.upper = 1.6;

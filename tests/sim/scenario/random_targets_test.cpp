@@ -72,7 +72,7 @@ TEST(RandomTargets, AFileDrawsThemInPlaceOfItsBasesTargets) {
 
   EXPECT_THAT(refused("count: 0, low: [0, 0, 0], high: [1, 1, 1]"), HasSubstr("1 .. 1000"));
   EXPECT_THAT(refused("count: 1001, low: [0, 0, 0], high: [1, 1, 1]"), HasSubstr("1 .. 1000"));
-  EXPECT_THAT(refused("count: 2, low: [0, 0.1, 0], high: [1, 0, 1]"), HasSubstr("below that of low"));
+  EXPECT_THAT(refused("count: 2, low: [0, 0.1, 0], high: [1, 0, 1]"), HasSubstr("less than in 'low'"));
   EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], seed: -1"), HasSubstr("negative"));
   EXPECT_THAT(refused("count: 2, low: [0, 0, 0]"), HasSubstr("missing key 'high'"));
   EXPECT_THAT(refused("count: 2, low: [0, 0, 0], high: [1, 1, 1], sed: 1"), HasSubstr("did you mean 'seed'"));

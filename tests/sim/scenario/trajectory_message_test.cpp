@@ -93,13 +93,12 @@ TEST_F(TrajectoryMessage, IsFoundWithinGoalsAndOtherMessagesAndTakesTimesOfRos1)
 TEST_F(TrajectoryMessage, WhatRosWouldNotFollowIsRefusedWithItsLine) {
   const std::string zeros = "[0, 0, 0, 0, 0, 0, 0]";
   EXPECT_THAT(refused("joint_names: [elbow_joint, elbow_joint]\n" + points("", "1")), HasSubstr("twice"));
-  EXPECT_THAT(refused("controller: {}\n"), HasSubstr("no trajectory_msgs/JointTrajectory"));
+  EXPECT_THAT(refused("controller: {}\n"), HasSubstr("not a trajectory_msgs/JointTrajectory"));
   EXPECT_THAT(refused("joint_names: [elbow_joit]\n" + points("", "1")),
               AllOf(HasSubstr("moves.yaml:1"), HasSubstr("'shoulder_pan_joint' of ur10 is missing"),
                     HasSubstr("elbow_joit")));
-  EXPECT_THAT(refused(kNames + points("", "0")),
-              AllOf(HasSubstr("moves.yaml:4"), HasSubstr("must be later")));
-  EXPECT_THAT(refused(kNames + points("", "-1")), HasSubstr("nothing comes before 0 s"));
+  EXPECT_THAT(refused(kNames + points("", "0")), AllOf(HasSubstr("moves.yaml:4"), HasSubstr("must rise")));
+  EXPECT_THAT(refused(kNames + points("", "-1")), HasSubstr("-1 s; it must not be negative"));
   EXPECT_THAT(refused(kNames + points(", accelerations: " + zeros, "1")), HasSubstr("no velocities"));
   EXPECT_THAT(refused(kNames + points(", velocities: [0, 0]", "1")),
               AllOf(HasSubstr("moves.yaml:3"), HasSubstr("velocities")));

@@ -106,7 +106,7 @@ TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) 
   EXPECT_LT((path.at(2.5).position - expected).norm(), 1e-15);
   const auto refused = [&](const std::string& keys) { return test::refusal([&] { read(keys); }); };
   EXPECT_THAT(refused(""), AllOf(HasSubstr("robot.csv:1"), HasSubstr("columns: [time, x, y, z]")));
-  EXPECT_THAT(refused(", columns: [x, y, z]"), HasSubstr("robot.csv (below a line of names):2"));
+  EXPECT_THAT(refused(", columns: [x, y, z]"), HasSubstr("robot.csv (with a line of names added):2"));
   EXPECT_THAT(refused(", units: {length: feet}"), HasSubstr("'feet' is none of: m, cm, mm, in"));
   EXPECT_THAT(refused(", units: {angle: deg}"), AllOf(HasSubstr("'angle'"), HasSubstr("time")));
   folder.write("robot.csv", kCommas);

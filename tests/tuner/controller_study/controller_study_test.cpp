@@ -133,7 +133,7 @@ TEST(ControllerRate, IsTheControllersOwnThenThatOfItsManagerAndOfNoOtherNode) {
   EXPECT_EQ(rate_of("controller_manager:", "\"/**\":"), 500.0);
   for (const char* wrong : {"5", "0", "-1", "fast", "1e9"})
     EXPECT_THAT(test::refusal([&] { rate_of("update_rate: 500", std::string("update_rate: ") + wrong); }),
-                AllOf(HasSubstr("f.yaml:3"), HasSubstr(wrong), HasSubstr("from 10")));
+                AllOf(HasSubstr("f.yaml:3"), HasSubstr(wrong), HasSubstr("10 to 10000 Hz")));
 }
 
 // Industrial arms: the drives have the damping.

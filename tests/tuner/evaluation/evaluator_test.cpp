@@ -77,11 +77,11 @@ TEST_F(Recall, AnotherPointThanRecordedIsRefused) {
   EXPECT_THAT(test::refusal([&] {
                 next(evaluator, "search", {{0.25, std::nextafter(0.75, 1.0)}});
               }),
-              HasSubstr("as evaluation 0 the search now asks for another point than"));
+              HasSubstr("evaluation 0 differs from the journal"));
   EXPECT_THAT(test::refusal([&] {
                 next(evaluator, "global", {{0.25, 0.75}});
               }),
-              HasSubstr("asks for a point of phase global, not search, than"));
+              HasSubstr("evaluation 0 has phase global, in the journal search"));
 }
 
 TEST_F(Recall, TheTimeIsUpWhereItWas) {

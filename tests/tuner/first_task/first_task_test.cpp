@@ -88,7 +88,7 @@ TEST(FirstTask, OfAnArmWithRotorsNamesTheFileThatWasGivenAndTheDemandThatGainsBr
   EXPECT_THAT(demands.broken(hasty), testing::ContainsRegex("in task: sample [0-9]: diverged"));
   Gains wild = found.gains;
   wild.task_space_gains_d *= 100.0;
-  EXPECT_THAT(demands.broken(wild), HasSubstr("joint_velocity/max_ratio <= 0.9 is broken"));
+  EXPECT_THAT(demands.broken(wild), HasSubstr("joint_velocity/max_ratio <= 0.9 is violated"));
 }
 
 TEST(FirstTask, ARobotFileThatCannotBeAddedToIsNamed) {

@@ -41,7 +41,7 @@ TEST_F(GainsDifference, ShowsWhatDiffersWithUnitAndRatio) {
   std::size_t all = 1;
   for (const GainField& field : fields_of(published_))
     all += field.is_number() ? numbers(published_, field).size() : 1;
-  EXPECT_THAT(table, HasSubstr(std::to_string(all - 4) + " of " + std::to_string(all) + " are the same"));
+  EXPECT_THAT(table, HasSubstr(std::to_string(all - 4) + " of " + std::to_string(all) + " values are"));
 }
 
 TEST_F(GainsDifference, SeesTheLastBit) {
@@ -50,7 +50,7 @@ TEST_F(GainsDifference, SeesTheLastBit) {
   EXPECT_THAT(gains_difference({{"a", published_}, {"b", other}}, joints_),
               ContainsRegex("slerpDurationErrorGain +s/rad +2\\.5 +2\\.5000000000000004 +1\\+2\\.2e-16"));
   EXPECT_THAT(gains_difference({{"a", published_}, {"b", published_}}, joints_),
-              testing::StartsWith("the same in all"));
+              HasSubstr(" values are the same"));
 }
 
 TEST_F(GainsDifference, OneNumberPerForcePointIsTheSameAsAListOfEqualOnes) {
@@ -59,7 +59,7 @@ TEST_F(GainsDifference, OneNumberPerForcePointIsTheSameAsAListOfEqualOnes) {
   for (Eigen::Index i = 0; i < 6; ++i)
     lists.force_control_gains.segment(6 * i, 6).setConstant(published_.force_control_gains[i]);
   EXPECT_THAT(gains_difference({{"numbers", published_}, {"lists", lists}}, joints_),
-              testing::StartsWith("the same in all"));
+              HasSubstr(" values are the same"));
   lists.force_control_gains[2 * 6 + 1] *= 3.0;
   for (const auto& [first, second, ratio] :
        {std::tuple(published_, lists, "100 +300 +3\n"), std::tuple(lists, published_, "300 +100 +0\\.333")}) {

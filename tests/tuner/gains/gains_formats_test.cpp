@@ -177,8 +177,8 @@ TEST_F(GainsFormats, TheTopSaysWhereTheyCameFromInWhatOrderAndEachFieldItsUnit) 
   for (const GainsFormat format : kFormats) {
     const std::string text = gains_text(file, format);
     EXPECT_THAT(text, testing::StartsWith("# study: ur10_gaze\n# evil"));
-    EXPECT_THAT(text, AllOf(HasSubstr("\n# six numbers of the task: x y z rx ry rz\n"),
-                            HasSubstr("\n# numbers of joints: shoulder_pan_joint shoulder_lift_joint"),
+    EXPECT_THAT(text, AllOf(HasSubstr("\n# order of six task-space numbers: x y z rx ry rz\n"),
+                            HasSubstr("\n# order of joint numbers: shoulder_pan_joint shoulder_lift_joint"),
                             HasSubstr("per joint [N m s/rad]\n"), Not(HasSubstr("\nobstacle"))));
   }
   EXPECT_THAT(gains_text(file, GainsFormat::kRos1), HasSubstr("\nsimple_effort_ctrl:\n  # "));
@@ -193,7 +193,7 @@ TEST_F(GainsFormats, ANameThatRosDoesNotTakeIsRefused) {
   for (const char* node : {"a b", "1st", "a: {b", "a\nb", "ctrl#"}) {
     file.node = node;
     for (const GainsFormat format : kFormats)
-      EXPECT_THAT(test::refusal([&] { gains_text(file, format); }), HasSubstr("is no name in ROS")) << node;
+      EXPECT_THAT(test::refusal([&] { gains_text(file, format); }), HasSubstr("valid ROS name")) << node;
   }
   EXPECT_THAT(test::refusal([] { gains_format_from_name("ros3"); }),
               AllOf(HasSubstr("'ros3'"), HasSubstr("ros2")));

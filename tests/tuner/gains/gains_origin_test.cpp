@@ -45,8 +45,8 @@ TEST(GainsOrigin, OfARunIsWhatItsFilesSay) {
   EXPECT_THAT(origin, Contains(Pair("joint_position/min_margin",
                                     testing::AllOf(HasSubstr("0.5"), HasSubstr("in b")))));
   EXPECT_THAT(origin, Not(Contains(Key("joint_effort/max_ratio")))) << "the run does not say";
-  EXPECT_THAT(origin, Contains(Pair("margin/torque_delay", "2 periods; then b: saturated")));
-  EXPECT_THAT(origin, Contains(Pair("margin/gain_factor", "none; then a: did not complete")));
+  EXPECT_THAT(origin, Contains(Pair("margin/torque_delay", "2 periods; limited by b: saturated")));
+  EXPECT_THAT(origin, Contains(Pair("margin/gain_factor", "none; limited by a: did not complete")));
   EXPECT_THAT(origin, Contains(Pair("margin/velocity_noise", ">= 64 rad/s"))) << "nothing failed";
   EXPECT_THAT(origin, Contains(Pair("margin/control_rate", "<= 10 Hz")));
   EXPECT_EQ(std::count_if(origin.begin(), origin.end(),

@@ -135,23 +135,22 @@ TEST_F(JournalFile, RemembersWhenTheTimeWasUpAndThatTheRunIsComplete) {
     EXPECT_EQ(journal->exit_code(), 3);
     journal->complete(256);
   }
-  EXPECT_THAT(test::refusal([&] { resumed(path); }), testing::HasSubstr("256 is no exit code"));
+  EXPECT_THAT(test::refusal([&] { resumed(path); }), testing::HasSubstr("256 is not an exit code"));
 }
 
 TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
   const std::string path = written();
   const auto first = resumed(path);
-  EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("another process is writing it"));
+  EXPECT_THAT(test::refusal([&] { resumed(path); }), HasSubstr("another process is writing"));
 }
 
 TEST_F(JournalFile, IsBegunOnlyWhereThereIsNone) {
   const std::string path = written();
   const std::string before = test::read_text(path);
-  EXPECT_THAT(test::refusal([&] { Journal::begin(path, header_of_run()); }), HasSubstr("cannot make it"));
+  EXPECT_THAT(test::refusal([&] { Journal::begin(path, header_of_run()); }), HasSubstr("cannot create"));
   EXPECT_EQ(test::read_text(path), before);
   const auto first = Journal::begin(folder_ / "new.txt", header_of_run());
-  EXPECT_THAT(test::refusal([&] { resumed(folder_ / "new.txt"); }),
-              HasSubstr("another process is writing it"));
+  EXPECT_THAT(test::refusal([&] { resumed(folder_ / "new.txt"); }), HasSubstr("another process is writing"));
 }
 
 TEST(RunHeader, AnotherBuildIsCalledThatAndNotByItsHash) {
@@ -160,10 +159,9 @@ TEST(RunHeader, AnotherBuildIsCalledThatAndNotByItsHash) {
   RunHeader is = was;
   EXPECT_EQ(differences(was, is), "");
   is.identity[0].second = "fnv1a-2";
-  EXPECT_EQ(differences(was, is), "the program is another build than the one that began the run");
+  EXPECT_EQ(differences(was, is), "the program is not the build that started the run");
   is.identity[1].second = "8";
-  EXPECT_EQ(differences(was, is),
-            "the program is another build than the one that began the run; seed was '7', is '8'");
+  EXPECT_EQ(differences(was, is), "the program is not the build that started the run; seed was '7', is '8'");
 }
 
 TEST(RunHeader, ARunIsItselfHoweverOftenANameStandsInIt) {
@@ -197,7 +195,7 @@ TEST_F(JournalFile, RefusesAnotherRunAndSaysWhatDiffers) {
             HasSubstr("ur10.urdf was '(nothing)', is 'fnv1a-1'"), HasSubstr("--out")));
   EXPECT_THAT(test::refusal([&] { resumed(folder_ / "none.txt"); }), HasSubstr("cannot be read"));
   const std::string csv = folder_.write("other.txt", "evaluation,phase\n");
-  EXPECT_THAT(test::refusal([&] { resumed(csv); }), HasSubstr("is no journal"));
+  EXPECT_THAT(test::refusal([&] { resumed(csv); }), HasSubstr("not an armtune journal"));
 }
 
 TEST_F(JournalFile, CutAnywhereItKeepsEveryWholeRecord) {
@@ -256,7 +254,7 @@ TEST_F(JournalFile, ABitFlippedAnywhereIsFoundNeverTaken) {
 
 TEST(RunHeader, ALineWithoutEndIsNotReadIntoTheMemory) {
   EXPECT_THAT(test::refusal([] { read_run_header("/dev/zero"); }),
-              AllOf(HasSubstr("/dev/zero:1: a line of more than 64 MB"), HasSubstr("no journal of armtune")));
+              AllOf(HasSubstr("/dev/zero:1: a line of more than 64 MB"), HasSubstr("armtune journal")));
 }
 
 TEST_F(JournalFile, DamageInTheMiddleNamesTheRecord) {

@@ -45,7 +45,7 @@ TEST(GivenStates, WhoCannotHoldTheGoalIsToldWithWhatItTakes) {
   EXPECT_EQ(refusal(task), "");
   task.limits.effort = 0.999 * share;
   EXPECT_THAT(refusal(task), AllOf(HasSubstr("ur10_move.yaml: goal: torque of shoulder_lift_joint would be"),
-                                   HasSubstr("N m; the task's limit is"), HasSubstr("limits/effort")));
+                                   HasSubstr("the task's limit is"), HasSubstr("limits/effort")));
 }
 
 TEST(GivenStates, ABlockedStartIsToldToo) {
@@ -72,7 +72,7 @@ TEST(GivenStates, AnObstacleThatIsCloserAtTheStartIsNamed) {
   task.clearance = 0.999 * nearest;
   EXPECT_EQ(refusal(task), "");
   task.clearance = 1.001 * nearest;
-  EXPECT_THAT(refusal(task), AllOf(HasSubstr(": clearance: distance to "), HasSubstr("start elsewhere")));
+  EXPECT_THAT(refusal(task), AllOf(HasSubstr(": clearance: distance to "), HasSubstr("'start'")));
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ TEST(TrajectoryProgram, NamesEveryRow) {
     EXPECT_GE(meaning.knot, 0);
     EXPECT_LE(meaning.knot, 7);
   }
-  EXPECT_EQ(found["motion from knot to knot"], 7 * 7 * 2);
+  EXPECT_EQ(found["continuity between knots"], 7 * 7 * 2);
   EXPECT_EQ(found["jerk"], 7 * 3);
   EXPECT_EQ(found["velocity"], 6 * 8 + 8 + 7 * 7);  // at the knots, and inside the intervals
   EXPECT_EQ(found["position"], 5 * 8 + 5 * 7 * 2);  // of all but one joint

@@ -154,7 +154,7 @@ TEST(Scene, NamesWhatIsWrongInAFile) {
     const auto at = text.find("\"folder\":\"") + 10;
     text.replace(at, text.find('"', at) - at, folder_elsewhere);
     EXPECT_THAT(refusal(text),
-                testing::AllOf(HasSubstr(folder_elsewhere), HasSubstr("out of the run's folder")));
+                testing::AllOf(HasSubstr(folder_elsewhere), HasSubstr("outside the run's folder")));
   }
 }
 

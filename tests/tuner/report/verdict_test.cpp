@@ -107,7 +107,7 @@ TEST(Verdict, TellsABrokenLimitOnce) {
   data.tables = tables_of({errors_of({result_of("a", {{Metric::kJointVelocityMaxRatio, 0.6}})}),
                            errors_of({result_of("a", {{Metric::kJointVelocityMaxRatio, 1.2}})})});
   const Verdict verdict = verdict_of(data, tuned_facts(0.8));
-  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("is 1.2 in a (at most 0.8)")));
+  EXPECT_THAT(verdict.details, testing::Contains(HasSubstr("is 1.2 in a (must be at most 0.8)")));
   EXPECT_THAT(verdict.details, Not(testing::Contains(HasSubstr("at most 1)"))));
 }
 
@@ -183,7 +183,7 @@ TEST(Verdict, OfARunThatGotNoBetterDoesNotSayItDid) {
   VerdictFacts facts = tuned_facts(0.9);
   facts.run["objective"] = "1.2";
   const Verdict verdict = verdict_of(data, facts);
-  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("no better"), Not(HasSubstr("falls by"))));
+  EXPECT_THAT(verdict.sentence, AllOf(HasSubstr("did not improve"), Not(HasSubstr("falls by"))));
 }
 
 TEST(Verdict, OfASimulationSaysWhatFailed) {
@@ -202,7 +202,7 @@ TEST(Verdict, OfAComparisonIsOfTheLastSetAgainstTheFirst) {
   ReportData data = tuned_data();
   data.kind = RunKind::kCompare;
   EXPECT_THAT(verdict_of(data, {}).sentence,
-              AllOf(testing::StartsWith("Against start, tuned is better in"),
+              AllOf(testing::StartsWith("Compared with start, tuned is better in"),
                     HasSubstr("the largest orientation error falls by 83 %"),
                     HasSubstr("the smallest obstacle clearance falls by 50 %")));
 }
@@ -234,8 +234,8 @@ TEST(Verdict, OfAFrontCountsThePointsThatBeatTheStart) {
                         {{1.0, 0.2}, "start", true, "start"}};
   data.front->hypervolume = 0.25;
   EXPECT_THAT(verdict_of(data, {}).sentence,
-              AllOf(HasSubstr("2 points, 1 of them"), HasSubstr("objective from 0.4 to 0.5 (start 1)"),
-                    HasSubstr("hypervolume 0.25")));
+              AllOf(HasSubstr("2 points (dominating the start: 1)"),
+                    HasSubstr("objective from 0.4 to 0.5 (start 1)"), HasSubstr("hypervolume 0.25")));
   data.front->points.erase(data.front->points.begin(), data.front->points.begin() + 2);
   EXPECT_THAT(verdict_of(data, {}).sentence, HasSubstr("No feasible point was found"));
 }

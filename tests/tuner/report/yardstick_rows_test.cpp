@@ -40,15 +40,15 @@ TEST(YardstickRows, SayWhatWasReachedAndWhatTheLimitsAllow) {
 TEST(YardstickRows, SayPlainlyWhatThereIsNot) {
   EXPECT_EQ(words("a,switch,8,0,0,,s,already there,,,there at once"), "the next target is in view already");
   EXPECT_EQ(words("a,switch,8,1.8,0,,s,reached,,,there at once"),
-            "reacquired in 1.8 s; the gaze is on target to begin with");
+            "reacquired in 1.8 s; the gaze is on target from the beginning");
   EXPECT_EQ(words("a,switch,8,,1.21,,s,not before the next switch,nothing,,solved"),
             "not reacquired: not before the next switch; the joint limits allow 1.21 s (nothing)");
   EXPECT_EQ(words("a,switch,8,,9,,s,not before the next switch,nothing,,past the next switch"),
             "not reacquired: not before the next switch; the joint limits allow 9 s, past the next switch "
             "(nothing)");
   EXPECT_EQ(words("a,return,8,2,,,s,reached,torque of elbow_joint,,infeasible"),
-            "back on the path in 2 s; nothing within the limits does it from there (torque of elbow_joint)");
-  EXPECT_THAT(words("a,return,8,2,,,s,reached,,,not solved"), HasSubstr("no limit was found: not solved"));
+            "back on the path in 2 s; no motion within the limits achieves this (torque of elbow_joint)");
+  EXPECT_THAT(words("a,return,8,2,,,s,reached,,,not solved"), HasSubstr("unknown: not solved"));
   EXPECT_THAT(words("a,return,8,2,1,2,s,reached,nothing,,solved without obstacles"),
               HasSubstr("allow 1 s, solved without obstacles"));
 }
@@ -69,10 +69,10 @@ TEST(YardstickSentence, IsOfTheWorstOfEachKindInOneSet) {
                                         "b,switch,16,1.48,1.21,1.223,s,reached,nothing,,solved\n"
                                         "b,switch,24,,1,,s,not before the next switch,nothing,,solved\n"
                                         "b,lap,10,0.012,0.0004,30,rad,reached,nothing,,solved\n")});
-  EXPECT_THAT(
-      yardstick_sentence(rows, 1),
-      AllOf(HasSubstr("up to 1.22 times that (1.48 s beside 1.21 s, b at 16 s)"),
-            HasSubstr("30 times that (12 mrad beside 0.4 mrad, b at 10 s)"), Not(HasSubstr("return"))));
+  EXPECT_THAT(yardstick_sentence(rows, 1),
+              AllOf(HasSubstr("up to 1.22 times the best (1.48 s instead of 1.21 s, b at 16 s)"),
+                    HasSubstr("30 times the best (12 mrad instead of 0.4 mrad, b at 10 s)"),
+                    Not(HasSubstr("return"))));
   EXPECT_THAT(yardstick_sentence(rows, 0), HasSubstr("9 times"));
   EXPECT_EQ(yardstick_sentence(rows, 2), "");
   EXPECT_EQ(yardstick_sentence({}, 0), "");

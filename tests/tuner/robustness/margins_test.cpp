@@ -221,7 +221,7 @@ TEST_F(Margins, ANominalThatDoesNotStandIsTold) {
   }
   EXPECT_THAT(margins_csv(one_, none), HasSubstr("\ngain_factor,1,all,1,,1,moving_target: "));
   EXPECT_THAT(margins_table(one_, {{"strict", none}}),
-              AllOf(HasSubstr("none"), HasSubstr("strict: as it is, moving_target does not stand")));
+              AllOf(HasSubstr("none"), HasSubstr("strict: moving_target fails without any change")));
 }
 
 TEST_F(Margins, AStopLeavesWholeMarginsOnly) {

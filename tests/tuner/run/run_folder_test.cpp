@@ -24,9 +24,9 @@ TEST(RunFolder, IsMadeWithItsParentsAndBelongsToOneRunAtATime) {
   const std::string path = folder / "runs/first";
   std::optional<FolderLock> lock = make_run_folder(path);
   EXPECT_TRUE(fs::is_directory(path));
-  EXPECT_THAT(test::refusal([&] { (void)make_run_folder(path); }),
-              testing::AllOf(HasSubstr(path), HasSubstr("another run is about to write into it"),
-                             HasSubstr("--out")));
+  EXPECT_THAT(
+      test::refusal([&] { (void)make_run_folder(path); }),
+      testing::AllOf(HasSubstr(path), HasSubstr("another run is about to write into"), HasSubstr("--out")));
   lock.reset();
   const FolderLock next = make_run_folder(path);  // the first has left nothing
   EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 0) << "a lock is no file";

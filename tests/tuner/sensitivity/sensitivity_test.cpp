@@ -229,10 +229,10 @@ TEST(SensitivityCsv, ReadsBackToTheBitAndIsEmptyWithAStatusThatSaysWhy) {
   }
   read.text(0, "status", "complete");
   read.text(1, "status",
-            "no importance: a merit is not finite; no local: the best's merit is zero or one is not finite; "
-            "no elasticity: the gain or the best's merit is zero; no rank_correlation: fewer than three "
-            "evaluations or the gain never moved");
-  read.text(2, "status", "no elasticity: the gain or the best's merit is zero");
+            "no importance: a merit is not finite; no local: the best merit is zero or a merit is not "
+            "finite; no elasticity: the gain or the best merit is zero; no rank_correlation: fewer than "
+            "three evaluations or the gain never changed");
+  read.text(2, "status", "no elasticity: the gain or the best merit is zero");
   read.expect_all_seen(s.parameters.size());
 }
 

@@ -145,8 +145,7 @@ TEST(Corner, AVerdictOfHalfAPeriodOrOfHalfAnArmIsRefused) {
   const std::string without = text.substr(0, text.find("verdict:"));
   for (const char* verdict : {"verdict: {delay_periods: 1.5}\n", "verdict: {arms: 20.5}\n"}) {
     files.write("study.yaml", without + verdict);
-    EXPECT_THAT(test::refusal([&] { load_study(files.path()); }), HasSubstr("give a whole number"))
-        << verdict;
+    EXPECT_THAT(test::refusal([&] { load_study(files.path()); }), HasSubstr("whole number")) << verdict;
   }
 }
 

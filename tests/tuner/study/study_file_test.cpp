@@ -105,7 +105,7 @@ TEST(StudyFile, NamesItsController) {
   EXPECT_EQ(study.space.free[0].entry.name, "impedance_k/x");
   EXPECT_GT(study.space.free[0].start, 0.0);
   EXPECT_THAT(refusal("controller: impedance\n" + test::kShortParameters),
-              AllOf(HasSubstr("task_space_gains_p/rx"), HasSubstr("is no gain")));
+              AllOf(HasSubstr("task_space_gains_p/rx"), HasSubstr("is not a gain")));
   EXPECT_THAT(refusal("controller: pid\n"),
               AllOf(HasSubstr(":4"), HasSubstr("'pid'"), HasSubstr("joint_pd")));
 }
@@ -208,9 +208,9 @@ TEST(StudyFile, SelectsForceGainsInEitherForm) {
 
 TEST(StudyFile, UnknownNamesAreRefusedWithTheNearest) {
   EXPECT_THAT(refusal("parameters:\n  - {name: task_space_gain_p/rx}\n"),
-              AllOf(HasSubstr("is no gain"), HasSubstr("did you mean 'task_space_gains_p/rx'")));
+              AllOf(HasSubstr("is not a gain"), HasSubstr("did you mean 'task_space_gains_p/rx'")));
   EXPECT_THAT(refusal(test::kShortParameters, "objective:\n  - {metric: error/orientaton/rms}\n"),
-              AllOf(HasSubstr("is no metric"), HasSubstr("did you mean 'error/orientation/rms'")));
+              AllOf(HasSubstr("is not a metric"), HasSubstr("did you mean 'error/orientation/rms'")));
   EXPECT_THAT(refusal(test::kShortParameters, test::kShortObjective,
                       "constraints:\n  - {metric: joint_velocty/max_ratio, at_most: 1}\n"),
               HasSubstr("did you mean 'joint_velocity/max_ratio'"));
@@ -228,7 +228,7 @@ TEST(StudyFile, AnAlgorithmOrStepperThatIsNotOfferedIsRefused) {
   EXPECT_THAT(search("engine: mujoco"), AllOf(HasSubstr("mujoco"), HasSubstr("native")));
   EXPECT_THAT(search("verify_share: 0.2"), HasSubstr("engine: native"));
   EXPECT_THAT(search("engine: native, verify_share: 1.5"), HasSubstr("1.5"));
-  EXPECT_THAT(search("engine: native, stepper: reference"), HasSubstr("'reference' is Simbody's own"));
+  EXPECT_THAT(search("engine: native, stepper: reference"), HasSubstr("'reference'"));
   EXPECT_THAT(search("max_evaluations: 0"), HasSubstr("max_evaluations"));
   EXPECT_THAT(search("seed: -1"), HasSubstr("negative"));
   EXPECT_THAT(search("budget: 10"), HasSubstr("unknown key 'budget'"));
@@ -334,7 +334,7 @@ TEST_F(StudyOfTwoKindsOfScenario, AListedScenarioThatATermDoesNotApplyToIsRefuse
   EXPECT_THAT(
       refusal("short.yaml, with_obstacle.yaml",
               "objective:\n  - {metric: obstacle/min_clearance, scenarios: [with_obstacle, short]}\n"),
-      AllOf(HasSubstr("objective/0/scenarios"), HasSubstr("does not apply to short:")));
+      AllOf(HasSubstr("objective/0/scenarios"), HasSubstr("does not apply to short;")));
 }
 
 TEST_F(StudyOfTwoKindsOfScenario, AConstraintMustApplySomewhere) {
@@ -353,7 +353,7 @@ TEST_F(StudyOfTwoKindsOfScenario, AConstraintMustApplySomewhere) {
 
 TEST_F(StudyOfTwoKindsOfScenario, AMetricWithoutADirectionIsNoTermButMayBeBounded) {
   EXPECT_THAT(refusal("short.yaml", "objective:\n  - {metric: joint_velocity/max_ratio_time}\n"),
-              AllOf(HasSubstr("joint_velocity/max_ratio_time is no goal")));
+              AllOf(HasSubstr("joint_velocity/max_ratio_time cannot be an objective")));
   EXPECT_NO_THROW(
       study("objective: [{metric: gaze/rms}, {metric: samples}]\n"
             "constraints: [{metric: joint_velocity/max_ratio_time, at_least: 1}]\n"));
@@ -390,7 +390,7 @@ TEST(StudyFile, ReadsAndWritesFromWhereOnAConstraintIsHopeless) {
   };
   expect_same_ends(study);
   const std::string text = study_yaml(study, "gains.yaml");
-  EXPECT_THAT(text, AllOf(HasSubstr("hopeless from -0.1 on"), HasSubstr("twice the start's")));
+  EXPECT_THAT(text, AllOf(HasSubstr("hopeless from -0.1 on"), HasSubstr("twice the start")));
   const Study again = load_study(files.write("again.yaml", text));
   expect_same_ends(again);
   EXPECT_EQ(study_yaml(again, "gains.yaml"), text);

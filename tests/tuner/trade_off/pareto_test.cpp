@@ -246,8 +246,7 @@ TEST_F(Pareto, AStopLeavesTheFrontSoFar) {
 
 TEST_F(Pareto, ACriterionThatTheStartDoesNotGiveIsRefused) {
   options_.criteria[1] = criterion_from_name("obstacle/min_clearance");
-  EXPECT_THAT(test::refusal([this] { run(2); }),
-              testing::HasSubstr("obstacle/min_clearance of the start gains is nan"));
+  EXPECT_THAT(test::refusal([this] { run(2); }), testing::HasSubstr("obstacle/min_clearance is nan"));
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(Assumptions, NameTheJointsWithoutRotorsAndThoseThatFrictionStopsWithinAPeri
   EXPECT_THAT(assumed(), Not(HasSubstr("as it stands")));
   robot.joints[1].limits.effort = 10.0;
   scenario.robot = std::make_shared<const RobotModel>(robot);
-  EXPECT_THAT(assumed(), HasSubstr("is right where armtune doubts it: shoulder_lift_joint: it needs"));
+  EXPECT_THAT(assumed(), HasSubstr("although it looks wrong: shoulder_lift_joint: it needs"));
   // An explicit step of h is stable up to h c = 2 d; c is Fv + Fc / 0.05 at rest.
   const JointVector d = joint_inertia(plant_model(scenario), scenario.start_position);
   scenario.plant.viscous_friction = JointVector::Constant(6, 0.1);
@@ -166,7 +166,7 @@ TEST(RolloutChecks, AnEstimateOfTheRotorsIsNotCheckedByASimulation) {
   };
   EXPECT_THAT(not_checked(), Not(Contains(HasSubstr("rotor"))));
   scenario.robot = load_robot("panda");
-  EXPECT_THAT(not_checked(), Contains("other rotor inertia than the estimated one (armtune robustness)"));
+  EXPECT_THAT(not_checked(), Contains(HasSubstr("rotor inertia that differs from the estimate")));
 }
 
 TEST(RolloutChecks, NameTheEarliestFaultOfEachKindOverTheScenarios) {
@@ -277,20 +277,19 @@ TEST(Assumptions, SayWhatOfTheArmMeetsAnObstacle) {
     return verdict.assumes;
   };
   Scenario points = test::scenario_of("obstacle_pass");
-  EXPECT_THAT(assumed(points), Not(Contains(HasSubstr("meets an obstacle"))));
+  EXPECT_THAT(assumed(points), Not(Contains(HasSubstr("can touch an obstacle"))));
   Scenario balls = points;
   for (MovingObstacle& obstacle : balls.obstacles) obstacle.radius = 0.1;
-  EXPECT_THAT(assumed(balls),
-              Contains(HasSubstr("nothing but the origins of its joints and the tool meets an "
-                                 "obstacle in obstacle_pass")));
+  EXPECT_THAT(assumed(balls), Contains(HasSubstr("only the arm's joint origins and its tool can touch an "
+                                                 "obstacle in obstacle_pass")));
   Scenario links = balls;
   links.robot = std::make_shared<const RobotModel>(with_link_surfaces(*balls.robot));
-  EXPECT_THAT(assumed(links), Contains(HasSubstr("nothing but capsules from joint to joint")));
+  EXPECT_THAT(assumed(links), Contains(HasSubstr("only the capsules between the arm's joints")));
   Scenario shapes = balls;
   Cell cell;
   cell.parts.push_back({"ball", sphere(0.1), Mat3::Identity(), balls.obstacles[0].path, true});
   shapes.clearance = std::make_shared<const ClearanceModel>(balls.robot, cell);
-  EXPECT_THAT(assumed(shapes), Not(Contains(HasSubstr("meets an obstacle"))));
+  EXPECT_THAT(assumed(shapes), Not(Contains(HasSubstr("can touch an obstacle"))));
 }
 
 TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
@@ -303,8 +302,7 @@ TEST(Verdict, SaysWhatItAssumesOfTheRobotsOwnController) {
   add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);
   EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("an empty integral")));
   add_controller_assumption(franka, gains, verdict);
-  EXPECT_THAT(verdict.assumes,
-              ElementsAre(HasSubstr("an empty integral"), HasSubstr("the torque that holds its weight")));
+  EXPECT_THAT(verdict.assumes, ElementsAre(HasSubstr("an empty integral"), HasSubstr("compensates gravity")));
   verdict.assumes.clear();
   gains.controller = "joint_trajectory_controller_velocity";
   add_controller_assumption({test::scenario_of("moving_target")}, gains, verdict);

@@ -95,7 +95,7 @@ TEST(Workers, SideBySideAreStoppedAndKeepToTheirDeadline) {
     late.run(candidates, stop, {}, native);
     ADD_FAILURE() << "the deadline did not strike";
   } catch (const std::runtime_error& e) {
-    EXPECT_NE(std::string(e.what()).find("moving_target: the rollout came to"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("moving_target: the rollout simulated only"), std::string::npos)
         << e.what();
   }
   // A pool whose results threw is of use again, and one that is stopped returns nothing.

@@ -94,7 +94,8 @@ std::string completion(const DeclaredProgram& program, const std::string& shell)
     return "#compdef armtune\nautoload -U +X bashcompinit && bashcompinit\n" + bash(program) +
            "complete -o filenames -F _armtune armtune\n_bash_complete -o filenames -F _armtune\n";
   }
-  throw InputError(fmt::format("shell '{}': is not one of {}", shell, fmt::join(shell_names(), ", ")));
+  throw InputError(
+      fmt::format("shell '{}' is not supported; choose one of: {}", shell, fmt::join(shell_names(), ", ")));
 }
 
 }  // namespace armtune::internal::cli

@@ -104,7 +104,7 @@ const std::vector<ShortHelp>& short_helps() {
         {"Results", {"--out", "--resume"}},
         {"Speed", {"--workers"}}}},
       {"pareto",
-       {{"Front", {"--criteria", "--levels", "--controller"}},
+       {{"Pareto front", {"--criteria", "--levels", "--controller"}},
         {"Search", {"--max-evaluations", "--seed"}},
         {"Results", {"--out", "--resume"}},
         {"Speed", {"--workers"}}}},

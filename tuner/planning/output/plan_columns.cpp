@@ -27,22 +27,23 @@ class Columns {
   }
 
   void add_tool() {
-    add_vector("tool/position", "tool in the base frame", [](const PlanSample& at) { return at.poses.p_0T; });
+    add_vector("tool/position", "tool position in the base frame",
+               [](const PlanSample& at) { return at.poses.p_0T; });
   }
 
   void add_orientation() {
     const char* parts[] = {"x", "y", "z"};
-    add("tool/orientation/w", "1", "tool in the base frame, quaternion w",
+    add("tool/orientation/w", "1", "tool orientation in the base frame, quaternion w",
         [](const PlanSample& at) { return Eigen::Quaterniond(at.poses.R_0T).w(); });
     for (Eigen::Index i = 0; i < 3; ++i) {
       add(fmt::format("tool/orientation/{}", parts[i]), "1",
-          fmt::format("tool in the base frame, quaternion {}", parts[i]),
+          fmt::format("tool orientation in the base frame, quaternion {}", parts[i]),
           [i](const PlanSample& at) { return Eigen::Quaterniond(at.poses.R_0T).vec()[i]; });
     }
   }
 
   void add_gaze() {
-    add("gaze/angle", "rad", "angle between tool z and the line to the target",
+    add("gaze/angle", "rad", "angle between the tool's z axis and the line to the gaze target",
         [](const PlanSample& at) { return at.gaze; });
   }
 
@@ -61,7 +62,7 @@ class Columns {
         add(tree + "jerk", length + "/s^3", "joint jerk, constant between knots",
             [i](const PlanSample& at) { return at.jerk[i]; });
       }
-      add(tree + "torque", turns ? "N m" : "N", "torque of the inverse dynamics",
+      add(tree + "torque", turns ? "N m" : "N", "joint torque from the inverse dynamics",
           [i](const PlanSample& at) { return at.tau[i]; });
       add(tree + "velocity_ratio", "1", of_robot("velocity", task_.limits.velocity),
           [i, limits](const PlanSample& at) { return std::abs(at.qd[i]) / limits.velocity; });
@@ -74,7 +75,7 @@ class Columns {
 
  private:
   static std::string of_robot(const char* what, double share) {
-    return fmt::format("|{}| over the robot's limit; this task allows {:.4g}", what, share);
+    return fmt::format("|{}| divided by the robot's limit; this task allows {:.4g}", what, share);
   }
 
   const PlanTask& task_;
@@ -85,13 +86,13 @@ class Columns {
 
 std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotModel& robot) {
   Columns columns(task);
-  columns.add("time", "s", "time of the scenario", [](const PlanSample& at) { return at.time; });
+  columns.add("time", "s", "scenario time", [](const PlanSample& at) { return at.time; });
   columns.add_tool();
   columns.add_orientation();
   columns.add_gaze();
   columns.add_joints(robot, false);
   if (task.kind == PlanKind::kFastest) {
-    columns.add("path/coordinate", "s", "how far along the path, in the path's own time",
+    columns.add("path/coordinate", "s", "path coordinate: time of the scenario's own motion to this point",
                 [](const PlanSample& at) { return at.s; });
   }
   return columns.take();
@@ -100,16 +101,16 @@ std::vector<PlanColumn> trajectory_columns(const PlanTask& task, const RobotMode
 std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& robot) {
   const ToolDemands demands = tool_demands(task);
   Columns columns(task);
-  columns.add("time", "s", "time of the scenario", [](const PlanSample& at) { return at.time; });
+  columns.add("time", "s", "scenario time", [](const PlanSample& at) { return at.time; });
   columns.add_tool();
   if (demands.path) {
-    columns.add_vector("desired/position", "where the path has the tool, base frame",
+    columns.add_vector("desired/position", "tool position that the path prescribes, base frame",
                        [](const PlanSample& at) { return at.desired; });
-    columns.add_vector("error/position", "tool minus desired, base frame",
+    columns.add_vector("error/position", "tool position minus desired position, base frame",
                        [](const PlanSample& at) { return Vec3(at.poses.p_0T - at.desired); });
   }
   if (demands.gaze) {
-    columns.add_vector("target/position", "target of the gaze, base frame",
+    columns.add_vector("target/position", "position of the gaze target, base frame",
                        [](const PlanSample& at) { return at.target; });
     columns.add_gaze();
   }
@@ -120,12 +121,12 @@ std::vector<PlanColumn> motion_columns(const PlanTask& task, const RobotModel& r
                   [kind](const PlanSample& at) { return least_of(kind, at.cell).distance; });
     };
     add("clearance/self", Clearance::kSelf, "least distance between two links that are not neighbours");
-    add("clearance/cell", Clearance::kCell, "least distance of a link from a part of the cell");
+    add("clearance/cell", Clearance::kCell, "least distance between a link and a part of the cell");
     add("clearance/floor", Clearance::kFloor, "least height of a link above the floor");
   }
   if (task.clearance > 0.0 && !task.scenario.obstacles.empty()) {
     columns.add("obstacle/distance", "m",
-                "least distance of a joint's origin that can move, or of the tool, to an obstacle's surface",
+                "least distance from an obstacle's surface to the tool or to a joint origin that can move",
                 [](const PlanSample& at) { return at.clearance; });
   }
   columns.add_joints(robot, task.limits.jerk.size() > 0);

@@ -63,18 +63,18 @@ std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& pro
   const double smoothness = planned.objective() - duration;
   if (!task.duration && smoothness > kTellingSmoothness * duration)
     notes.push_back(
-        fmt::format("smoothness counts as much as {:.2g} s beside the duration: a smaller `smoothness` than "
-                    "{:.2g} may find a shorter one",
+        fmt::format("the smoothness cost weighs as much as {:.2g} s of duration; a `smoothness` below {:.2g} "
+                    "may give a shorter motion",
                     smoothness, task.smoothness));
   if (planned.weight != 1.0)
     notes.push_back(fmt::format(
-        "beside the price of broken limits the objective counts {:.0e} of itself; the KKT residual "
-        "is that of the program so weighed",
+        "the solver multiplied the objective by {:.0e} to give broken limits more weight; the KKT residual "
+        "belongs to this scaled problem",
         planned.weight));
   if (trajectory.time.back() > problem.target_until + kSwitchRoom)
     notes.push_back(fmt::format(
-        "it ends at {:.4g} s, after the targets' next switch at {:.4g} s: the gaze stays with the "
-        "target it is for",
+        "the motion ends at {:.4g} s, after the next target switch at {:.4g} s; the plan ignores this switch "
+        "and keeps the gaze target from before it",
         trajectory.time.back(), problem.target_until));
   return notes;
 }
@@ -87,9 +87,10 @@ std::string between_words(const std::vector<LimitUse>& uses) {
     const bool distance = std::string(kind) == "distance";
     // Of a distance the share is limit over value.
     parts.push_back(
-        distance ? fmt::format("{} at least {:.4f} of the clearance", worst.use->limit, 1.0 / worst.between)
-                 : fmt::format("{} at most {:.4f} of its limit",
-                               report::limit_words(worst.use->limit, worst.use->part), worst.between));
+        distance
+            ? fmt::format("{} at least {:.4f} times the clearance", worst.use->limit, 1.0 / worst.between)
+            : fmt::format("{} at most {:.4f} times its limit",
+                          report::limit_words(worst.use->limit, worst.use->part), worst.between));
   }
   return parts.empty() ? std::string() : fmt::format("between the knots: {}", fmt::join(parts, ", "));
 }
@@ -125,7 +126,7 @@ std::vector<std::pair<std::string, std::string>> plan_entries(const PlanTask& ta
     std::string key = fmt::format("between_knots_{}", kind);
     std::replace(key.begin(), key.end(), ' ', '_');
     entries.emplace_back(
-        key, fmt::format("{:.6g} of the limit, {} at {:.4f} s", worst.between,
+        key, fmt::format("{:.6g} times the limit, {} at {:.4f} s", worst.between,
                          report::limit_words(worst.use->limit, worst.use->part), worst.use->between_time));
   }
   return entries;

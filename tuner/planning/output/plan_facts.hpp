@@ -14,7 +14,7 @@ std::string plan_headline(const PlanTask& task, const PlanProblem& problem, cons
 std::vector<std::string> plan_notes(const PlanTask& task, const PlanProblem& problem,
                                     const PlannedTrajectory& planned);
 
-/// Returns a text such as "between the knots: torque of wrist_2_joint at most 1.0020 of its limit, gaze ...".
+/// Returns a text such as "between the knots: torque of wrist_2_joint at most 1.0020 times its limit...".
 /// It is empty if the task limits nothing of that kind.
 std::string between_words(const std::vector<LimitUse>& uses);
 

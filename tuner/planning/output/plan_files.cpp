@@ -72,22 +72,23 @@ std::string limits_csv(const std::vector<LimitUse>& uses) {
 }
 
 std::vector<Column> limits_columns() {
-  return {{"limit", "", "what is limited", {}},
-          {"part", "", "joint or axis", {}},
-          {"unit", "", "of lower and upper", {}},
-          {"lower", "", "the task's lower limit, empty: none", {}},
-          {"upper", "", "the task's upper limit, empty: none", {}},
-          {"from", "s", "begin of the time in which it holds", {}},
-          {"to", "s", "end of that time", {}},
-          {"at_knots", "1", "largest share of the limit that is used at a knot: 1 at the limit", {}},
+  return {{"limit", "", "kind of limit", {}},
+          {"part", "", "joint, axis or link that the limit applies to", {}},
+          {"unit", "", "unit of lower and upper", {}},
+          {"lower", "", "lower limit of the task; empty if there is none", {}},
+          {"upper", "", "upper limit of the task; empty if there is none", {}},
+          {"from", "s", "time from which the limit applies", {}},
+          {"to", "s", "time until which the limit applies", {}},
+          {"at_knots", "1", "largest share of the limit used at any knot; 1 is at the limit", {}},
           {"between_knots",
            "1",
-           "the same between the knots, where the program does not look; empty: it holds at one knot alone",
+           "largest share of the limit used between knots, where torque, tool path, gaze and distances are "
+           "not constrained; empty if the limit applies at a single knot",
            {}},
-          {"active", "1", "share of the knots at which the limit holds the motion back", {}},
-          {"strength", "", "sum of its multipliers: seconds, or cost, per unit of relief", {}},
-          {"active_lower", "s", "stretches FROM:TO at the lower limit", {}},
-          {"active_upper", "s", "stretches FROM:TO at the upper limit", {}}};
+          {"active", "1", "share of the knots at which the limit is active", {}},
+          {"strength", "", "sum of the limit's multipliers: seconds or cost per unit of relaxation", {}},
+          {"active_lower", "s", "time intervals FROM:TO at the lower limit", {}},
+          {"active_upper", "s", "time intervals FROM:TO at the upper limit", {}}};
 }
 
 }  // namespace armtune::internal

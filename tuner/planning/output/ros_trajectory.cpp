@@ -35,9 +35,8 @@ std::string end_velocity(const RobotModel& robot, const Trajectory& trajectory) 
   const auto joint = static_cast<std::size_t>(fastest);
   const bool turns = robot.chain.motion[joint] == JointMotion::kRevolute;
   return fmt::format(
-      "It does not end at rest: {} moves at {:.4g} {} there. What follows must take the motion over; "
-      "controllers "
-      "that only follow trajectories refuse such an end, or stop hard.",
+      "The trajectory does not end at rest: {} still moves at {:.4g} {} there. Another motion must follow "
+      "without a pause; controllers that only follow trajectories reject such an end, or stop abruptly.",
       robot.joints[joint].name, trajectory.velocity(fastest, last), turns ? "rad/s" : "m/s");
 }
 

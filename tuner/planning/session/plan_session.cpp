@@ -39,14 +39,14 @@ std::string known_of_contact(const PlanTask& task) {
     if (clearance->has(Clearance::kFloor)) kept.emplace_back("the floor");
   }
   const bool self = task.clearance > 0.0 && clearance && clearance->has(Clearance::kSelf);
-  if (kept.empty() && !self) return "Nothing here knows the arm's surroundings or its own links.";
+  if (kept.empty() && !self) return "The plan ignores the arm's surroundings and contact between its links.";
   std::string text;
   if (!kept.empty())
-    text = fmt::format("At its knots it keeps {:g} m from {} of {}. ", task.clearance, fmt::join(kept, ", "),
-                       task.scenario.name);
-  text += self ? "Links do not touch each other there." : "Nothing here knows the arm's own links.";
+    text = fmt::format("At its knots, the motion keeps {:g} m from {} of {}. ", task.clearance,
+                       fmt::join(kept, ", "), task.scenario.name);
+  text += self ? "At its knots, links do not touch each other." : "It ignores contact between links.";
   if (clearance && !clearance->arm().unknown.empty())
-    text += fmt::format(" Not looked at: {}, whose shapes are not known.",
+    text += fmt::format(" Not checked, because their shapes are not known: {}.",
                         fmt::join(clearance->arm().unknown, ", "));
   return text;
 }

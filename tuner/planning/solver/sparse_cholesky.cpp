@@ -59,7 +59,7 @@ SparseCholesky::SparseCholesky(const SymmetricMatrix& pattern) : work_(std::make
   common.print = 0;
   cholmod_sparse view = view_of(pattern);
   work_->factor = cholmod_analyze(&view, &common);
-  if (work_->factor == nullptr) throw FailedError("CHOLMOD failed, perhaps for want of memory");
+  if (work_->factor == nullptr) throw FailedError("CHOLMOD failed, perhaps because memory ran out");
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -67,7 +67,7 @@ SparseCholesky::~SparseCholesky() = default;
 bool SparseCholesky::factorize(const SymmetricMatrix& matrix) {
   cholmod_sparse view = view_of(matrix);
   cholmod_factorize(&view, work_->factor, &work_->common);
-  if (work_->common.status < CHOLMOD_OK) throw FailedError("CHOLMOD failed, perhaps for want of memory");
+  if (work_->common.status < CHOLMOD_OK) throw FailedError("CHOLMOD failed, perhaps because memory ran out");
   return work_->common.status == CHOLMOD_OK && work_->factor->minor == work_->factor->n;
 }
 
@@ -80,7 +80,7 @@ void SparseCholesky::solve(Eigen::VectorXd& x) {
   right.dtype = CHOLMOD_DOUBLE;
   if (cholmod_solve2(CHOLMOD_A, work_->factor, &right, nullptr, &work_->solution, nullptr, &work_->y,
                      &work_->e, &work_->common) == 0)
-    throw FailedError("CHOLMOD failed, perhaps for want of memory");
+    throw FailedError("CHOLMOD failed, perhaps because memory ran out");
   std::copy_n(static_cast<const double*>(work_->solution->x), x.size(), x.data());
 }
 

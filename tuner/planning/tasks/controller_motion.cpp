@@ -21,8 +21,10 @@ std::size_t nearest_row(const std::vector<double>& time, const PlanTask& task) {
     if (std::abs(time[i] - task.at) < std::abs(time[row] - task.at)) row = i;
   }
   if (time.empty() || !(std::abs(time[row] - task.at) <= kApart))
-    throw InputError(fmt::format("{}: has no row within {} s of {} s, where {} begins",
-                                 shown_path(task.start.rollout), kApart, task.at, task.name));
+    throw InputError(
+        fmt::format("{}: no row lies within {} s of {} s, where {} begins; give a rollout that "
+                    "covers this time, or change 'at'",
+                    shown_path(task.start.rollout), kApart, task.at, task.name));
   return row;
 }
 
@@ -82,8 +84,8 @@ ControllerMotion controller_motion(const PlanTask& task, const RobotModel& robot
       const std::size_t row = first + static_cast<std::size_t>(k);
       if (!std::isfinite(values[row]))
         throw InputError(
-            fmt::format("{}: row at {} s has no finite {}; give a rollout that is whole, or "
-                        "another start",
+            fmt::format("{}: the row at {} s has no finite value of {}; give a complete rollout, or "
+                        "another 'start'",
                         shown_path(task.start.rollout), time[row], column));
       into(joint, k) = values[row];
     }

@@ -35,7 +35,7 @@ void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const 
   for (std::size_t row = 0; row < value.size(); ++row) {
     const bool below = value[row] < term.lower - kRounding;
     if (!below && value[row] <= term.upper + kRounding) continue;
-    throw InputError(fmt::format("{}: {}: {} of {} would be {:.4g} {}; the task's limit is {:.4g}: {}",
+    throw InputError(fmt::format("{}: {}: {} of {} would be {:.4g} {}, but the task's limit is {:.4g}; {}",
                                  shown_path(task.source), key, term.name, term.rows[row],
                                  term.natural(row, value[row]), term.units[row],
                                  term.natural(row, below ? term.lower : term.upper), advice));
@@ -47,7 +47,7 @@ void check(const KnotTerm& term, const Knot& state, const PlanTask& task, const 
 void check_given_states(const PlanCommon& common) {
   const PlanTask& task = common.task;
   Knot knot = at_rest(*common.robot, common.start.position, task.at);
-  constexpr const char* kElsewhere = "ask for less, or start elsewhere";
+  constexpr const char* kElsewhere = "reduce 'clearance', or give another 'start'";
   if (task.clearance > 0.0) {
     for (const MovingObstacle& obstacle : task.scenario.obstacles)
       check(clear_of(*common.robot, {0, 0}, obstacle, task.clearance), knot, task, "clearance", kElsewhere);
@@ -56,7 +56,7 @@ void check_given_states(const PlanCommon& common) {
         check(term, knot, task, "clearance", kElsewhere);
     }
   }
-  constexpr const char* kLessTorque = "choose a state that takes less, or a larger limits/effort";
+  constexpr const char* kLessTorque = "choose a state that needs less torque, or raise limits/effort";
   const KnotTerm torque = torque_limits(*common.robot, {0, 0}, task.limits.effort);
   if (common.start.acceleration.size() > 0) {
     knot.qd = common.start.velocity;

@@ -79,8 +79,10 @@ TimeGrid PlanCommon::grid(std::vector<Phase> phases) const {
 }
 
 void PlanCommon::no_pose(const Vec3& tool) const {
-  throw OutOfReach(fmt::format("{}: {} cannot reach ({:.4g}, {:.4g}, {:.4g}) m within its joint limits",
-                               shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
+  throw OutOfReach(
+      fmt::format("{}: {} cannot place its tool at ({:.4g}, {:.4g}, {:.4g}) m within its joint "
+                  "limits as the task requires; move the path",
+                  shown_path(task.source), robot->name, tool.x(), tool.y(), tool.z()));
 }
 
 double PlanCommon::first_duration(double otherwise) const {

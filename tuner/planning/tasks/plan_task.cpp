@@ -52,7 +52,7 @@ PlanStart read_start(const yaml::Node& node, const std::vector<std::string>& joi
     start.rollout = rollout->as_string();
     if (!start.rollout.starts_with('/')) start.rollout = folder_of(node.file()) + "/" + start.rollout;
     if (map.has("position") || map.has("velocity"))
-      rollout->fail("give either a rollout or a position, not both");
+      rollout->fail("cannot be combined with 'position' or 'velocity'; leave one out");
     map.finish();
     return start;
   }
@@ -126,7 +126,7 @@ void refuse_idle_keys(yaml::MapReader& map, const PlanTask& task) {
   for (const char* key : {"goal", "least_error", "path_tolerance", "gaze_threshold", "hold", "end_gaze"}) {
     if (says_something(keys, key) || !map.has(key)) continue;
     const bool would = std::string(key) == "gaze_threshold" || std::string(key) == "hold";
-    map.required(key).fail(fmt::format("says nothing to a {}{}; leave it out", name(task.kind),
+    map.required(key).fail(fmt::format("has no effect in a {} task{}; leave it out", name(task.kind),
                                        would && task.kind == PlanKind::kSwitch   ? " with least_error"
                                        : would && task.kind == PlanKind::kReturn ? " without end_gaze"
                                                                                  : ""));
@@ -139,7 +139,7 @@ PlanKind read_kind(const yaml::Node& node) {
     if (node.is_word(word)) return kind;
     words.push_back(word);
   }
-  node.fail(fmt::format("is none of the tasks: {}", fmt::join(words, ", ")));
+  node.fail(fmt::format("unknown task; expected one of: {}", fmt::join(words, ", ")));
 }
 
 std::string list(const JointVector& values) {
@@ -159,7 +159,7 @@ std::string no_switch(const PlanTask& task) {
     at = scenario.next_switch(at);
   }
   if (times.empty()) return scenario.name + " never switches its target; choose another scenario";
-  return fmt::format("{} switches no target at {} s; it does at {} s", scenario.name, task.at,
+  return fmt::format("{} does not switch its target at {} s; it switches at {} s", scenario.name, task.at,
                      fmt::join(times, ", "));
 }
 
@@ -169,11 +169,10 @@ double read_clearance(yaml::MapReader& map, const Scenario& scenario) {
   const double clearance = map.number_in("clearance", has_cell ? kFromCell : 0.0, 0.0, kInfinity);
   if (has_cell && clearance == 0.0)
     map.required("clearance")
-        .fail(
-            scenario.name +
-            " has a cell, which the arm must not touch; give a distance above 0, or plan in a scenario without one");
+        .fail(scenario.name +
+              " has a cell that the arm must not touch; give a clearance above 0, or a scenario without one");
   if (clearance > 0.0 && scenario.obstacles.empty() && !has_cell)
-    map.required("clearance").fail(scenario.name + " has neither obstacles nor a cell");
+    map.required("clearance").fail(scenario.name + " has neither obstacles nor a cell; leave this key out");
   return clearance;
 }
 
@@ -210,11 +209,13 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   const yaml::Node& scenario = map.required("scenario");
   task.scenario = load_scenario(find_data_file("scenarios", scenario.as_string(), folder_of(path)));
   if (task.scenario.orientation && task.kind != PlanKind::kMove)
-    scenario.fail("it gives the tool's orientation, and plans know gaze targets only; give one with targets");
+    scenario.fail(
+        "the scenario gives the tool's orientation, but plans support gaze targets only; give a scenario "
+        "with targets");
   if (!tracks_orientation(task.scenario.mask) && task.kind != PlanKind::kMove)
     scenario.fail(
-        "its task is the position alone, and plans keep the gaze as well; plan a move, or give "
-        "another");
+        "the scenario controls the tool position only, but this task also needs the gaze; plan a move, or "
+        "give another scenario");
   const auto joints = joint_names(*task.scenario.robot);
   task.at = map.number_in("at", 0.0, 0.0, 1e6);
   if (const yaml::Node* start = map.optional("start")) task.start = read_start(*start, joints);
@@ -230,7 +231,7 @@ PlanTask load_plan_task(const std::string& name_or_path) {
   const long knots = map.integer("knots", task.knots);
   if (knots < kFewestKnots || knots > kMostKnots)
     map.required("knots").fail(
-        fmt::format("{} knots; it must lie in {} .. {}", knots, kFewestKnots, kMostKnots));
+        fmt::format("{} knots; the number must lie in {} .. {}", knots, kFewestKnots, kMostKnots));
   task.knots = static_cast<int>(knots);
   task.smoothness = map.number_in("smoothness", task.smoothness, 0.0, 1e3);
   map.finish();

@@ -50,7 +50,7 @@ void TrajectoryProgram::lay_out_intervals() {
     if (duration >= 0) columns.push_back(duration);
     return columns;
   };
-  groups_.push_back({rows.rows(), "motion from knot to knot", kDynamics, -1, 2 * m_, 0, 1.0});
+  groups_.push_back({rows.rows(), "continuity between knots", kDynamics, -1, 2 * m_, 0, 1.0});
   first_dynamics_ = static_cast<int>(rows.blocks().size());
   for (int k = 0; k < intervals; ++k) {
     for (int j = 0; j < m_; ++j) {

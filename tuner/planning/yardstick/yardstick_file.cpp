@@ -24,37 +24,34 @@ std::vector<Column> yardstick_columns() {
       {"scenario", "", "name of the scenario", {}},
       {"event",
        "",
-       "switch: time until the gaze is on the next target for good; return: time until the path is followed "
-       "again; lap: rms of the gaze angle over one turn of the path",
+       "switch: time until the gaze stays on the next target; return: time until the tool follows the path "
+       "again; lap: RMS gaze angle over one turn of the path",
        {}},
-      {"time", "s", "when it begins", {}},
-      {"state", "", "of the controller, then", {}},
-      {"reached", "s, rad", "what the controller reached, counted in rows of the recording", {}},
-      {"limit", "s, rad", "the least found within the arm's limits from the same state on", {}},
-      {"ratio", "1", "reached / limit; empty where either is missing or the limit is 0", {}},
-      {"unit", "", "of reached and limit", {}},
+      {"time", "s", "time at which the event begins", {}},
+      {"state", "", "state of the controller at that time", {}},
+      {"reached", "s, rad", "time or RMS angle of the controller, from the rows of the recording", {}},
+      {"limit", "s, rad", "least value found within the arm's limits from the same state", {}},
+      {"ratio", "1", "reached / limit; empty if either is missing or the limit is 0", {}},
+      {"unit", "", "unit of reached and limit", {}},
       {"outcome",
        "",
-       "reached; already there; not before the next switch; cut off by the end of the rollout or by an "
-       "obstacle that is avoided",
+       "reached; already there; not before the next switch; cut off by the end of the rollout; cut off by an "
+       "obstacle that the arm avoids",
        {}},
       {"held_back_by",
        "",
-       "the limit that costs the plan most, or, if it is infeasible, is in its way; empty: none",
+       "limit that costs the plan most, or that makes it infeasible; empty if there is none",
        {}},
       {"clearance",
        "m",
-       "that the plan keeps from every obstacle: the gains' influence radius, or the rollout's own least "
-       "distance meanwhile; "
-       "empty without obstacles or where they are left out",
+       "distance that the plan keeps from every obstacle: the gains' influence radius or, if smaller, the "
+       "rollout's own least distance during the event; empty without obstacles or if they are ignored",
        {}},
       {"status",
        "",
-       "of the limit: solved; solved without obstacles (no plan was found that keeps clear of them); past "
-       "the "
-       "next switch (nobody gets there before it); there at once (gaze on target, or tool on the path, to "
-       "begin with); "
-       "infeasible; not solved",
+       "status of the limit: solved; solved without obstacles (no plan was found that stays clear of them); "
+       "past the next switch (no motion found gets there before it); there at once (gaze on target, or tool "
+       "on the path, at the start); infeasible; not solved",
        {}}};
 }
 

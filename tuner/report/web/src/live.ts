@@ -11,11 +11,11 @@ export function liveWords(live: Live, now: number): string {
   const age = now - live.written;
   const done = `${live.evaluations} of ${live.most_evaluations} evaluations`;
   if (age > Math.max(SILENT_S, 10 * live.every)) {
-    return `${done}. Nothing new for ${duration(age)}: the search is over and its analysis is under way, or the run was killed (then "armtune tune --resume" continues it). Loaded again every ${live.every} s.`;
+    return `${done}. No new page for ${duration(age)}: the search has ended and its analysis is running, or the run was killed ("armtune tune --resume" resumes it). This page reloads every ${live.every} s.`;
   }
   const left = live.seconds_left === null ? "" : `, about ${duration(live.seconds_left)} left`;
   const written = new Date(1000 * live.written).toISOString().slice(11, 19);
-  return `${done}${left}. Written at ${written} UTC, loaded again every ${live.every} s; in the analysis after the search that time stands still.`;
+  return `${done}${left}. Written at ${written} UTC; this page reloads every ${live.every} s. It is not rewritten during the analysis after the search.`;
 }
 
 export function liveLine(live: Live): HTMLElement {

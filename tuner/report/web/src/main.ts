@@ -21,9 +21,9 @@ const FORMAT = 1;
 
 function readData(): ReportData {
   const text = document.getElementById("report-data")?.textContent;
-  if (text === null || text === undefined) throw new Error("there are no data in this page");
+  if (text === null || text === undefined) throw new Error("the page contains no data");
   const data = JSON.parse(text) as ReportData;
-  if (data.format !== FORMAT) throw new Error(`the data have format ${String(data.format)}, this page reads ${FORMAT}`);
+  if (data.format !== FORMAT) throw new Error(`the data have format ${String(data.format)}, but this page reads format ${FORMAT}`);
   return data;
 }
 

@@ -34,6 +34,6 @@ export function openingTime(run: Pick<Run, "end"> | undefined, duration: number)
 
 /** Why there is no replay, in words; empty where there is one. */
 export function noReplay(run: Pick<Run, "replay">, hasRobot: boolean, set: string): string {
-  if (!hasRobot) return "No replay: the run folder does not say which arm this is.";
+  if (!hasRobot) return "No replay: the run folder has no data about the arm.";
   return run.replay.n === 0 ? `No replay: the run folder has no joint positions of ${set === "" ? "this run" : set}.` : "";
 }

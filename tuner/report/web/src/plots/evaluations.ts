@@ -15,7 +15,7 @@ export function bestSoFar(objective: (number | null)[], feasible: boolean[]): (n
 export function bestLine(evaluations: Evaluations): { label: string; values: (number | null)[] } {
   const native = evaluations.native?.includes(true) === true;
   return {
-    label: native ? "best feasible so far, of either engine" : "best feasible so far",
+    label: native ? "best feasible so far, in either engine" : "best feasible so far",
     values: bestSoFar(evaluations.objective, evaluations.feasible),
   };
 }

@@ -38,15 +38,15 @@ export const FIGURES: Figure[] = [
   { group: "orientation_error", title: "Orientation error", axis: "error", fromZero: false, lines: none },
   { group: "linear_velocity_error", title: "Linear velocity error", axis: "error", fromZero: false, lines: none },
   { group: "angular_velocity_error", title: "Angular velocity error", axis: "error", fromZero: false, lines: none },
-  { group: "joint_error", title: "Joint error beside the planned trajectory", axis: "error", fromZero: false, lines: none },
+  { group: "joint_error", title: "Joint error from the planned trajectory", axis: "error", fromZero: false, lines: none },
   { group: "gaze", title: "Gaze angle to the target", axis: "angle", fromZero: true, lines: none },
   ...OF_PLANS,
   { group: "velocity_ratio", title: "Joint velocities over their limits", axis: "velocity / limit", fromZero: true, lines: limit },
   { group: "torque_ratio", title: "Joint torques over their limits", axis: "torque / limit", fromZero: true, lines: limit },
-  { group: "theta", title: "Distance of theta’s torque from the true one", axis: "torque", fromZero: true, lines: none },
+  { group: "theta", title: "Torque error of theta", axis: "torque", fromZero: true, lines: none },
   {
     group: "clearance",
-    title: "Distance to what the arm must not touch",
+    title: "Clearance of the arm",
     axis: "distance",
     fromZero: true,
     lines: (scenario) =>

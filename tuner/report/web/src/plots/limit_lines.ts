@@ -80,5 +80,5 @@ export function farWords(far: PlanLimit[]): HTMLElement | null {
   const byWords = new Map<string, string[]>();
   for (const limit of far) byWords.set(boundWords(limit), [...(byWords.get(boundWords(limit)) ?? []), limit.part]);
   const parts = [...byWords].map(([words, names]) => `${words} (${names.join(", ")})`);
-  return element("p", { class: "note far" }, `Limits out of the picture: ${parts.join("; ")}`);
+  return element("p", { class: "note far" }, `Limits outside the plot: ${parts.join("; ")}`);
 }

@@ -15,7 +15,7 @@ import { hasWebGl } from "./viewer";
 
 function undrawnWords(undrawn: number): string {
   const these = undrawn === 1 ? "1 shape of the arm is" : `${undrawn} shapes of the arm are`;
-  return `${these} not drawn: meshes that were not found, are of another kind, or too large.`;
+  return `${these} not drawn: meshes that were not found, are not binary STL, or are too large.`;
 }
 
 export class Replay {
@@ -92,13 +92,13 @@ export class Replay {
     this.place.replaceChildren();
     if (!this.alive) return;
     if (!hasWebGl()) {
-      this.say("No 3D here: this browser offers no WebGL. The plots and tables show the same run.");
+      this.say("No 3D replay: this browser has no WebGL. The plots and tables show the same run.");
       return;
     }
     try {
       this.stage = new Stage(this.robot, this.scenario, this.run, this.reference(), this.errorScale);
     } catch (error) {
-      this.say(`No 3D here: ${error instanceof Error ? error.message : String(error)}`);
+      this.say(`No 3D replay: ${error instanceof Error ? error.message : String(error)}`);
       return;
     }
     const { canvas } = this.stage.viewer;
@@ -181,7 +181,7 @@ export class Replay {
       });
     const peak = element(
       "button",
-      { type: "button", title: "When a joint was closest to its velocity limit", onclick: () => this.toPeak() },
+      { type: "button", title: "Go to the time when a joint is closest to its velocity limit", onclick: () => this.toPeak() },
       "Closest to limit",
     );
     const view = element("button", { type: "button", onclick: () => this.stage?.viewer.reset() }, "Reset view");
@@ -207,8 +207,8 @@ export class Replay {
   }
 
   private obstacleWords(): string {
-    if (this.data.plan === undefined) return "obstacle and its influence";
-    return this.scenario.influence_radius > 0 ? "obstacle and the clearance from it" : "obstacle, of which the plan knows nothing";
+    if (this.data.plan === undefined) return "obstacle and its zone of influence";
+    return this.scenario.influence_radius > 0 ? "obstacle and the clearance that the plan keeps" : "obstacle that the plan ignores";
   }
 
   /** Of some run that can be shown. */
@@ -235,7 +235,7 @@ export class Replay {
       this.hasGhost() && item("ghost", `${this.data.sets[0] ?? ""} (ghost)`),
       replays.some((replay) => replay.obstacles.length > 0) && item("obstacle", this.obstacleWords()),
       scenario.cell.length > 0 && item("cell", "part of the cell"),
-      replays.some((replay) => replay.closest.length > 0) && item("closest", "closest points, of the arm and of what it must not touch"),
+      replays.some((replay) => replay.closest.length > 0) && item("closest", "closest points of the arm and of what it must not touch"),
       item("hot", "joint above 80 % of its velocity limit"),
     );
   }

@@ -22,9 +22,9 @@ function seriesOf(evaluations: Evaluations): ChartSeries[] {
   const best = bestLine(evaluations);
   const grey = (alpha: number) => () => withAlpha("#888888", alpha);
   return [
-    { label: "not feasible, in the native engine", colour: grey(0.4), values: of(true, false), marks: 5, shape: "cross" },
-    { label: "in the native engine", colour: () => withAlpha(onPage(BLUE), 0.4), values: of(true, true), marks: 4 },
-    { label: "not feasible", colour: grey(0.85), values: of(false, false), marks: 6, shape: "cross" },
+    { label: "infeasible, in the native engine", colour: grey(0.4), values: of(true, false), marks: 5, shape: "cross" },
+    { label: "feasible, in the native engine", colour: () => withAlpha(onPage(BLUE), 0.4), values: of(true, true), marks: 4 },
+    { label: "infeasible", colour: grey(0.85), values: of(false, false), marks: 6, shape: "cross" },
     { label: "feasible", colour: () => onPage(BLUE), values: of(false, true), marks: 6 },
     { label: best.label, colour: () => onPage(GREEN), values: best.values, width: 2, stepped: true },
     { label: "start", colour: () => onPage(ORANGE), values: only((i) => i === start), marks: 14, shape: "ring" },
@@ -42,7 +42,7 @@ function marksOf(evaluations: Evaluations, series: ChartSeries[]): Mark[] {
       i === start ? "the start" : "",
       i === chosen ? "chosen" : "",
       native?.[i] === true ? "in the native engine" : "",
-      feasible[i] === true ? "feasible" : `not feasible${missed === null ? "" : `, violation ${formatNumber(missed)}`}`,
+      feasible[i] === true ? "feasible" : `infeasible${missed === null ? "" : `, violation ${formatNumber(missed)}`}`,
     ];
     // Not the line of the best: of the plain marks, the one it is among.
     const own = series.findIndex((one) => one.marks !== undefined && one.values[i] !== null);
@@ -83,7 +83,7 @@ export function convergenceSection(data: ReportData): Section | null {
   const evaluations = data.evaluations;
   if (evaluations === undefined || evaluations.objective.length === 0) return null;
   const place = element("div", { class: "plot-place tall" });
-  const told = element("p", { class: "told", role: "status" }, "Point at a mark, or step through them with ← →, to read it.");
+  const told = element("p", { class: "told", role: "status" }, "Point at a mark to read it, or step through the marks with ← and →.");
   whenVisible(place, () => place.replaceWith(chartOf(evaluations, told)));
   const phases = phaseRuns(evaluations)
     .map((run) => `${run.phase} ${run.to - run.from + 1}`)
@@ -94,9 +94,9 @@ export function convergenceSection(data: ReportData): Section | null {
   const value = (i: number) => formatNumber(evaluations.objective[i] ?? null);
   const counts = [
     `${total} evaluations`,
-    shown < total ? `of which the plot has ${shown}, the best and the worst of every ${Math.ceil(total / 6000)}` : "",
+    shown < total ? `the plot shows ${shown} of them, the best and the worst of every ${Math.ceil(total / 6000)}` : "",
     native > 0 ? `${native} of them in the native engine` : "",
-    `${feasible} feasible (${phases})`,
+    `${feasible} feasible in total (phases: ${phases})`,
     undrawnText(undrawn),
   ];
   return section(
@@ -106,7 +106,7 @@ export function convergenceSection(data: ReportData): Section | null {
     element(
       "p",
       { class: "note" },
-      `${counts.filter((part) => part !== "").join(", ")}. Objective: ${value(evaluations.start)} at the start, ${value(evaluations.chosen)} chosen.`,
+      `${counts.filter((part) => part !== "").join(", ")}. Objective: ${value(evaluations.start)} at the start, ${value(evaluations.chosen)} with the chosen gains.`,
     ),
     place,
     told,

@@ -33,7 +33,7 @@ export function limitsOf(front: Pick<Front, "limits" | "points">, criterion: num
 function wordsOf(front: Front, point: Front["points"][number]): string {
   const values = front.criteria.map((one, i) => `${one.name} ${formatValue(point.values[i], one.unit)}`);
   const role = ROLES[point.role];
-  const notes = [point.label.includes(role) ? "" : role, point.feasible ? "" : "not feasible"].filter((note) => note !== "");
+  const notes = [point.label.includes(role) ? "" : role, point.feasible ? "" : "infeasible"].filter((note) => note !== "");
   return `${point.label}${notes.length > 0 ? ` (${notes.join(", ")})` : ""}: ${values.join(", ")}`;
 }
 
@@ -51,7 +51,7 @@ function chartOf(front: Front, names: Names, xAxis: number, yAxis: number, told:
   const plain = (feasible: boolean) => only((point) => point.role === "point" && point.feasible === feasible);
   const role = (name: Role) => only((point) => point.role === name);
   const series: ChartSeries[] = [
-    { label: "not feasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7, shape: "cross" },
+    { label: "infeasible", colour: () => withAlpha("#888888", 0.7), values: plain(false), marks: 7, shape: "cross" },
     { label: names.points, colour: () => onPage(BLUE), values: plain(true), marks: 9 },
     { label: startOf(points), colour: () => onPage(ORANGE), values: role("start"), marks: 15, shape: "ring" },
     { label: ROLES.chosen, colour: () => onPage(VERMILLION), values: role("chosen"), marks: 14, shape: "diamond" },
@@ -97,7 +97,7 @@ function pointTable(front: Front): HTMLElement {
   const body = element("tbody");
   for (const point of front.points) {
     const role = ROLES[point.role] === "" || point.label.includes(ROLES[point.role]) ? "" : ` (${ROLES[point.role]})`;
-    const line = element("tr", {}, element("th", { scope: "row" }, `${point.label}${role}${point.feasible ? "" : ", not feasible"}`));
+    const line = element("tr", {}, element("th", { scope: "row" }, `${point.label}${role}${point.feasible ? "" : ", infeasible"}`));
     for (const value of point.values) line.append(element("td", { class: "number" }, formatNumber(value)));
     body.append(line);
   }
@@ -113,7 +113,7 @@ export function frontSection(data: ReportData): Section | null {
   const front = data.front;
   if (front === undefined || front.criteria.length < 2 || front.points.length === 0) return null;
   const place = element("div", { class: "plot-place tall" });
-  const told = element("p", { class: "told", role: "status" }, "Point at a mark, or step through them with ← →, to read it.");
+  const told = element("p", { class: "told", role: "status" }, "Point at a mark to read it, or step through the marks with ← and →.");
   // A tuning run has no front but all that its search came by.
   const names: Names =
     data.kind === "pareto"
@@ -127,7 +127,7 @@ export function frontSection(data: ReportData): Section | null {
       const criterion = front.criteria[axis];
       return limitsOf(front, axis).far.map((value) => `${criterion?.name ?? ""} ${formatValue(value, criterion?.unit ?? "1")}`);
     });
-    beyond.textContent = far.length > 0 ? `Limits beyond the plot: ${far.join(", ")}.` : "";
+    beyond.textContent = far.length > 0 ? `Limits outside the plot: ${far.join(", ")}.` : "";
     beyond.hidden = far.length === 0;
   };
   const choose = (which: number, text: string) => {
@@ -145,7 +145,7 @@ export function frontSection(data: ReportData): Section | null {
     "Trade-off",
     names.heading,
     front.hypervolume !== null && element("p", { class: "note" }, `Hypervolume ${formatNumber(front.hypervolume)}`),
-    front.criteria.length > 2 && element("p", { class: "choose" }, choose(0, "across"), choose(1, "up")),
+    front.criteria.length > 2 && element("p", { class: "choose" }, choose(0, "horizontal axis"), choose(1, "vertical axis")),
     place,
     beyond,
     told,

@@ -63,7 +63,7 @@ export function gainsSection(data: ReportData): Section | null {
       several && item("before", data.sets[0] ?? "before"),
       item("after", data.sets[data.sets.length - 1] ?? "after"),
       item("bound", "at a bound"),
-      element("li", {}, "a rail runs from the lower to the upper bound"),
+      element("li", {}, "each line runs from the lower to the upper bound"),
     ),
     picture,
   );

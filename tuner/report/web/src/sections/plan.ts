@@ -43,8 +43,8 @@ const nameOf = (limit: PlanLimit) => breakable(limit.words);
 function bindingTable(limits: PlanLimit[]): HTMLElement {
   const strongest = limits[0]?.strength ?? 1;
   return table(
-    "What holds the plan back",
-    [["limit", false], ["value", true], ["holds it back", true], ["when", false], ["weight", true]],
+    "Active limits",
+    [["limit", false], ["value", true], ["active at", true], ["when", false], ["weight", true]],
     limits.map((limit) => [
       nameOf(limit),
       boundWords(limit),
@@ -73,20 +73,20 @@ export function planSection(data: ReportData): Section | null {
   return section(
     "plan",
     "Limits",
-    "What holds it back",
+    "Limits of the plan",
     active.length > 0
       ? bindingTable(active)
-      : element("p", { class: "note" }, "No limit is active: none of them would make the plan better if it were wider."),
+      : element("p", { class: "note" }, "No limit is active: a wider limit would not improve the plan."),
     active.length > 0 &&
-      element("p", { class: "note" }, "Weight: how much the plan would gain if the limit were a little wider, to the first of them."),
+      element("p", { class: "note" }, "Weight: improvement of the plan if the limit were slightly wider, relative to the first limit."),
     element(
       "details",
       {},
       element("summary", {}, "Every limit, at the knots and between them"),
-      element("p", { class: "note" }, "Limits hold at the knots; those of velocity and acceleration between them as well."),
+      element("p", { class: "note" }, "Limits are enforced at the knots. Velocity and acceleration limits also hold between them."),
       allTable(limits),
     ),
     figures,
-    element("p", { class: "note" }, `0 s here is ${withUnit(formatNumber(plan.start, 6), "s")} of the scenario ${plan.scenario}.`),
+    element("p", { class: "note" }, `Time 0 s on this page is ${withUnit(formatNumber(plan.start, 6), "s")} in the scenario ${plan.scenario}.`),
   );
 }

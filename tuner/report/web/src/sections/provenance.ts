@@ -23,7 +23,7 @@ export function provenanceSection(data: ReportData): Section {
     "provenance",
     "Provenance",
     "Where this comes from",
-    element("p", { class: "note" }, "The command that repeats this run, quoted for a shell; relative paths begin where it was made, and a folder named by --out must be new:"),
+    element("p", { class: "note" }, "This command repeats the run and is quoted for a shell. Start it in the folder where the run was started, because paths may be relative. A folder given by --out must be new:"),
     element("div", { class: "command" }, element("pre", { tabindex: 0 }, command), copy),
     list,
   );

@@ -77,10 +77,10 @@ export function robustnessSection(data: ReportData): Section | null {
       "p",
       { class: "yield" },
       element("b", {}, formatPercent(robustness.yield)),
-      ` of ${robustness.samples} arms drawn at random keep every limit (95 % interval ${formatPercent(low)} to ${formatPercent(high)})`,
+      ` of ${robustness.samples} random arms keep every limit (95 % interval ${formatPercent(low)} to ${formatPercent(high)})`,
     ),
     grid,
-    robustness.worst.length > 0 && element("h3", {}, "Arms that break a limit, the fastest joint first"),
+    robustness.worst.length > 0 && element("h3", {}, "Arms that break a limit, the largest joint velocity ratio first"),
     robustness.worst.length > 0 && worst,
   );
 }

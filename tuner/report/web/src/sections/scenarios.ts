@@ -143,7 +143,7 @@ class Panel {
       sets,
       bands,
       element("span", { class: "zoom", role: "group", "aria-label": "Zoom of the time axis" }, zoom("−", "Zoom out", 2), zoom("+", "Zoom in", 0.5), zoom("All", "Show the whole run", null)),
-      element("p", { class: "note" }, "Drag to zoom, double click for all; the pointer moves the time."),
+      element("p", { class: "note" }, "Drag to zoom, double-click to show all. The pointer sets the time."),
     );
   }
 }

@@ -64,8 +64,8 @@ export function sensitivitySection(data: ReportData): Section | null {
     element(
       "ul",
       { class: "key" },
-      element("li", {}, element("span", { class: "mark bar-main" }), "importance: what the merit loses when this gain alone goes back to its start"),
-      element("li", {}, element("span", { class: "mark bar-side" }), "local: change of the merit for a small step either way"),
+      element("li", {}, element("span", { class: "mark bar-main" }), "importance: increase of the merit (objective and violations) if this gain alone returns to its start value"),
+      element("li", {}, element("span", { class: "mark bar-side" }), "local: largest relative change of the merit for a small step of the gain"),
     ),
     picture,
     element(

@@ -92,16 +92,16 @@ export function tablesSection(data: ReportData): Section | null {
   const headings = ["Numbers, scenario by scenario", "Numbers, scenario by scenario", `${first} and ${last}, scenario by scenario`];
   const note =
     sets.length > 2
-      ? `Below each value: its ratio to that of ${first}; better or worse as the metric counts.`
-      : `Ratio: ${last} over ${first}; better or worse as the metric counts.`;
+      ? `Below each value: its ratio to the value of ${first}. Each metric defines what is better.`
+      : `Ratio: ${last} divided by ${first}. Each metric defines what is better.`;
   return section(
     "numbers",
     "Numbers",
     headings[sets.length] ?? `${sets.length} gain sets, scenario by scenario`,
     sets.length > 1 && element("p", { class: "note" }, note),
-    judged !== undefined && element("h3", { class: "group" }, `${judged.measure}: what the study is judged by`),
+    judged !== undefined && element("h3", { class: "group" }, `All arms of the study: ${judged.measure}`),
     judged !== undefined && cardsOf(judged.tables, sets, "h4"),
-    judged !== undefined && tables.length > 0 && element("h3", { class: "group" }, "The nominal arm alone"),
+    judged !== undefined && tables.length > 0 && element("h3", { class: "group" }, "Nominal arm only"),
     cardsOf(tables, sets, judged === undefined ? "h3" : "h4"),
   );
 }

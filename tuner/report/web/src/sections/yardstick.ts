@@ -105,13 +105,13 @@ export function yardstickSection(data: ReportData): Section | null {
     element(
       "p",
       { class: "note" },
-      "Each event beside the best motion found from the same state, which knows everything and keeps the arm's positions, velocities and torques.",
+      "Each event is compared with the best motion that was found from the same state. It is planned with full knowledge and keeps the arm's limits of position, velocity and torque.",
     ),
     element(
       "ul",
       { class: "key" },
       element("li", {}, element("span", { class: "mark bar-main" }), "reached by the controller"),
-      element("li", {}, element("span", { class: "mark bar-side" }), "what the joint limits allow"),
+      element("li", {}, element("span", { class: "mark bar-side" }), "best within the joint limits"),
     ),
     ...kinds.map((kind) => bars(events.filter((one) => one.event === kind), data.sets)),
     table(events, data.sets),
