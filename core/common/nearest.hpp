@@ -13,7 +13,8 @@ namespace armtune::internal {
 /// max(2, length of word / 3), or no letter in place. Throws only std::bad_alloc.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// Returns "; did you mean 'x'?" with the nearest candidate, to end a message; empty if nothing is close.
+/// Returns " (did you mean 'x'?)" with the nearest candidate, to follow `word` in a message; empty if nothing
+/// is close.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace armtune::internal

@@ -107,10 +107,11 @@ class Placing {
       const JointInfo& joint = arm_.joints[static_cast<std::size_t>(loaded_)];
       const Vec3& tool = lightest_.tool;
       return fmt::format(
-          "joint '{}' needs an effort of {:.3g} (limit {:.3g}) to hold the arm with its tool at ({:.3g}, "
-          "{:.3g}, {:.3g}) m, and no task with less load was found; check this limit and the masses",
-          joint.name, lightest_.value * joint.limits.effort, joint.limits.effort, tool.x(), tool.y(),
-          tool.z());
+          "joint '{}' needs {:.0f} % of its effort limit of {:.3g} to hold the arm with its tool at ({:.3g}, "
+          "{:.3g}, {:.3g}) m. A task may need {:.0f} %, and none with less load was found; check this limit "
+          "and the masses",
+          joint.name, 100.0 * lightest_.value, joint.limits.effort, tool.x(), tool.y(), tool.z(),
+          100.0 * kMostLoad);
     }
     if (nears_ > lows_) return fmt::format("on the circles that {} can follow, {}", arm_.name, near_);
     if (lows_ > 0) {

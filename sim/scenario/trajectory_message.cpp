@@ -56,7 +56,7 @@ std::vector<std::size_t> places_of(const yaml::Node& names, const RobotModel& ro
   for (const JointInfo& joint : robot.joints) {
     const auto found = std::find(in_file.begin(), in_file.end(), joint.name);
     if (found == in_file.end()) {
-      names.fail(fmt::format("joint '{0}' of {1} is missing; the file has: {3}{2}", joint.name, robot.name,
+      names.fail(fmt::format("joint '{0}' of {1} is missing{2}; the file has: {3}", joint.name, robot.name,
                              suggestion(joint.name, in_file), fmt::join(in_file, ", ")));
     }
     places.push_back(static_cast<std::size_t>(found - in_file.begin()));

@@ -105,8 +105,7 @@ std::string MapReader::string(std::string_view key, const std::string& default_v
 void MapReader::finish() const {
   for (const auto& [key, value] : map_.entries()) {
     if (is_known(key)) continue;
-    const std::string meant = suggestion(key, known_);
-    value.fail(fmt::format("unknown key '{}'{} known keys: {}", key, meant.empty() ? ";" : meant,
+    value.fail(fmt::format("unknown key '{}'{}; known keys: {}", key, suggestion(key, known_),
                            known_.empty() ? "none" : fmt::format("{}", fmt::join(known_, ", "))));
   }
 }

@@ -41,7 +41,13 @@ ExciteSettings settings_of(const Arguments& args) {
   settings.model = load_robot(args.robot);
   for (const std::string& name : args.scenarios) {
     const RobotModel& robot = *settings.scenarios.emplace_back(load_scenario(name)).robot;
-    if (robot.name != settings.model->name || joint_names(robot) != joint_names(*settings.model)) {
+    if (robot.name == settings.model->name && joint_names(robot) != joint_names(*settings.model)) {
+      throw InputError(fmt::format(
+          "{}: the scenario's robot is called {} like ROBOT, but has other joints; give the robot "
+          "file of the scenario as ROBOT",
+          name, robot.name));
+    }
+    if (robot.name != settings.model->name) {
       throw InputError(
           fmt::format("{}: the scenario's robot is {}, but ROBOT is {}; give the same robot as "
                       "ROBOT, or a scenario with {}",

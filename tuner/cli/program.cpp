@@ -84,7 +84,7 @@ void refuse_unknown_command(const CLI::App& app, const std::vector<std::string>&
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
   if (std::find(names.begin(), names.end(), words[1]) != names.end()) return;
-  throw InputError(one_line(fmt::format("there is no command '{}'{} (armtune --help lists all commands)",
+  throw InputError(one_line(fmt::format("there is no command '{}'{}; armtune --help lists all commands",
                                         words[1], suggestion(words[1], names))));
 }
 

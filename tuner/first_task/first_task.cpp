@@ -46,11 +46,13 @@ class Search {
       has_place_ = true;
       for (std::size_t place = 0; place < tasks.size(); ++place) {
         if (progress_) {
-          progress_(fmt::format("trying a first task{}{}{}: place {} of {}, {} times the usual duration",
-                                options_.mask == TaskMask::kPosition ? ", position only" : "",
-                                options_.without_floor ? ", no floor" : "",
-                                options_.thorough ? ", ten times as many positions" : "", place + 1,
-                                tasks.size(), pace.slowness));
+          progress_(fmt::format(
+              "trying a first task{}{}{}: place {} of {}{}",
+              options_.mask == TaskMask::kPosition ? ", position only" : "",
+              options_.without_floor ? ", no floor" : "",
+              options_.thorough ? ", ten times as many positions" : "", place + 1, tasks.size(),
+              pace.slowness == 1.0 ? std::string()
+                                   : fmt::format(", {} times the usual duration", pace.slowness)));
         }
         if (tasks[place].load < lightest_) {
           lightest_ = tasks[place].load;

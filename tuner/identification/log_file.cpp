@@ -92,10 +92,10 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
           path_, header_line_, column.name, header_.size()));
     }
     throw InputError(fmt::format(
-        "{}:{}: there is no column '{}' among these, separated by {}: {}{}; a column map (--columns FILE) "
+        "{}:{}: there is no column '{}'{} among these, separated by {}: {}; a column map (--columns FILE) "
         "says which column holds what",
-        path_, header_line_, column.name, separator_name(separator_), listed(header_),
-        suggestion(column.name, header_)));
+        path_, header_line_, column.name, suggestion(column.name, header_), separator_name(separator_),
+        listed(header_)));
   }
   if (std::find(found + 1, header_.end(), column.name) == header_.end())
     return static_cast<std::size_t>(found - header_.begin());

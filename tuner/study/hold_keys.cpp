@@ -16,7 +16,7 @@ namespace {
 double read_threshold(yaml::MapReader& map, const ThresholdField& field, double fallback) {
   const double value = map.number_in(field.name, fallback, field.least, field.most);
   if (field.whole && value != std::floor(value))
-    map.required(field.name).fail(fmt::format("{} [{}] must be a whole number", value, field.unit));
+    map.required(field.name).fail(fmt::format("{} must be a whole number", value));
   return value;
 }
 

@@ -17,11 +17,13 @@ namespace {
 /// Engines agree far better than this where nothing diverges; beyond it the search saw another arm.
 constexpr double kEngineTolerance = 1e-3;
 
-bool agree(const Costs& a, const Costs& b, double tolerance) {
+/// Returns the first criterion whose costs differ by more than the tolerance, relative; the size if none
+/// does.
+std::size_t first_difference(const Costs& a, const Costs& b, double tolerance) {
   for (std::size_t c = 0; c < a.size(); ++c) {
-    if (!(std::abs(a[c] - b[c]) <= tolerance * std::max(std::abs(a[c]), std::abs(b[c])))) return false;
+    if (!(std::abs(a[c] - b[c]) <= tolerance * std::max(std::abs(a[c]), std::abs(b[c])))) return c;
   }
-  return true;
+  return a.size();
 }
 
 }  // namespace
@@ -43,11 +45,15 @@ bool verify(const Study& study, const Objective& objective, const ParetoOptions&
     for (const Criterion& criterion : options.criteria) {
       point.costs.push_back(cost(criterion, point.e, study.scenarios));
     }
-    if (!agree(point.costs, seen.costs, same_engine ? 0.0 : kEngineTolerance) ||
-        (same_engine && !point.e.feasible)) {
+    const std::size_t other = first_difference(point.costs, seen.costs, same_engine ? 0.0 : kEngineTolerance);
+    if (other < point.costs.size()) {
       throw FailedError(fmt::format("simulating evaluation {} again gives {} {} instead of {}",
-                                    seen.evaluation, options.criteria.front().name(), point.costs.front(),
-                                    seen.costs.front()));
+                                    seen.evaluation, options.criteria[other].name(), point.costs[other],
+                                    seen.costs[other]));
+    }
+    if (same_engine && !point.e.feasible) {
+      throw FailedError(fmt::format("simulating evaluation {} again breaks a constraint that it kept before",
+                                    seen.evaluation));
     }
     if (point.e.feasible) verified.push_back(std::move(point));
   }

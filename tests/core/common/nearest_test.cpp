@@ -64,7 +64,7 @@ TEST(Nearest, OfNothingIsNothing) {
 }
 
 TEST(Suggestion, EndsAMessage) {
-  EXPECT_EQ(suggestion("durration", kKeys), "; did you mean 'duration'?");
+  EXPECT_EQ(suggestion("durration", kKeys), " (did you mean 'duration'?)");
 }
 TEST(Suggestion, IsEmptyWhenNothingIsClose) {
   EXPECT_EQ(suggestion("gravity", kKeys), "");

@@ -102,7 +102,7 @@ TEST(CsvTable, NamesFileLineAndColumnOfWhatIsWrong) {
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,x7\n", "t.csv").numbers(1); }),
               testing::AllOf(HasSubstr("t.csv:3"), HasSubstr("x7"), HasSubstr("column b")));
   EXPECT_THAT(refusal([] { CsvTable::parse("times,b\n", "t.csv").column("time"); }),
-              HasSubstr("t.csv:1: no column 'time'; did you mean 'times'?"));
+              HasSubstr("t.csv:1: no column 'time' (did you mean 'times'?)"));
   EXPECT_THAT(refusal([] { CsvTable::parse("", "t.csv"); }), HasSubstr("t.csv"));
   EXPECT_THAT(refusal([] { CsvTable::read("/nonexistent/t.csv"); }),
               HasSubstr("/nonexistent/t.csv: no such file"));

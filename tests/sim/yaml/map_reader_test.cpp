@@ -126,7 +126,7 @@ TEST(MapReaderFinish, RefusesAnUnknownKeyWithTheNearestKnownOne) {
   reader.string("robot", "");
   reader.number("duration", 1.0);
   EXPECT_EQ(error_of([&] { reader.finish(); }),
-            "in.yaml:2: key 'durration': unknown key 'durration'; did you mean 'duration'? known keys: "
+            "in.yaml:2: key 'durration': unknown key 'durration' (did you mean 'duration'?); known keys: "
             "robot, duration");
 }
 
