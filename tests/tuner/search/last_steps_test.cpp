@@ -142,7 +142,7 @@ TEST_F(LastStepsInTime, TheBudgetHoldsForThemToo) {
 }
 
 TEST_F(LastStepsInTime, AGlobalSearchLeavesItsShareToTheLocalOne) {
-  begin(80.0);
+  begin(40.0);
   study_.global_algorithm = "CRS2";
   study_.global_share = 0.5;
   study_.solver.algorithm = "SBPLX";
