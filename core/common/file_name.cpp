@@ -11,24 +11,27 @@ namespace armtune::internal {
 void check_file_name(const std::string& name, const std::string& path, std::size_t longest) {
   if (name.size() > longest) {
     throw InputError(fmt::format(
-        "{}: the name has {} bytes, and files of results are called after it; rename it to one of "
-        "at most {}",
+        "{}: the name has {} bytes, which is too long for the names of result files; rename the file to at "
+        "most {} bytes",
         path, name.size(), longest));
   }
   if (is_printable(name)) return;
   throw InputError(
-      fmt::format("{}: the name holds a control character, a line separator or a byte that is not UTF-8, and "
-                  "files of results are called after it; rename it",
+      fmt::format("{}: the file name contains a control character, a line separator or a byte that is not "
+                  "UTF-8; rename the file, because result files take their names from it",
                   path));
 }
 
 void check_result_name(const std::string& name, const std::string& path, std::size_t longest) {
   if (name.find_first_of(",\"") != std::string::npos) {
-    throw InputError(path + ": the name holds a comma or a quote, and would break the CSV files; rename it");
+    throw InputError(path +
+                     ": the file name contains a comma or a quote, which would break CSV files; rename it");
   }
   if (is_formula(name)) {
     throw InputError(fmt::format(
-        "{}: the name begins like a spreadsheet's formula; rename the file (CSV files use it)", path));
+        "{}: the file name begins like a spreadsheet formula; rename the file, because CSV files contain its "
+        "name",
+        path));
   }
   check_file_name(name, path, longest);
 }

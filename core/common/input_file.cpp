@@ -95,8 +95,8 @@ std::string read_file(const std::string& path, std::size_t max_bytes, const std:
 std::string read_input_file(const std::string& path, std::size_t max_bytes, const std::string& kind) {
   if (!is_printable(path)) {
     throw InputError(fmt::format(
-        "{}: the path holds a control character, a line separator or a byte that is not UTF-8, so "
-        "that no file of results could name it; rename it",
+        "{}: the path contains a control character, a line separator or a byte that is not UTF-8, which "
+        "result files cannot contain; rename it",
         path));
   }
   if (Bytes bytes = recorded_input(path)) {

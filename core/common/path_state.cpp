@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& path, const std::error_code& why) {
-  throw InputError(fmt::format("{}: cannot be looked at: {}; name another path, or remove the cause", path,
-                               why.message()));
+  throw InputError(
+      fmt::format("{}: cannot be accessed: {}; name another path, or remove the cause", path, why.message()));
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void refuse_existing(const std::string& path) {
   const fs::file_status status = fs::symlink_status(path, error);
   if (status.type() == fs::file_type::not_found) return;
   if (status.type() == fs::file_type::none) refuse(path, error);
-  throw InputError(fmt::format("{}: is there already; name another file, or take this one away", path));
+  throw InputError(fmt::format("{}: exists already; name another file, or remove this one", path));
 }
 
 bool is_missing_or_empty(const std::string& folder) {

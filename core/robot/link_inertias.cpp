@@ -73,7 +73,7 @@ void LinkInertias::judge(Chain& chain, const std::string& source, MissingData* m
   }
   if (missing != nullptr || named.empty()) return;
   throw InputError(fmt::format(
-      "{}: no rigid body has the principal moments of inertia of {} kg m^2: none may be negative, or larger "
+      "{}: principal moments of inertia that no rigid body has [kg m^2]: {}; none may be negative, or larger "
       "than the sum of the other two (triangle inequality). 'armtune robot {} --sidecar arm.yaml' proposes "
       "the nearest possible ones",
       source, named, source));

@@ -57,13 +57,14 @@ void Checker::characters(const char* kind, const std::string& name) const {
   const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
     return c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
   });
-  require(name.size() <= kLongest, "{} {}: its name has {} bytes; it may have {}: rename it", kind,
+  require(name.size() <= kLongest, "{} {}: its name has {} bytes; rename it to at most {} bytes", kind,
           shown(name), name.size(), kLongest);
   require(printable,
-          "{} '{}': its name holds a comma, a quote or a control character; rename it (CSV files use it)",
+          "{} '{}': its name contains a comma, a quote or a control character; rename it, because CSV files "
+          "contain it",
           kind, name);
   require(!is_formula(name),
-          "{} {}: its name begins like a spreadsheet's formula; rename it (CSV files use it)", kind,
+          "{} {}: its name begins like a spreadsheet formula; rename it, because CSV files contain it", kind,
           shown(name));
   require(is_utf8(name), "{} {}: its name is not UTF-8; save the file as UTF-8, or rename it", kind,
           shown(name));
@@ -72,11 +73,11 @@ void Checker::characters(const char* kind, const std::string& name) const {
 void Checker::rotation(const char* what, const std::string& owner, const Mat3& R, const Vec3& p) const {
   require(p.allFinite() && R.allFinite(), "{} '{}': its pose is not finite", what, owner);
   require(p.stableNorm() <= kFarthest,
-          "{} '{}': its origin is {:.6g} m from its parent's; it may be up to {:.0f} m", what, owner,
+          "{} '{}': its origin is {:.6g} m from that of its parent; it must be at most {:.0f} m", what, owner,
           p.stableNorm(), kFarthest);
   const bool proper =
       (R * R.transpose() - Mat3::Identity()).norm() < kRotationTolerance && R.determinant() > 0.0;
-  require(proper, "{} '{}': its orientation is no rotation matrix (determinant {:.6g}, must be 1)", what,
+  require(proper, "{} '{}': its orientation is not a rotation matrix (determinant {:.6g}, must be 1)", what,
           owner, R.determinant());
 }
 
@@ -88,7 +89,7 @@ void Checker::arm() const {
   require(chain.n > 0,
           "robot '{}' has no revolute, continuous or prismatic joint; there is nothing to control",
           model_.name);
-  require(chain.n <= kMaxJoints, "robot '{}' has {} moving joints; armtune takes up to {}", model_.name,
+  require(chain.n <= kMaxJoints, "robot '{}' has {} moving joints; armtune supports at most {}", model_.name,
           chain.n, kMaxJoints);
   const bool consistent = static_cast<int>(model_.joints.size()) == chain.n &&
                           chain.rotor_inertia.size() == chain.n && chain.viscous_friction.size() == chain.n &&
@@ -97,7 +98,7 @@ void Checker::arm() const {
           "robot '{}': names, rotor inertia and friction must have one entry for each of its {} joints",
           model_.name, chain.n);
   require(chain.link_radius.size() == 0 || chain.link_radius.size() == chain.n,
-          "robot '{}': {} link radii for {} links; give one for each, or none", model_.name,
+          "robot '{}' has {} link radii for {} links; give one for each, or none", model_.name,
           chain.link_radius.size(), chain.n);
   require(chain.gravity.allFinite(), "robot '{}': gravity is not finite", model_.name);
   rotation("tool frame on link", model_.tip_link, chain.R_BT, chain.p_BT);
@@ -109,21 +110,22 @@ void Checker::link(int i) const {
   const std::string& link = model_.joints[k].link;
   name("link", link);
   require(std::isfinite(body.mass) && body.mass > 0.0,
-          "link '{}': mass is {:.6g} kg; it moves, so it must be finite and > 0", link, body.mass);
+          "link '{}': mass is {:.6g} kg; the link moves, so its mass must be finite and > 0", link,
+          body.mass);
   require(body.mass <= kHeaviest,
-          "link '{}': mass is {:.6g} kg; a link may have up to {:.0f} kg: give it in kg", link, body.mass,
-          kHeaviest);
+          "link '{}': mass is {:.6g} kg, but a link may have at most {:.0f} kg; give it in kg", link,
+          body.mass, kHeaviest);
   require(body.first_moment.allFinite() && body.inertia.allFinite(),
           "link '{}': centre of mass or inertia is not finite", link);
   const double far = (body.first_moment / body.mass).stableNorm();
   require(far <= kFarthest,
-          "link '{}': its centre of mass is {:.6g} m from its joint; it may be up to {:.0f} m", link, far,
+          "link '{}': its centre of mass is {:.6g} m from its joint; it must be at most {:.0f} m", link, far,
           kFarthest);
   const Mat3& I_B = body.inertia;
   const double largest = I_B.cwiseAbs().maxCoeff();
   require(largest <= kHeaviest * kFarthest * kFarthest,
-          "link '{}': its inertia is {:.6g} kg m^2; no link has more than {:.0e}: give it in kg m^2", link,
-          largest, kHeaviest * kFarthest * kFarthest);
+          "link '{}': its inertia is {:.6g} kg m^2, but a link may have at most {:.0e}; give it in kg m^2",
+          link, largest, kHeaviest * kFarthest * kFarthest);
   require((I_B - I_B.transpose()).norm() <= kRotationTolerance * I_B.norm(),
           "link '{}': inertia is not symmetric (ixy {:.6g}, iyx {:.6g})", link, I_B(0, 1), I_B(1, 0));
 
@@ -135,7 +137,8 @@ void Checker::link(int i) const {
       link, moments[0], moments[1], moments[2]);
   if (model_.chain.motion[k] == JointMotion::kRevolute)
     require(I_B(2, 2) > 1e-12 * I_B.trace(),
-            "link '{}': inertia about the axis of joint '{}' is {:.6g} kg m^2; it turns, so it must be > 0",
+            "link '{}': inertia about the axis of joint '{}' is {:.6g} kg m^2; the link turns about it, so "
+            "it must be > 0",
             link, model_.joints[k].name, I_B(2, 2));
 }
 
@@ -157,7 +160,7 @@ void Checker::joint(int i) const {
   }
   require(limits.has_position || revolute, "joint '{}': a prismatic joint needs position limits", joint);
   require(revolute || std::max(std::abs(limits.lower), std::abs(limits.upper)) <= kFarthest,
-          "joint '{}': position limits {} and {} m are beyond {:.0f} m; give what the joint can slide", joint,
+          "joint '{}': position limits {} and {} m are beyond {:.0f} m; give the joint's travel in m", joint,
           limits.lower, limits.upper, kFarthest);
   require(std::isfinite(limits.velocity) && limits.velocity > 0.0,
           "joint '{}': velocity limit is {} {}/s; it must be finite and > 0: give it in the URDF, or by "

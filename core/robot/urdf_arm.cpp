@@ -125,8 +125,8 @@ class ArmBuilder {
       held += fmt::format("{}{}: {}", held.empty() ? "" : ", ", joint->name, place_to_hold(*joint, options_));
     }
     refuse(
-        "{} moves on the arm beside the way to '{}'; hold what does, at rad or m, by 'hold: {{{}}}' in a "
-        "robot YAML",
+        "the chain to '{1}' does not contain the moving joints {0}; fix them at a position (rad or m) with "
+        "'hold: {{{2}}}' in a robot YAML",
         names, tip_name(), held);
   }
 
@@ -134,14 +134,14 @@ class ArmBuilder {
   void refuse_unused() const {
     for (const auto& [name, limits] : options_.limits) {
       if (!options_.held.contains(name)) {
-        if (!moves(name)) refuse("limits: joint '{}' does not move this arm; leave it out", name);
+        if (!moves(name)) refuse("limits: joint '{}' is not a moving joint of this arm; leave it out", name);
       } else if (limits.velocity || limits.effort) {
-        refuse("limits: joint '{}' is held, where only lower and upper count; leave velocity and effort out",
+        refuse("limits: joint '{}' is held, so only lower and upper are used; leave out velocity and effort",
                name);
       }
     }
     for (const auto& [name, shapes] : options_.shapes) {
-      if (!sites_.contains(name)) refuse("shapes: link '{}' is no part of this arm; leave it out", name);
+      if (!sites_.contains(name)) refuse("shapes: link '{}' is not part of this arm; leave it out", name);
     }
     for (const auto& [name, inertia] : options_.inertia) {
       const auto site = sites_.find(name);
@@ -243,7 +243,8 @@ class ArmBuilder {
       if (follows(entry)) add(entry.second);
     }
     refuse(
-        "joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; hold by 'hold: {{{}}}' in a robot YAML",
+        "joint '{}': it mimics joint '{}'{}, which armtune cannot simulate; use 'hold: {{{}}}' in a robot "
+        "YAML",
         joint.name, joint.mimics, fingers ? ", as the fingers of a gripper do" : "", hold);
   }
 
@@ -261,14 +262,14 @@ class ArmBuilder {
     if (next < model_.joints.size()) {
       const UrdfJoint& other = tree_->joints.at(model_.joints[next].name);
       refuse(
-          "armtune needs a serial arm: joints '{0}' and '{1}' both move on '{2}'; hold both by 'hold: {{{0}: {3}, {1}: "
-          "{4}}}' in a robot YAML if they are a gripper's fingers, else name the tip_link, or hold the one that is not "
-          "the arm's",
+          "armtune needs a serial arm, but joints '{0}' and '{1}' both move on '{2}'. If they are the "
+          "fingers of a gripper, hold both with 'hold: {{{0}: {3}, {1}: {4}}}' in a robot YAML; otherwise "
+          "name the tip_link, or hold the joint that is not part of the arm",
           other.name, joint.name, next == 0 ? model_.base_link : model_.joints[next - 1].link,
           place_to_hold(other, options_), place_to_hold(joint, options_));
     }
     if (model_.n() == kMaxJoints)
-      refuse("joint '{}': it is moving joint {}; armtune takes up to {}", joint.name, kMaxJoints + 1,
+      refuse("joint '{}' is moving joint number {}; armtune supports at most {}", joint.name, kMaxJoints + 1,
              kMaxJoints);
   }
 
@@ -292,7 +293,7 @@ class ArmBuilder {
       std::string possible;
       for (const auto& [name, site] : sites_)
         if (site.body == model_.n() - 1) possible += (possible.empty() ? "" : ", ") + name;
-      refuse("link '{}': the tool frame cannot be on it: {}; choose tip_link among: {}", model_.tip_link,
+      refuse("link '{}' cannot carry the tool frame: {}; set tip_link to one of: {}", model_.tip_link,
              found == sites_.end() ? "there is no such link" : "it is not fixed to the last moving link",
              possible);
     }

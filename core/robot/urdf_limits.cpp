@@ -18,7 +18,7 @@ JointLimits limits_of(const UrdfJoint& joint, const UrdfOptions& options, const 
   const bool lacks_position = !range && !turns_freely;
   if (missing == nullptr && lacks_position)
     throw InputError(fmt::format(
-        "{}: joint '{}': its lower and its upper position limit are missing or the same; give both in the URDF "
+        "{}: joint '{}': its lower and upper position limits are missing or the same; give both in the URDF "
         "or by 'limits' in a robot YAML",
         source, joint.name));
   const UrdfJoint::Limits file = joint.limits.value_or(UrdfJoint::Limits{});

@@ -69,7 +69,7 @@ Parsed parse(const std::string& text, const std::string& path) {
   });
   if (const std::string errors = log.line(); !errors.empty())
     throw InputError(fmt::format("{}: {}; correct the file", path, errors));
-  if (!parsed || !parsed->getRoot()) throw InputError(path + ": urdfdom finds no robot in it");
+  if (!parsed || !parsed->getRoot()) throw InputError(path + ": contains no robot that urdfdom can read");
   return tree;
 }
 

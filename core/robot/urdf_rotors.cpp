@@ -65,7 +65,7 @@ std::optional<double> reflected(const pugi::xml_node& actuator, const std::strin
   if (!gear) return inertia;
   const double ratio = read(*gear, joint, path);
   if (ratio == 0.0) {
-    throw InputError(fmt::format("{}: joint '{}': the {} of its transmission is 0; it must not be", path,
+    throw InputError(fmt::format("{}: joint '{}': the {} of its transmission is 0; it must not be 0", path,
                                  joint, gear->element));
   }
   return ratio * ratio * inertia;

@@ -38,12 +38,13 @@ void require_joint(const UrdfTree& tree, const std::string& name, const char* wh
 void check_held(const UrdfJoint& joint, double value, const UrdfOptions& options, const std::string& source) {
   if (joint.motion == UrdfMotion::kFixed || joint.motion == UrdfMotion::kOther) {
     throw InputError(
-        fmt::format("{}: hold: joint '{}' neither turns nor slides; leave it out", source, joint.name));
+        fmt::format("{}: hold: joint '{}' is fixed, floating or planar; leave it out", source, joint.name));
   }
   const auto [lower, upper] = position_range(joint, options).value_or(std::pair(-HUGE_VAL, HUGE_VAL));
   if (std::isfinite(value) && value >= lower && value <= upper) return;
-  throw InputError(fmt::format("{}: hold: joint '{}' at {} {}; its limits are {} .. {}", source, joint.name,
-                               value, joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower, upper));
+  throw InputError(fmt::format("{}: hold: joint '{}' at {} {} is outside its limits {} .. {}", source,
+                               joint.name, value, joint.motion == UrdfMotion::kPrismatic ? "m" : "rad", lower,
+                               upper));
 }
 
 bool moves(const UrdfJoint& joint, const UrdfOptions& options) {
@@ -117,8 +118,8 @@ UrdfSelection select_arm(const UrdfTree& tree, const UrdfOptions& options, const
   const bool behind = find_way(tree, selection.base, tip, selection.on_the_way);
   if (asked && !behind) {
     throw InputError(
-        fmt::format("{}: no joints lead from base_link '{}' to tip_link '{}'; choose two links "
-                    "one of which is behind the other",
+        fmt::format("{}: no chain of joints leads from base_link '{}' to tip_link '{}'; choose two links on "
+                    "the same chain, the tip_link after the base_link",
                     source, selection.base, tip));
   }
   selection.has_tip =

@@ -17,9 +17,9 @@ void require_tree(const UrdfTree& tree, const std::string& source) {
     for (const std::string& name : link.joints) {
       const std::string& child = tree.joints.at(name).child;
       if (!reached.insert(child).second) {
-        throw InputError(fmt::format(
-            "{}: link '{}': joint '{}' leads to it a second time; links and joints must form a tree", source,
-            child, name));
+        throw InputError(
+            fmt::format("{}: link '{}' has a second parent joint, '{}'; links and joints must form a tree",
+                        source, child, name));
       }
       open.push_back(child);
     }

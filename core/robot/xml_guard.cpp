@@ -85,7 +85,7 @@ class Scanner {
 
   std::size_t end_of(std::size_t at, std::size_t opening, std::string_view mark) const {
     const std::size_t end = text_.find(mark, at + opening);
-    if (end == kEnd) refuse(at, "'{}' without its '{}'", text_.substr(at, opening), mark);
+    if (end == kEnd) refuse(at, "'{}' has no closing '{}'; add it", text_.substr(at, opening), mark);
     return end + mark.size();
   }
 
@@ -98,10 +98,10 @@ class Scanner {
       if (text_[end] == '"' || text_[end] == '\'') end = attribute(at, end);
       if (text_[end] == '%') refuse_format(end);
       if (text_[end] == '=' && ++attributes > kMaxAttributes)
-        refuse(at, "a tag with more than {} attributes; a URDF needs no more than 10: take the others away",
+        refuse(at, "a tag has more than {} attributes; a URDF needs no more than 10: remove the others",
                kMaxAttributes);
     }
-    if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag that is not closed by '>'");
+    if (end >= text_.size() || text_[end] == '<') refuse(at, "a tag is not closed by '>'; close it");
     const std::string_view body = text_.substr(at + 1, end - at - 1);
     if (body.starts_with('/')) {
       if (depth_ == 2 && needs_limit_) put_in_.emplace_back(at, "<limit velocity='0' effort='0'/>");
@@ -130,15 +130,14 @@ class Scanner {
   /// By its first element.
   void refuse_other_format(std::size_t at, std::string_view name) const {
     if (name == "sdf") {
-      refuse(
-          at,
-          "this is an SDF file, and armtune reads URDF; convert it, with sdf2urdf of sdformat_tools or of pysdf "
-          "for example");
+      refuse(at,
+             "this is an SDF file, but armtune reads URDF; convert it, for example with sdf2urdf of "
+             "sdformat_tools or of pysdf");
     }
     if (name == "mujoco" || name == "mujocoinclude") {
       refuse(at,
-             "this is an MJCF file of MuJoCo, and armtune reads URDF; convert it, with the Python package "
-             "mjcf-urdf-simple-converter for example, or take the vendor's URDF");
+             "this is an MJCF file of MuJoCo, but armtune reads URDF; use the vendor's URDF, or convert the "
+             "file, for example with the Python package mjcf-urdf-simple-converter");
     }
   }
 
@@ -151,7 +150,7 @@ class Scanner {
     if (depth_ != 2 || (owner_ != "link" && owner_ != "joint")) return;
     if (std::find(kOnce.begin(), kOnce.end(), name) == kOnce.end()) return;
     if (std::find(seen_.begin(), seen_.end(), name) != seen_.end())
-      refuse(at, "a second <{}> in one <{}>; take one of them away", name, owner_);
+      refuse(at, "a second <{}> in one <{}>; remove one of the two", name, owner_);
     seen_.push_back(name);
   }
 
@@ -173,10 +172,10 @@ class Scanner {
   /// Checks the attribute value that opens at `quote` in the tag at `at`; returns its closing quote.
   std::size_t attribute(std::size_t at, std::size_t quote) const {
     const std::size_t end = text_.find(text_[quote], quote + 1);
-    if (end == kEnd) refuse(quote, "an attribute without its closing quote");
+    if (end == kEnd) refuse(quote, "an attribute has no closing quote; add it");
     const std::string_view value = text_.substr(quote + 1, end - quote - 1);
     if (value.find('<') != kEnd)
-      refuse(quote, "'<' inside an attribute; is a quote missing? (else write &lt;)");
+      refuse(quote, "'<' inside an attribute; add the closing quote if it is missing, or write &lt;");
     if (value.find("${") != kEnd || value.find("$(") != kEnd) refuse_xacro(quote, value);
 
     std::string_view before = text_.substr(at, quote - at);

@@ -14,14 +14,15 @@ JointSpline::JointSpline(std::vector<double> time, std::vector<MotionPoint<Joint
     : time_(std::move(time)), knots_(std::move(knots)) {
   if (time_.size() < 2 || time_.size() != knots_.size()) {
     throw InputError(
-        fmt::format("a joint motion has {} times and {} knots; give at least two, as many of each",
+        fmt::format("a joint motion has {} times and {} knots; give the same number of both, at least two",
                     time_.size(), knots_.size()));
   }
   for (std::size_t k = 1; k < time_.size(); ++k) {
     if (time_[k] > time_[k - 1]) continue;
     throw InputError(
-        fmt::format("knot {} of a joint motion is at {} s, the one before at {} s; times must rise", k,
-                    time_[k], time_[k - 1]));
+        fmt::format("knot {} of a joint motion is at {} s, but the knot before it is at {} s; times must "
+                    "increase",
+                    k, time_[k], time_[k - 1]));
   }
 }
 

@@ -49,8 +49,8 @@ PositionSpline polyline(const std::vector<Vec3>& corners, double speed, double b
     length.push_back(side.norm());
     if (!(length[s] >= 2.0 * blend * (1.0 - 1e-9))) {
       throw InputError(
-          fmt::format("corners {} and {} are {:.6g} m apart, less than the two blends of {:.6g} m at its "
-                      "ends; blend less",
+          fmt::format("corners {} and {} are {:.6g} m apart, which is less than the two blends of {:.6g} m "
+                      "between them; reduce the blend",
                       s + 1, (s + 1) % n + 1, length[s], blend));
     }
     direction.push_back(side / length[s]);

@@ -26,19 +26,23 @@ PositionSpline::PositionSpline(const std::vector<double>& time, const std::vecto
                                bool loops)
     : time_(time), knots_(knots), loops_(loops) {
   if (time_.size() < 2 || time_.size() != knots_.size()) {
-    throw InputError(fmt::format("a motion has {} times and {} knots; give at least two, as many of each",
-                                 time_.size(), knots_.size()));
+    throw InputError(
+        fmt::format("a motion has {} times and {} knots; give the same number of both, at least "
+                    "two",
+                    time_.size(), knots_.size()));
   }
   for (std::size_t k = 1; k < time_.size(); ++k) {
     const double duration = time_[k] - time_[k - 1];
     if (!(duration > 0.0)) {
-      throw InputError(fmt::format("knot {} of a motion is at {} s, the one before at {} s; times must rise",
-                                   k, time_[k], time_[k - 1]));
+      throw InputError(
+          fmt::format("knot {} of a motion is at {} s, but the knot before it is at {} s; times must "
+                      "increase",
+                      k, time_[k], time_[k - 1]));
     }
     pieces_.emplace_back(knots_[k - 1], knots_[k], duration);
   }
   if (loops_ && !same(knots_.front(), knots_.back())) {
-    throw InputError("a motion that loops must end as it begins: position, velocity and acceleration alike");
+    throw InputError("a looping motion must end with the position, velocity and acceleration of its start");
   }
 }
 

@@ -22,12 +22,12 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
                                   std::vector<std::string>& meshes, std::string& why) {
   const auto path = mesh_path(shape.file, urdf);
   if (!path) {
-    why = fmt::format("no such file in the robot's folder, nor in one that {} names", kMeshFolders);
+    why = fmt::format("no such file in the robot's folder or in a folder that {} lists", kMeshFolders);
     return std::nullopt;
   }
   const auto corners = read_binary_stl(*path, kMostTriangles);
   if (!corners) {
-    why = fmt::format("no binary STL file of up to {} triangles; convert it", kMostTriangles);
+    why = fmt::format("not a binary STL file with at most {} triangles; convert it", kMostTriangles);
     return std::nullopt;
   }
   if (std::find(meshes.begin(), meshes.end(), *path) == meshes.end()) meshes.push_back(*path);
@@ -38,7 +38,7 @@ std::optional<Solid> hull_of_mesh(const Shape& shape, const std::string& urdf,
     points.push_back(shape.size.cwiseProduct(point.cast<double>()));
   }
   auto hull = convex_hull(points);
-  if (!hull) why = "its points have no volume";
+  if (!hull) why = "its points enclose no volume";
   return hull;
 }
 

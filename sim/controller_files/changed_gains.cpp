@@ -74,10 +74,10 @@ void refuse_what_is_lost(const std::string& changed, const RosController& contro
     Eigen::Index k = 0;
     (back.own[place] - gains.own[place]).cwiseAbs().maxCoeff(&k);
     const bool each = own_gain->shape == GainShape::kJoints;
-    throw InputError(one_line(
-        fmt::format("{}: {}: {}{} is to be {}, and the file would give {}; write a number for it there", file,
-                    controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
-                    yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
+    throw InputError(one_line(fmt::format(
+        "{}: {}: {}{} must become {}, but the file would give {}; write a number for it there", file,
+        controller.name, field.name, each ? " of " + joints[static_cast<std::size_t>(k)] : "",
+        yaml::decimal(gains.own[place][k]), yaml::decimal(back.own[place][k]))));
   }
 }
 
@@ -88,7 +88,7 @@ std::string with_gains(const std::string& text, const RosController& controller,
   const JointParameters parameters(controller, file);
   const Gains now = joint_trajectory_gains(controller, file, joints);
   if (gains.controller != now.controller)
-    throw InputError(fmt::format("{}: {} is a {}, and these are gains of a {}", file, controller.name,
+    throw InputError(fmt::format("{}: {} is a {}, but the gains are for a {}", file, controller.name,
                                  now.controller, gains.controller));
   std::vector<Change> changes;
   const auto add = [&changes](const PlacedValue* at, const std::string& gain, double had, double wanted) {
@@ -117,13 +117,13 @@ std::string with_gains(const std::string& text, const RosController& controller,
     for (next = i; next < changes.size() && changes[next].at == change.at; ++next) {
       if (changes[next].text == change.text) continue;
       parameters.fail(change.at->line,
-                      fmt::format("{} and {} share a number by an anchor, and are to be {} and {}; write "
-                                  "both out",
+                      fmt::format("{} and {} share a number through an anchor, but must become {} and {}; "
+                                  "write both out",
                                   change.gain, changes[next].gain, change.text, changes[next].text));
     }
     if (change.differs && uses.of(*change.at) != static_cast<double>(next - i)) {
       parameters.fail(change.at->line,
-                      fmt::format("{} is to be {}, and an alias elsewhere in the file has the same number; "
+                      fmt::format("{} must become {}, but an alias elsewhere in the file shares its number; "
                                   "write both out",
                                   change.gain, change.text));
     }

@@ -43,9 +43,9 @@ class Reader : public JointParameters {
           !size.starts_with('-') && value.has_place() && is_same_to_all(size))
         return minus ? -number : number;
     }
-    fail(value.line,
-         fmt::format("{} is {}; expected a number, plainly, without quotes, tags or leading zeros{}", what,
-                     shown(value.text), controller().ros2 ? "" : ", with a point before an exponent"));
+    fail(value.line, fmt::format("{} is {}; expected a plain number without quotes, tags or leading zeros{}",
+                                 what, shown(value.text),
+                                 controller().ros2 ? "" : ", with a decimal point before an exponent"));
   }
 
   /// 010 is octal to YAML 1.1, and 3e2 a text.
@@ -78,7 +78,8 @@ class Reader : public JointParameters {
                                     suggestion(joint, joints), fmt::join(joints, ", ")));
     }
     if (!missing.empty())
-      fail(gains->line, fmt::format("no gains for {} of the arm", fmt::join(missing, ", ")));
+      fail(gains->line,
+           fmt::format("the file has no gains for {} of the arm; add them", fmt::join(missing, ", ")));
   }
 
   /// The kind that its command interface asks for.
@@ -98,7 +99,7 @@ class Reader : public JointParameters {
     if (commands.empty() || commands == std::vector<std::string>{"effort"}) return kJointTrajectoryController;
     if (commands != std::vector<std::string>{"velocity"})
       fail(controller().parameters->line,
-           fmt::format("it commands {}; armtune simulates commands of effort alone, or of velocity alone",
+           fmt::format("it commands {}; armtune simulates either effort commands or velocity commands",
                        fmt::join(commands, ", ")));
     const PlacedValue* open_loop = controller().parameters->find("open_loop_control");
     if (open_loop != nullptr && (open_loop->text == "true" || open_loop->text == "True"))
@@ -115,20 +116,20 @@ class Reader : public JointParameters {
     const double lower = std::isfinite(least) ? least : -both;
     const int line = controller().parameters->find("gains")->find(joint)->line;
     if (controller().ros2 && (upper < 0.0 || lower > 0.0))
-      fail(line, fmt::format("the integral of {} is clamped to [{}, {}], which leaves no room for 0", joint,
+      fail(line, fmt::format("the integral of {} is clamped to [{}, {}]; this range must contain 0", joint,
                              lower, upper));
     if (std::abs(upper) != std::abs(lower)) {
       fail(line,
-           fmt::format("the integral of {} is clamped to [{}, {}]; armtune simulates clamps of one size "
-                       "in both directions",
+           fmt::format("the integral of {} is clamped to [{}, {}]; armtune simulates only clamps of the same "
+                       "size in both directions",
                        joint, lower, upper));
     }
     if (std::isfinite(upper)) return std::abs(upper);
     const bool said = of_joint(joint, "i_clamp") != nullptr || of_joint(joint, "i_clamp_max") != nullptr;
     if (of_joint(joint, "i", 0.0) != 0.0 && !said) {
       fail(line,
-           fmt::format("{} has an i and no i_clamp, which ROS 2 Humble and ROS 1 take for 0 and Jazzy for "
-                       "none at all; write i_clamp, .inf for none",
+           fmt::format("{} has an i but no i_clamp; ROS 1 and ROS 2 Humble then clamp to 0, and Jazzy does "
+                       "not clamp. Write i_clamp, with .inf for no clamp",
                        joint));
     }
     return 1e6;  // N m, N, rad/s, m/s: beyond any joint
@@ -137,20 +138,22 @@ class Reader : public JointParameters {
   void refuse_limits_of_output(const std::string& joint) const {
     if (const PlacedValue* deadband = of_joint(joint, "error_deadband")) {
       if (number(*deadband, "error_deadband") != 0.0)
-        fail(deadband->line, fmt::format("armtune does not simulate error_deadband of {}", joint));
+        fail(deadband->line,
+             fmt::format("armtune does not simulate the error_deadband of {}; set it to 0", joint));
     }
     if (const PlacedValue* wraps = of_joint(joint, "angle_wraparound")) {
       if (wraps->text == "true" || wraps->text == "True")
         fail(wraps->line,
-             fmt::format("armtune takes the short way round for joints without limits, and does not "
-                         "simulate angle_wraparound of {}",
+             fmt::format("armtune does not simulate the angle_wraparound of {}; set it to false (a joint "
+                         "without limits takes the short way round in any case)",
                          joint));
     }
     for (const char* key : {"u_clamp_max", "u_clamp_min"}) {
       const PlacedValue* value = of_joint(joint, key);
       if (value == nullptr || !std::isfinite(number(*value, key))) continue;
       fail(value->line,
-           fmt::format("armtune does not simulate {} of {}; the joint's own limit bounds what is commanded",
+           fmt::format("armtune does not simulate the {} of {}; remove it, because the joint's own limit "
+                       "bounds the command",
                        key, joint));
     }
   }
@@ -200,7 +203,8 @@ Gains joint_trajectory_gains(const RosController& controller, const std::string&
     const double own_anti_windup = reader.anti_windup(joint);
     if (anti_windup && *anti_windup != own_anti_windup) {
       reader.fail(controller.parameters->find("gains")->line,
-                  "some joints have anti-windup and others do not; armtune simulates one kind for all");
+                  "some joints have anti-windup and others do not; give all joints the same, which is all "
+                  "that armtune simulates");
     }
     anti_windup = own_anti_windup;
   }

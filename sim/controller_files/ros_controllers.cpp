@@ -111,7 +111,8 @@ RosController chosen_controller(const std::vector<RosController>& all, const std
       able.push_back(&controller);
   }
   if (able.size() == 1) return *able.front();
-  const std::string there = names.empty() ? "it has none" : fmt::format("it has: {}", fmt::join(names, ", "));
+  const std::string there =
+      names.empty() ? "the file has none" : fmt::format("the file has: {}", fmt::join(names, ", "));
   if (!name.empty())
     throw InputError(
         fmt::format("{}: no controller '{}' with gains{}; {}", file, name, suggestion(name, names), there));

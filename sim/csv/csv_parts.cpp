@@ -71,14 +71,14 @@ double csv_number(std::string_view cell, const std::string& file, std::size_t li
 }
 
 void refuse_csv_row(const std::string& file, std::size_t line, std::size_t cells, std::size_t header) {
-  throw InputError(fmt::format("{}:{}: {} cells where the header has {}; every row needs as many", file, line,
-                               cells, header));
+  throw InputError(fmt::format("{}:{}: the row has {} cells, but the header has {}; give every row as many",
+                               file, line, cells, header));
 }
 
 void refuse_open_quote(const CsvCells& cells, const std::string& file) {
   throw InputError(fmt::format(
-      "{}:{}: the quote opened here is never closed; close it, or double it where it belongs to the text",
-      file, cells.open_quote_line()));
+      "{}:{}: the quote opened here is never closed; close it, or double it if it is part of the text", file,
+      cells.open_quote_line()));
 }
 
 }  // namespace armtune::internal

@@ -27,8 +27,8 @@ namespace {
   std::error_code ignored;
   if (!parent.empty() && (reason == ENOENT || reason == ENOTDIR) &&
       !std::filesystem::is_directory(parent, ignored)) {
-    throw InputError(
-        fmt::format("{}: cannot write it: {} is no folder; make it, or name another file", path, parent));
+    throw InputError(fmt::format("{}: cannot write it: {} is not a folder; create it, or name another file",
+                                 path, parent));
   }
   errno = reason;
   fail(reason == EEXIST ? partial_path(path) : path, "write it");  // what stands there can be taken away
@@ -88,7 +88,7 @@ void write_new_text_file(const std::string& path, std::string_view text) {
   bool placed = ::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0;
   if (!placed && (errno == EINVAL || errno == ENOSYS))  // this file system cannot tell in one step
     placed = std::rename(partial.c_str(), path.c_str()) == 0;
-  if (!placed) give_up(partial, path, "make it");
+  if (!placed) give_up(partial, path, "create it");
   sync_folder_of(path);
 }
 
@@ -104,8 +104,8 @@ void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("{}: cannot make this folder: {}", path,
-                                 error ? error.message() : std::string("a file of that name is in the way")));
+    throw InputError(fmt::format("{}: cannot create this folder: {}", path,
+                                 error ? error.message() : std::string("a file with this name exists")));
   }
 }
 

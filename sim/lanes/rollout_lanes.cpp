@@ -37,7 +37,7 @@ std::optional<ArmLawKind> lane_law(const Gains& gains) {
 
 LaneKind lane_kind(const Scenario& scenario, Stepper stepper, std::size_t most_obstacles, ArmLawKind law) {
   if (stepper == Stepper::kReference) {
-    throw InputError("the stepper 'reference' is Simbody's own");
+    throw InputError("the stepper 'reference' needs Simbody");
   }
   const Chain& chain = scenario.robot->chain;
   return {chain.n,
@@ -100,7 +100,7 @@ int RolloutLanes::free_lane() const {
 void RolloutLanes::start(int lane, LaneJob job) {
   const Scenario& own = job.scenario->scenario;
   const std::optional<ArmLawKind> law = lane_law(job.gains);
-  if (!law) throw InputError(job.gains.controller + " has no lanes");
+  if (!law) throw InputError(job.gains.controller + " cannot be simulated in lanes");
   if (own.obstacles.size() > kind_.most_obstacles ||
       lane_kind(own, kind_.stepper, kind_.most_obstacles, *law) != kind_) {
     throw InputError(own.name + " is not of the kind of these lanes");

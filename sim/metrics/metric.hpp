@@ -118,8 +118,8 @@ struct Metrics {
   }
 };
 
-/// Returns what the arm touched, as a clause: "comes at least 0.02 m into the floor". It is empty if the arm
-/// touched nothing.
+/// Returns what the arm touched, as a clause: "reaches at least 0.02 m into the floor". It is empty if the
+/// arm touched nothing.
 std::string contact_text(const Metrics& metrics);
 
 }  // namespace armtune::internal

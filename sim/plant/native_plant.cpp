@@ -36,7 +36,7 @@ class NativePlant final : public SteppedPlant {
 std::unique_ptr<Plant> make_native_plant(const RobotModel& model, Stepper stepper) {
   if (stepper == Stepper::kReference) {
     throw InputError(model.source +
-                     ": the stepper 'reference' is Simbody's own; take engine simbody, or the stepper rk4");
+                     ": the stepper 'reference' needs Simbody; use engine simbody, or the stepper rk4");
   }
   return std::make_unique<NativePlant>(model, stepper);
 }

@@ -257,7 +257,7 @@ class SimbodyReferencePlant final : public Plant {
     integrator_.initialize(state_);
     // The first stepTo after initialize() returns without having moved.
     for (int steps = 0; integrator_.getTime() < dt; ++steps) {
-      if (steps > kMostReferenceSteps) throw FailedError("the reference integrator makes no headway");
+      if (steps > kMostReferenceSteps) throw FailedError("the reference integrator needed too many steps");
       integrator_.stepTo(dt);
     }
     const SimTK::State& end = integrator_.getState();
@@ -283,7 +283,7 @@ std::unique_ptr<Plant> make_simbody_plant(const RobotModel& model, Stepper stepp
     if (stepper == Stepper::kReference) return std::make_unique<SimbodyReferencePlant>(model);
     return std::make_unique<SimbodyPlant>(model, stepper);
   } catch (const std::exception& e) {
-    throw InputError(model.source + ": Simbody refuses the arm: " + e.what());
+    throw InputError(model.source + ": Simbody cannot simulate this arm: " + e.what());
   }
 }
 

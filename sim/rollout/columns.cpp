@@ -38,14 +38,14 @@ void add_joint(std::vector<Column>& columns, const JointInfo& joint, int i, bool
   columns.push_back({tree + "velocity", revolute ? "rad/s" : "m/s", "true joint velocity",
                      [i](const Observation& o) { return (*o.qd)[i]; }});
   columns.push_back(
-      {tree + "velocity_ratio", "1", "largest |velocity| over its limit since the previous row",
+      {tree + "velocity_ratio", "1", "largest ratio of |velocity| to its limit since the previous row",
        [i, velocity_limit](const Observation& o) { return std::abs((*o.qd)[i]) / velocity_limit; },
        Over::kLargest});
   columns.push_back({tree + "torque", revolute ? "N m" : "N", "commanded torque after saturation",
                      [i](const Observation& o) { return o.control->torque[i]; }});
   columns.push_back(
       {tree + "torque_ratio", "1",
-       "largest |torque| over its limit since the previous row, as commanded, before saturation",
+       "largest ratio of the commanded |torque| to its limit since the previous row, before saturation",
        [i, effort_limit](const Observation& o) { return std::abs(o.control->commanded[i]) / effort_limit; },
        Over::kLargest});
 }
@@ -57,8 +57,8 @@ void add_planned(std::vector<Column>& columns, const std::string& joint, int i, 
     return o.control->state == ControlState::kFollowPlan ? o.control->planned.position[i] : NAN;
   };
   const char* length = revolute ? "rad" : "m";
-  columns.push_back({tree + "planned", length, "joint position of the plan, while it is followed", planned});
-  columns.push_back({tree + "error", length, "true joint position less the plan's",
+  columns.push_back({tree + "planned", length, "planned joint position while it is followed", planned});
+  columns.push_back({tree + "error", length, "true joint position minus the planned one",
                      [i, planned](const Observation& o) { return (*o.q)[i] - planned(o); }});
 }
 
@@ -77,13 +77,16 @@ void add_clearance(std::vector<Column>& columns, const Scenario& scenario) {
          Over::kSmallest});
   };
   add("clearance/self", Clearance::kSelf,
-      "least distance between two links that are not neighbours since the previous row");
+      "smallest distance between two links that are not neighbours, since the previous row");
   add("clearance/cell", Clearance::kCell,
-      "least distance of a link from a part of the cell since the previous row");
-  add("clearance/floor", Clearance::kFloor, "least height of a link above the floor since the previous row");
-  add_vector(columns, "closest/of", "m", "the point of the arm that is closest to what it must not touch",
+      "smallest distance between a link and a part of the cell, since the previous row");
+  add("clearance/floor", Clearance::kFloor,
+      "smallest height of a link above the floor, since the previous row");
+  add_vector(columns, "closest/of", "m",
+             "point of the arm that is closest to another link, the cell or the floor",
              [seen](const Observation& o) { return seen(o).closest().on_a; });
-  add_vector(columns, "closest/to", "m", "the point that it is closest to",
+  add_vector(columns, "closest/to", "m",
+             "point of that link, the cell or the floor that is closest to closest/of",
              [seen](const Observation& o) { return seen(o).closest().on_b; });
 }
 
@@ -98,11 +101,12 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
        [](const Observation& o) { return static_cast<double>(o.control->state); }});
   columns.push_back({"slerping", "1", "1 while a slerp runs",
                      [](const Observation& o) { return o.control->slerping ? 1.0 : 0.0; }});
-  add_vector(columns, "tool/position", "m", "tool in the base frame",
+  add_vector(columns, "tool/position", "m", "tool position in the base frame",
              [](const Observation& o) { return o.poses->p_0T; });
-  add_quaternion(columns, "tool/orientation", "tool in the base frame",
+  add_quaternion(columns, "tool/orientation", "tool orientation in the base frame",
                  [](const Observation& o) { return Eigen::Quaterniond(o.poses->R_0T); });
-  add_vector(columns, "desired/position", "m", "desired tool position (the tool's own where none is tracked)",
+  add_vector(columns, "desired/position", "m",
+             "desired tool position (the tool's own in states that track none)",
              [](const Observation& o) { return o.control->desired.position; });
   add_quaternion(columns, "desired/orientation",
                  "desired orientation (identity in leaveSingularity and followPlan)",
@@ -126,21 +130,21 @@ std::vector<Column> rollout_columns(const Scenario& scenario) {
                   scenario.robot->chain.motion[k] == JointMotion::kRevolute);
     }
   }
-  columns.push_back({"target/index", "1", "active target, from 0",
+  columns.push_back({"target/index", "1", "index of the active target, from 0",
                      [](const Observation& o) { return static_cast<double>(o.target); }});
-  add_vector(columns, "target/position", "m", "active target in the base frame",
+  add_vector(columns, "target/position", "m", "position of the active target in the base frame",
              [](const Observation& o) { return o.target_motion.position; });
   if (!scenario.obstacles.empty()) {
     columns.push_back(
         {"obstacle/distance", "m",
-         "least distance of a joint origin or the tool, or of a link, to an obstacle's surface since the row "
-         "before",
+         "smallest distance from a joint origin or the tool, or from a link, to an obstacle's surface since "
+         "the previous row",
          [](const Observation& o) { return o.clearance; }, Over::kSmallest});
   }
   if (scenario.clearance && !scenario.clearance->pairs().empty()) add_clearance(columns, scenario);
-  columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller saw it",
+  columns.push_back({"manipulability", "m^3", "sqrt(det(J J^T)) as the controller computed it",
                      [](const Observation& o) { return o.control->manipulability; }});
-  columns.push_back({"compensation_error", "N m", "|Y (theta_hat - theta)|",
+  columns.push_back({"compensation_error", "N m", "model compensation error |Y (theta_hat - theta)|",
                      [](const Observation& o) { return o.compensation_error; }});
   return columns;
 }

@@ -48,10 +48,10 @@ std::string unstable_damping(const PreparedScenario& prepared, const JointState&
   if (worst < 0) return {};
   return fmt::format(
       "the damping of {} is unstable at this control period: Kd {:.3g} times {:.3g} s is {:.3g} times the "
-      "inertia {:.3g} that the joint moves, and a torque that is held over a period{} damps up to {:.3g} "
-      "times; lower Kd, shorten the period, or give the joint its 'rotor_inertia'",
+      "joint's inertia {:.3g}, but with a torque that is held for a period{} at most {:.3g} times is stable. "
+      "Lower Kd, shorten the period, or give the joint its 'rotor_inertia'",
       plant.joints[static_cast<std::size_t>(worst)].name, Kd[worst], h, h * Kd[worst] / inertia[worst],
-      inertia[worst], prepared.scenario.plant.torque_delay_periods > 0 ? " and late" : "", limit);
+      inertia[worst], prepared.scenario.plant.torque_delay_periods > 0 ? " and delayed" : "", limit);
 }
 
 }  // namespace armtune::internal

@@ -46,10 +46,12 @@ std::vector<Column> error_columns(const std::vector<FurtherColumn>& further) {
                                  {"status", "", "completed, diverged, no_samples or interrupted", {}}};
   for (const Metric m : all_metrics()) {
     columns.push_back({name(m), field(m).unit, field(m).meaning, {}});
-    if (m == Metric::kJointVelocityMaxRatio) columns.push_back({kJointColumn, "", "joint of that ratio", {}});
+    if (m == Metric::kJointVelocityMaxRatio)
+      columns.push_back({kJointColumn, "", "joint of joint_velocity/max_ratio", {}});
   }
   for (const FurtherColumn& f : further) columns.push_back(f.column);
-  columns.push_back({"reason", "", "when, where and why it ended, if it did not complete", {}});
+  columns.push_back(
+      {"reason", "", "when, in which state and why the rollout ended, if it did not complete", {}});
   return columns;
 }
 

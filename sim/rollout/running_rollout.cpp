@@ -91,8 +91,9 @@ bool RunningRollout::judge(const Observer& observer) {
     end(RolloutStatus::kInterrupted, fmt::format("interrupted at {:.3f} s", o.time));
   } else if (const EndLimit* limit = reached(limits_, metrics_)) {
     end(RolloutStatus::kHopeless,
-        fmt::format("{} reached {:.4g} at {:.3f} s in {}; it was abandoned at {:.4g}", name(limit->metric),
-                    metrics_.so_far(limit->metric), o.time, name(o.control->state), limit->value));
+        fmt::format("{} reached {:.4g} at {:.3f} s in {}; a rollout is abandoned from {:.4g} on",
+                    name(limit->metric), metrics_.so_far(limit->metric), o.time, name(o.control->state),
+                    limit->value));
   }
   return !ended_;
 }
@@ -102,8 +103,8 @@ void RunningRollout::moved(const JointVector& q, const JointVector& qd, const st
   // Sums of what is not finite are not either.
   const bool sane = (qd.array().abs() <= diverged_velocity_.array()).all() && std::isfinite(q.sum());
   if (sane && failure.empty()) return;
-  std::string why =
-      failure.empty() ? diverged_joint(*scenario_.robot, q, qd) : "the engine gave up: " + one_line(failure);
+  std::string why = failure.empty() ? diverged_joint(*scenario_.robot, q, qd)
+                                    : "the simulation engine failed: " + one_line(failure);
   if (why.empty()) return;
   const std::string cause = Kd_ == nullptr ? "" : unstable_damping(prepared_, measured_, *Kd_);
   if (!cause.empty()) why += "; " + cause;
@@ -120,8 +121,8 @@ RolloutResult RunningRollout::result() {
       !(result_.metrics[Metric::kSamples] > 0.0)) {
     result_.status = RolloutStatus::kNoSamples;
     result_.reason = fmt::format(
-        "no period of {} s counted as tracking: followTrajectory was never held for "
-        "1 s outside a slerp; last state {}",
+        "no control period in {} s counted as tracking: none was outside a slerp and at least 1 s after the "
+        "start of followTrajectory; the last state was {}",
         scenario_.duration, name(observation_.control->state));
   }
   return std::move(result_);

@@ -152,14 +152,14 @@ class TreeBuilder final : public YAML::EventHandler {
   void check_path(const Node& node) {
     if (node.key_path_.size() > kMaxPathBytes) {
       fail_at(*file_, node.line_, {},
-              fmt::format("the keys down to here are longer than {} bytes", kMaxPathBytes));
+              fmt::format("the keys down to this value are together longer than {} bytes; use shorter keys",
+                          kMaxPathBytes));
     }
     path_bytes_ += node.key_path_.size();
     if (path_bytes_ > kMaxAllPathBytes) {
-      fail_at(
-          *file_, node.line_, {},
-          fmt::format("the keys down to every value are, together, longer than {} MB; expected shorter keys",
-                      kMaxAllPathBytes >> 20));
+      fail_at(*file_, node.line_, {},
+              fmt::format("the keys down to all values are together longer than {} MB; use shorter keys",
+                          kMaxAllPathBytes >> 20));
     }
   }
 

@@ -37,7 +37,7 @@ double factor_of(const Node& node, const char* key) {
     if (node.is_word(unit.name)) return unit.factor;
     known += (known.empty() ? "" : ", ") + std::string(unit.name);
   }
-  node.fail(fmt::format("'{}' is none of: {}", node.as_string(), known));
+  node.fail(fmt::format("'{}' is not one of: {}", node.as_string(), known));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ bool check_unit(const std::string& unit, const FileUnits& units, const std::stri
                                         : units.torque;
   if (said == found->factor) return true;
   throw InputError(
-      fmt::format("{} is in {}; say so where the file is named: {{file: ..., units: {{{}: {}}}}}", where,
+      fmt::format("{} is in {}; declare this unit with the file: {{file: ..., units: {{{}: {}}}}}", where,
                   unit, found->key, unit));
 }
 

@@ -37,7 +37,7 @@ std::string without_leading_zeros(std::string_view text) {
 void refuse_leading_zeros(const Node& node, std::string_view text) {
   const std::string decimal = without_leading_zeros(text);
   if (decimal.empty()) return;
-  node.fail(fmt::format("{} has a leading zero, octal to some YAML readers and decimal to others; write {}",
+  node.fail(fmt::format("{} has a leading zero, which makes it octal for some YAML readers; write {}",
                         shown(text), decimal));
 }
 
@@ -73,7 +73,7 @@ std::string Node::as_string() const {
   double number = 0.0;
   const bool is_number = convert(text_, number) == std::errc() && std::isfinite(number);
   if (!is_text_ && (is_number || text_ == "true" || text_ == "false")) {
-    fail(fmt::format("{0} is a {1}; expected a text: to mean one, put it in quotes, \"{2}\"", shown(text_),
+    fail(fmt::format("{0} is a {1}, but a text is expected; write it in quotes: \"{2}\"", shown(text_),
                      is_number ? "number" : "boolean", text_));
   }
   return text_;

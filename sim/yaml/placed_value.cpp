@@ -37,7 +37,7 @@ class PlacedBuilder final : public YAML::EventHandler {
   void OnAnchor(const YAML::Mark&, const std::string&) override {}
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
-    if (found == anchors_.end()) fail(mark, "an alias inside the value that it names");
+    if (found == anchors_.end()) fail(mark, "an alias refers to a value that contains it; remove the alias");
     if (takes_key(mark, found->second->text)) return;
     attach(found->second, true);
   }

@@ -98,7 +98,7 @@ TEST_F(BadInput, ARobotThatLacksDataGetsAYamlThatGivesIt) {
                              HasSubstr("--sidecar")));
   const std::string sidecar = files_ / "arm.yaml";
   EXPECT_EQ(test::run_program({"robot", path, "--sidecar", sidecar}).exit_code, 0);
-  EXPECT_THAT(refused({"robot", path, "--sidecar", sidecar}), HasSubstr("is there already"));
+  EXPECT_THAT(refused({"robot", path, "--sidecar", sidecar}), HasSubstr("exists already"));
   EXPECT_THAT(refused({"robot", sidecar}), testing::AllOf(HasSubstr("arm.yaml:4"), HasSubstr("velocity")));
   std::string yaml = test::read_text(sidecar);
   for (const auto& [key, value] : {std::pair{"velocity:", " 2"}, std::pair{"effort:", " 3"},

@@ -161,7 +161,7 @@ TEST(Controllers, AreTunedAndResumedAndReportedByName) {
   EXPECT_THAT(warm.err, AllOf(HasSubstr("gains of the controller computed_torque"), HasSubstr("adaptive")));
   const Finished wrong = run_program({"tune", files.path(), "--controller", "pid"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, AllOf(HasSubstr("'pid' is no controller"), HasSubstr("impedance")));
+  EXPECT_THAT(wrong.err, AllOf(HasSubstr("'pid' is not a controller"), HasSubstr("impedance")));
 }
 
 // Those without lanes are simulated alone, in the native engine too, by any number of workers.

@@ -62,7 +62,7 @@ TEST_F(ExportCommand, OfATunedRunSaysWhereItsGainsCameFromAndReadsBackToTheBit) 
   // Nothing there is written over.
   const Finished again = run_program({"export", run, "--out", files_ / "ros1.yaml"});
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_THAT(again.err, HasSubstr("is there already"));
+  EXPECT_THAT(again.err, HasSubstr("exists already"));
 }
 
 TEST_F(ExportCommand, WritesToTheScreenAndForOtherArms) {

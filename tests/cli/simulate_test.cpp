@@ -147,7 +147,7 @@ TEST(Simulate, ARunThatDivergesOrDoesNotTrackFailsAndSaysWhy) {
   const Finished failed = run_program(
       {"simulate", files / "too_short.yaml", "--gains", files / "gains.yaml", "--out", files / "run"});
   EXPECT_EQ(failed.exit_code, 3);
-  EXPECT_THAT(failed.out, HasSubstr("followTrajectory was never held"));
+  EXPECT_THAT(failed.out, HasSubstr("counted as tracking"));
   const auto errors = test::read_csv(files / "run/errors.csv");
   EXPECT_EQ(errors.at(0, "status"), "no_samples");
   EXPECT_EQ(errors.at(0, "error/position/max"), "");

@@ -106,7 +106,7 @@ TEST_F(YardstickProgram, WritesElsewhereAndLeavesTheRunAsItIs) {
   EXPECT_EQ(read_text(files_ / "run/columns.csv"), columns);
   const Finished again = run_program({"yardstick", files_ / "run", "--out", files_ / "mine.csv"});
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_THAT(again.err, HasSubstr("mine.csv: is there already"));
+  EXPECT_THAT(again.err, HasSubstr("mine.csv: exists already"));
 }
 
 TEST_F(YardstickProgram, ReadsTheRunsOwnScenariosAndSaysWhatIsWrongWithThem) {

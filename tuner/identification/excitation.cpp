@@ -39,7 +39,7 @@ Eigen::MatrixXd read_coefficients(const yaml::Node& node, const std::vector<std:
     if (j == 0)
       coefficients.resize(static_cast<Eigen::Index>(joints.size()), static_cast<Eigen::Index>(values.size()));
     if (values.empty() || static_cast<Eigen::Index>(values.size()) != coefficients.cols()) {
-      entry.fail(fmt::format("{} numbers; every joint has the same number of harmonics, at least one",
+      entry.fail(fmt::format("has {} numbers; every joint needs the same number of harmonics, at least one",
                              values.size()));
     }
     coefficients.row(static_cast<Eigen::Index>(j)) =
@@ -90,9 +90,9 @@ Excitation load_excitation(const std::string& path, const std::vector<std::strin
   e.sine = read_coefficients(map.required("sine"), joints);
   const yaml::Node& cosine = map.required("cosine");
   e.cosine = read_coefficients(cosine, joints);
-  if (e.cosine.cols() != e.sine.cols()) cosine.fail("it must have as many harmonics as 'sine'");
+  if (e.cosine.cols() != e.sine.cols()) cosine.fail("must have as many harmonics as 'sine'");
   if (e.frequency * static_cast<double>(e.sine.cols()) > kFastestHarmonic) {
-    cosine.fail(fmt::format("{} harmonics of {} Hz; the highest frequency may be {} Hz at most",
+    cosine.fail(fmt::format("{} harmonics of {} Hz are too fast; the highest frequency may be {} Hz",
                             e.sine.cols(), e.frequency, kFastestHarmonic));
   }
   map.finish();

@@ -177,23 +177,28 @@ class LimitsInUse {
 
 void check(const RobotModel& model, const ExcitationOptions& o) {
   if (o.center.size() != 0 && o.center.size() != model.n()) {
-    throw InputError(
-        fmt::format("the centre has {} values, {} has {} joints", o.center.size(), model.name, model.n()));
+    throw InputError(fmt::format("the centre has {} values, but {} has {} joints", o.center.size(),
+                                 model.name, model.n()));
   }
   for (Eigen::Index i = 0; i < o.center.size(); ++i) {
     const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
     if (joint.limits.has_position &&
         !(o.center[i] > joint.limits.lower && o.center[i] < joint.limits.upper)) {
-      throw InputError(fmt::format("the centre puts {} at {:.4g}, not inside its limits {:.4g} .. {:.4g}",
-                                   joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
+      throw InputError(
+          fmt::format("the centre puts {} at {:.4g}, which is not inside its limits {:.4g} .. "
+                      "{:.4g}",
+                      joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
     }
   }
   if (o.frequency * o.harmonics > kFastestHarmonic) {
-    throw InputError(fmt::format("{} harmonics of {} Hz; the highest frequency may be {} Hz at most",
+    throw InputError(fmt::format("{} harmonics of {} Hz are too fast; the highest frequency may be {} Hz",
                                  o.harmonics, o.frequency, kFastestHarmonic));
   }
   if (o.fade > 0.5 * o.duration)
-    throw InputError(fmt::format("two fades of {} s do not fit in {} s", o.fade, o.duration));
+    throw InputError(
+        fmt::format("two fades of {} s do not fit in {} s; shorten the fade or lengthen the "
+                    "duration",
+                    o.fade, o.duration));
 }
 
 }  // namespace
@@ -272,12 +277,10 @@ ExcitationDesign design_excitation(const RobotModel& model, const ExcitationOpti
   design.use = use_of(design.excitation, model, designer.base());
   if (violation(design.use, options) > 0.0 && !stop) {
     throw InputError(fmt::format(
-        "no trajectory around this centre keeps the limits: the best one takes {:.3g} of the effort and "
-        "{:.3g} "
-        "of the velocity limits (at most {}), goes {:.3g} away from the centre (at most {}) with {:.3g} to "
-        "the "
-        "nearest position limit, and comes down to {:.3g} m (at least {}); move the centre, lower the "
-        "amplitude or the frequency, or raise the margin",
+        "no trajectory around this centre keeps the limits. The best one uses {:.3g} of the effort limits "
+        "and {:.3g} of the velocity limits (at most {}). It moves {:.3g} away from the centre (at most {}), "
+        "{:.3g} from the nearest position limit, and down to a height of {:.3g} m (at least {}). Move the "
+        "centre, lower the amplitude or the frequency, or raise the margin",
         design.use.effort_ratio, design.use.velocity_ratio, options.margin, design.use.distance,
         options.amplitude, design.use.position_margin, design.use.lowest, options.min_height));
   }

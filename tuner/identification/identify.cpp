@@ -138,8 +138,7 @@ class Passes {
     if (stop_) return;
     if (pass == 0) hashes_.push_back(log.hash());
     if (log.hash() != hashes_[i])
-      throw InputError(
-          fmt::format("{}: has changed while it was read; identify from a log that is complete", logs_[i]));
+      throw InputError(fmt::format("{}: changed while it was read; use a log that is complete", logs_[i]));
     stream.check_velocities();
     if (count == 0) {
       throw InputError(

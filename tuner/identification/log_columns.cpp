@@ -29,7 +29,7 @@ std::vector<const yaml::Node*> by_joint(const yaml::Node& node, const std::vecto
 
 double checked_scale(const yaml::Node& node) {
   const double scale = node.as_number();
-  if (scale == 0.0) node.fail("is 0; a scale is the factor that makes the numbers SI units");
+  if (scale == 0.0) node.fail("is 0; a scale is the factor that converts the numbers to SI units");
   return scale;
 }
 

@@ -228,7 +228,7 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
           effort(mistake.joint), name(mistake.joint));
     case MistakeKind::kPositionOffset:
       return fmt::format(
-          "the zero position of {} seems to differ: its logged position plus {:.0f} degrees would fit the "
+          "the zero position of {} seems to be wrong: its logged position plus {:.0f} degrees would fit the "
           "robot file",
           name(mistake.joint), mistake.value / kDegree);
     case MistakeKind::kPositionsSwapped:
@@ -237,16 +237,14 @@ std::string to_text(const LogMistake& mistake, const RobotModel& model) {
           name(mistake.joint), name(mistake.other));
     case MistakeKind::kMounting:
       return fmt::format(
-          "the arm seems to be mounted another way: gravity would have to point along ({:.0f}, {:.0f}, "
-          "{:.0f}) of the "
-          "base frame; turn the arm's base in the URDF",
+          "the arm seems to be mounted differently: gravity would have to point along ({:.0f}, {:.0f}, "
+          "{:.0f}) in the base frame; turn the arm's base in the URDF",
           mistake.direction.x() + 0.0, mistake.direction.y() + 0.0, mistake.direction.z() + 0.0);
     case MistakeKind::kAnotherArm:
       break;
   }
   return "the log seems to be of another arm, or the masses in the robot file are far from the arm's; no "
-         "single unit, "
-         "sign, column, zero position or mounting explains it";
+         "single unit, sign, column, zero position or mounting explains it";
 }
 
 }  // namespace armtune::internal

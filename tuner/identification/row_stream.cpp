@@ -48,7 +48,8 @@ double checked(const RowOptions& options, const LogFile& log) {
   const double rate = 1.0 / log.period();
   if (2.0 * options.cutoff > kWidest * rate) {
     throw InputError(fmt::format(
-        "{}: {:.4g} samples per second are too few for a cutoff of {} Hz, which may be {:.3g} Hz at most{}",
+        "{}: {:.4g} samples per second are too few for a cutoff of {} Hz; the cutoff may be at most {:.3g} "
+        "Hz{}",
         log.path(), rate, options.cutoff, 0.5 * kWidest * rate, time_unit_hint(log.period())));
   }
   return std::min(kWide * options.cutoff, kWidest * rate);
@@ -135,8 +136,8 @@ void RowStream::check_velocities() const {
     const double slope = velocity_products_[i] / squares;
     if (std::abs(slope - 1.0) < kVelocityMismatch) continue;
     throw InputError(fmt::format(
-        "{}: the velocity of {} is {:.3g} times the derivative of its position; look at units, signs and "
-        "columns (--columns FILE; a map without velocities leaves them alone)",
+        "{}: the velocity of {} is {:.3g} times the derivative of its position; check units, signs and "
+        "columns, or leave the velocities out of the column map (--columns FILE)",
         log_.path(), model_.joints[static_cast<std::size_t>(i)].name, slope));
   }
 }

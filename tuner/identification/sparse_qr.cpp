@@ -37,7 +37,7 @@ class Spqr {
     view.packed = 1;
     const long rank =
         SuiteSparseQR<double>(SPQR_ORDERING_FIXED, tolerance, A.cols(), &view, &R_, nullptr, &common_);
-    if (rank < 0 || R_ == nullptr) throw FailedError("SuiteSparseQR failed, perhaps for want of memory");
+    if (rank < 0 || R_ == nullptr) throw FailedError("SuiteSparseQR failed, perhaps because memory ran out");
     return rank;
   }
 

@@ -28,8 +28,8 @@ std::string check_joint(const RobotModel& model, int joint, const Unexplained& r
   if (!too_much && !worse) return {};
   const EffortWords effort = effort_words(model, joint);
   return fmt::format(
-      "theta leaves {:.3g} {} of the {} of {} unexplained {}, where the {} is {:.3g} and the robot file "
-      "leaves {:.3g}; check unit, sign, column and zero position of this joint and of those after it",
+      "theta leaves {:.3g} {} of the {} of {} unexplained {} (the {} is {:.3g} there, and the robot file "
+      "leaves {:.3g}); check unit, sign, column and zero position of this joint and of the joints after it",
       left, effort.unit, effort.name, info.name, which, effort.name, rows.torque[joint], rows.by_file[joint]);
 }
 
@@ -56,14 +56,14 @@ std::vector<std::string> theta_doubts(const RobotModel& model, const Identificat
     const double file_mass = file[i * kLinkParameters];
     if (mass < kHeavier * file_mass || mass - file_mass < kShareOfArm * file_arm) continue;
     doubts.push_back(
-        fmt::format("{} would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the units of each "
+        fmt::format("{} would weigh {:.3g} kg, but the robot file gives {:.3g} kg; check the units of each "
                     "{}, the zero positions, and whether the robot file has the tool",
                     model.joints[static_cast<std::size_t>(i)].link, mass, file_mass,
                     effort_word_of_all(model, &EffortWords::name)));
   }
   if (arm > kOtherArm * file_arm || kOtherArm * arm < file_arm) {
     doubts.push_back(
-        fmt::format("the moved links would weigh {:.3g} kg, but {:.3g} kg in the robot file; check the "
+        fmt::format("the moved links would weigh {:.3g} kg, but the robot file gives {:.3g} kg; check the "
                     "units of each {} and --robot",
                     arm, file_arm, effort_word_of_all(model, &EffortWords::name)));
   }

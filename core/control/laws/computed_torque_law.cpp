@@ -14,10 +14,10 @@ constexpr double kStiffRate = 60.0;  // 1/s
 ControllerKind computed_torque_controller() {
   return {
       "computed_torque",
-      "computed torque in Cartesian space: the model inverted along J+ (xr'' - D (x' - xr') - J' q')",
+      "computed torque in Cartesian space: inverse dynamics at q'' = J+ (xr'' - D (x' - xr') - J' q')",
       {"task_space_gains_p", "task_space_gains_i", "interpolation_gain_scale"},
       {own_gain(GainShape::kTask, "computed_torque_d", "1/s",
-                "D of each axis of the task on its velocity error", kStiffRate),
+                "D on the velocity error, for each axis of the task", kStiffRate),
        own_gain(
            GainShape::kScalar, "computed_torque_joint_d", "1/s",
            "damping of joint motion outside the task, and of all joint motion in states that follow joint references",

@@ -52,15 +52,15 @@ void add(ControllerKind kind, Registry& registry) {
   const auto fail = [&kind](const std::string& what) {
     throw InputError(fmt::format("controller '{}': {}", kind.name, what));
   };
-  if (!is_word(kind.name)) fail("its name must be letters, digits and underscores, and not empty");
+  if (!is_word(kind.name)) fail("its name must consist of letters, digits and underscores");
   if (!kind.make) fail("it has no law; set ControllerKind::make");
   for (const Registered& r : registry) {
-    if (r.kind.name == kind.name) fail("there is one of that name already");
+    if (r.kind.name == kind.name) fail("this name is registered already; choose another one");
   }
   Registered registered;
   for (const std::string& name : kind.uses) {
     const GainField* field = find_field(gain_fields(), name);
-    if (field == nullptr || !field->of_law) fail(fmt::format("'{}' in `uses` is no gain of a law", name));
+    if (field == nullptr || !field->of_law) fail(fmt::format("'{}' in `uses` is not a gain of a law", name));
   }
   for (const GainField& field : gain_fields()) {
     const auto& uses = kind.uses;
@@ -71,22 +71,26 @@ void add(ControllerKind kind, Registry& registry) {
   for (std::size_t place = 0; place < kind.own.size(); ++place) {
     GainField field = kind.own[place];
     auto* own = std::get_if<OwnGain>(&field.member);
-    if (own == nullptr) fail(fmt::format("'{}' in `own` was not made by own_gain", field.name));
+    if (own == nullptr) fail(fmt::format("'{}' in `own` was not made by own_gain; use that", field.name));
     if (!is_word(field.name) || field.name == std::string("controller")) {
-      fail(fmt::format("a gain must not be called '{}'", field.name));
+      fail(fmt::format(
+          "a gain must not be called '{}'; give it a name of letters, digits and underscores other than "
+          "'controller'",
+          field.name));
     }
     if (find_field(gain_fields(), field.name) != nullptr ||
         find_field(registered.fields, field.name) != nullptr) {
-      fail(fmt::format("there is a gain called '{}' already", field.name));
+      fail(fmt::format("there is a gain called '{}' already; choose another name", field.name));
     }
     if (!std::isfinite(field.otherwise) || field.otherwise < 0.0 ||
         (field.strictly_positive && field.otherwise == 0.0)) {
-      fail(fmt::format("'{}' is {} where nothing else is said; it must be finite and {}", field.name,
+      fail(fmt::format("the default of gain '{}' is {}; it must be finite and {}", field.name,
                        field.otherwise, field.strictly_positive ? "above zero" : "not negative"));
     }
     if (!(field.lower_factor > 0.0 && field.lower_factor < field.upper_factor)) {
       fail(fmt::format(
-          "'{}' is searched from {} to {} times its start; the first must be above zero, the second above it",
+          "'{}' is searched from {} to {} times its start; the first factor must be above zero, and the "
+          "second larger than the first",
           field.name, field.lower_factor, field.upper_factor));
     }
     own->place = place;
@@ -116,15 +120,15 @@ const Registered& registered(const std::string& name) {
     if (r.kind.name == name) return r;
     names.push_back(r.kind.name);
   }
-  throw InputError(fmt::format("'{}' is no controller{}; there are: {}", name, suggestion(name, names),
-                               fmt::join(names, ", ")));
+  throw InputError(fmt::format("'{}' is not a controller{}; the controllers are: {}", name,
+                               suggestion(name, names), fmt::join(names, ", ")));
 }
 
 std::size_t place_of(const Gains& gains, const std::string& name) {
   const GainField* field = find_field(fields_of(gains), name);
   const auto* own = field == nullptr ? nullptr : std::get_if<OwnGain>(&field->member);
   if (own == nullptr || own->place >= gains.own.size()) {
-    throw InputError(fmt::format("controller '{}' has no gain '{}' of its own here", gains.controller, name));
+    throw InputError(fmt::format("controller '{}' has no gain '{}' of its own", gains.controller, name));
   }
   return own->place;
 }

@@ -22,10 +22,10 @@ double slowest_rate(const RobotModel& robot, const JointVector& q, const JointVe
 ControllerKind joint_pd_controller() {
   constexpr auto kJoints = GainShape::kJoints;
   return {"joint_pd",
-          "joint PD with gravity: g(q) + P (q_ref - q) + D (qr' - q'), q_ref the integral of qr'",
+          "joint PD with gravity: g(q) + P (q_ref - q) + D (qr' - q'), where q_ref is the integral of qr'",
           {"task_space_gains_p", "task_space_gains_i", "interpolation_gain_scale"},
-          {own_gain(kJoints, "joint_pd_p", "N m/rad", "P of each joint on its position error", 100.0),
-           own_gain(kJoints, "joint_pd_d", "N m s/rad", "D of each joint on its velocity error", 20.0)},
+          {own_gain(kJoints, "joint_pd_p", "N m/rad", "P on the position error of each joint", 100.0),
+           own_gain(kJoints, "joint_pd_d", "N m s/rad", "D on the velocity error of each joint", 20.0)},
           [](const LawSetup& setup) { return make_torque_law(ArmLawKind::kJointPd, setup); },
           [](const RobotModel& robot, const JointVector& q, Gains& gains) {
             // Critically damped, poles at half the rate, for each joint with the others free.

@@ -121,19 +121,20 @@ std::vector<GainField> jtc_fields(const char* kind, const std::array<const char*
   const bool effort = std::string_view(kind) == kJointTrajectoryController;
   const char* const* names = effort ? kEffortGains.data() : kVelocityGains.data();
   return {
-      own_gain(kJoints, names[0], units[0], "p of each joint on its position error", p),
-      own_gain(kJoints, names[1], units[1], "i of each joint on its position error", 0.0),
-      own_gain(kJoints, names[2], units[2], "d of each joint on its velocity error", d),
+      own_gain(kJoints, names[0], units[0], "p on the position error of each joint", p),
+      own_gain(kJoints, names[1], units[1], "i on the integral of each joint's position error", 0.0),
+      own_gain(kJoints, names[2], units[2], "d on the velocity error of each joint", d),
       not_tuned(own_gain(kJoints, names[3], units[3],
-                         "i_clamp: what the integral contributes at most; the default binds no joint",
+                         "i_clamp: largest contribution of the integral; the default limits no joint",
                          kNoClamp)),
       not_tuned(own_gain(kJoints, names[4], units[4],
                          effort ? "ff_velocity_scale: torque per desired velocity"
-                                : "ff_velocity_scale: the share of the desired velocity that is commanded",
+                                : "ff_velocity_scale: share of the desired velocity that is added to the "
+                                  "command",
                          effort ? 0.0 : 1.0)),
       not_tuned(own_gain(GainShape::kScalar, names[5], "",
-                         "1: the integral itself stays within i_clamp; 0: it grows on, and only what it "
-                         "contributes is clamped",
+                         "1: the integral itself stops at i_clamp; 0: the integral keeps growing, and only "
+                         "its contribution is clamped",
                          1.0))};
 }
 
@@ -184,7 +185,8 @@ ControllerKind joint_trajectory_controller() {
 
 ControllerKind joint_trajectory_velocity_controller() {
   return {kJointTrajectoryVelocityController,
-          "ROS's joint_trajectory_controller with velocity commands: the same PID, and the drives under it",
+          "ROS's joint_trajectory_controller with velocity commands: a PID for each joint commands its "
+          "simulated velocity drive",
           {},
           jtc_fields(kJointTrajectoryVelocityController, {"1/s", "1/s^2", "1", "rad/s", "1"},
                      kOuterRate * kDriveRate, 0.0),

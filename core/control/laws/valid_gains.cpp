@@ -18,7 +18,7 @@ void validate(const Gains& gains, const std::vector<std::string>& joints, const 
     const bool own = std::holds_alternative<OwnGain>(field.member);
     if (!field.required && !own && field.is_number() && values.empty()) continue;
     if (field.is_number() && values.size() != names.size()) {
-      throw InputError(fmt::format("{}: {} has {} values, the arm needs {}: {}", source, field.name,
+      throw InputError(fmt::format("{}: {} has {} values, but the arm needs {}: {}", source, field.name,
                                    values.size(), names.size(), fmt::join(names, " ")));
     }
     for (std::size_t i = 0; i < values.size(); ++i) {

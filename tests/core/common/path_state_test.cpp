@@ -64,7 +64,7 @@ TEST_F(PathState, WhatCannotBeToldIsAnErrorWithItsReason) {
   const std::string name = folder_ / std::string(300, 'n');
   for (const auto& [path, reason] : {std::pair(loop, "symbolic links"), std::pair(name, "too long")}) {
     EXPECT_THAT(refusal([&, p = path] { is_there(p); }),
-                AllOf(HasSubstr(reason), HasSubstr("cannot be looked at")));
+                AllOf(HasSubstr(reason), HasSubstr("cannot be accessed")));
     EXPECT_THAT(refusal([&, p = path] { refuse_existing(p + "/below"); }), HasSubstr(reason));
     EXPECT_THAT(refusal([&, p = path] { is_missing_or_empty(p); }), HasSubstr(reason));
   }

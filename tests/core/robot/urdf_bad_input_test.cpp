@@ -64,14 +64,14 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
        {"arm.urdf:", "second <axis> in one <joint>"}},
       {"an origin that is nowhere",
        robot(one_joint(kInertial, "<origin xyz='1e300 0 0'/>" + axis + kLimit)),
-       {"joint 'j'", "1e+300 m", "up to 10000 m"}},
+       {"joint 'j'", "1e+300 m", "at most 10000 m"}},
       {"a centre of mass that is nowhere",
        robot(one_joint("<inertial><origin xyz='0 2e4 0'/><mass value='1'/><inertia ixx='1' iyy='1' izz='1' "
                        "ixy='0' ixz='0' iyz='0'/></inertial>")),
-       {"link 'b'", "20000 m", "up to 10000 m"}},
+       {"link 'b'", "20000 m", "at most 10000 m"}},
       {"an inertia of no link",
        robot(one_joint(zero_mass("1", "ixx='1e300' iyy='1e300' izz='1e300'"))),
-       {"link 'b'", "kg m^2", "no link has more"}},
+       {"link 'b'", "kg m^2", "at most 1e+14"}},
       {"a slide without end",
        robot(two + joint("j", "prismatic", "a", "b",
                          axis + "<limit lower='0' upper='1e300' velocity='1' effort='1'/>")),
@@ -133,7 +133,7 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"name of a megabyte",
        robot(link("a") + link(std::string(1'000'000, 'x')) +
              joint("j", "revolute", "a", std::string(1'000'000, 'x'), axis + kLimit)),
-       {"link 'xxx", "1000000 bytes", "may have 255"}},
+       {"link 'xxx", "1000000 bytes", "at most 255 bytes"}},
       {"name of a formula",
        robot(link("a") + link("b") + joint("=j", "revolute", "a", "b", axis + kLimit)),
        {"joint '=j'", "formula"}},
@@ -150,7 +150,7 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"cycle below the root",
        robot(three + joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "c") +
              joint("l", "revolute", "c", "b")),
-       {"link 'b'", "a second time"}},
+       {"link 'b'", "second parent joint"}},
       {"detached cycle",
        robot(three + link("d") + joint("j", "revolute", "a", "b") + joint("k", "fixed", "c", "d") +
              joint("l", "fixed", "d", "c")),
@@ -158,7 +158,7 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"diamond",
        robot(three + link("d") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "a", "c") +
              joint("l", "fixed", "b", "d") + joint("m", "fixed", "c", "d")),
-       {"link 'd'", "a second time"}},
+       {"link 'd'", "second parent joint"}},
       {"two roots", robot(two), {"[a]", "[b]"}},
       {"duplicate link", robot(link("a") + link("a")), {"'a'", "not unique"}},
       {"missing link", robot(link("a") + joint("j", "revolute", "a", "b")), {"[b]", "[j]"}},

@@ -60,7 +60,7 @@ TEST(CsvTable, TakesTheLastRowOfAUsersFileWithoutItsLineEnd) {
   EXPECT_EQ(table.number(1, 1), 4.0);
   EXPECT_EQ(CsvTable::parse("a,b\n1,2\n3,", "t", CsvOrigin::kUser).rows(), 2U);
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n3", "t.csv", CsvOrigin::kUser); }),
-              HasSubstr("t.csv:3: 1 cells where the header has 2"));
+              HasSubstr("t.csv:3: the row has 1 cells, but the header has 2"));
 }
 
 TEST(CsvTable, SkipsAByteOrderMark) {

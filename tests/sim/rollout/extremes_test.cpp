@@ -131,7 +131,7 @@ TEST_P(Extremes, EndWithAStatusAndWithoutInfiniteFigures) {
     default:
       EXPECT_EQ(result.status, RolloutStatus::kNoSamples) << result.reason;
       EXPECT_THAT(result.reason,
-                  testing::MatchesRegex("no period of [0-9.]+ s counted .*; last state [a-zA-Z]+"));
+                  testing::MatchesRegex("no control period in [0-9.]+ s .*; the last state was [a-zA-Z]+"));
       EXPECT_TRUE(std::isnan(result.metrics[Metric::kPositionMax]))
           << "nothing was tracked, so there is no error";
   }

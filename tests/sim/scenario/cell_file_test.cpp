@@ -151,7 +151,7 @@ TEST(RobotFile, ShapesStandForTheCollisionGeometryOfALink) {
   EXPECT_THAT(test::refusal([&] {
                 load_robot(folder.write("wrong.yaml", kRobot + "shapes: {elbow: [{sphere: {radius: 1}}]}\n"));
               }),
-              HasSubstr("link 'elbow' is no part of this arm"));
+              HasSubstr("link 'elbow' is not part of this arm"));
   EXPECT_THAT(
       test::refusal([&] {
         load_robot(folder.write("tool.yaml", kRobot + "tool: {mass: 1, moments: [1, 0, 0, 1, 0, 3]}\n"));

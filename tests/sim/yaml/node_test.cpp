@@ -87,7 +87,7 @@ TEST(NodeAsInteger, ReadsDecimalDigits) {
 
 TEST(NodeAsInteger, RefusesLeadingZerosInsteadOfReadingOctal) {
   EXPECT_EQ(read_error("010", as_integer),
-            "in.yaml:1: key 'x': '010' has a leading zero, octal to some YAML readers and decimal to others; "
+            "in.yaml:1: key 'x': '010' has a leading zero, which makes it octal for some YAML readers; "
             "write 10");
   EXPECT_TRUE(contains(read_error("-007", as_integer), "write -7"));
   EXPECT_TRUE(contains(read_error("00", as_integer), "write 0"));
@@ -140,7 +140,7 @@ TEST(NodeAsString, ReadsPlainQuotedAndBlockText) {
 
 TEST(NodeAsString, RefusesPlainNumbersAndBooleansWithAdvice) {
   EXPECT_EQ(read_error("5", as_string),
-            "in.yaml:1: key 'x': '5' is a number; expected a text: to mean one, put it in quotes, \"5\"");
+            "in.yaml:1: key 'x': '5' is a number, but a text is expected; write it in quotes: \"5\"");
   EXPECT_TRUE(contains(read_error("1e3", as_string), "is a number"));
   EXPECT_TRUE(contains(read_error("true", as_string), "is a boolean"));
 }

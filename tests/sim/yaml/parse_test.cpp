@@ -168,7 +168,7 @@ TEST(ParseLimits, RefusesLongPathsToManyValues) {
   // 20,000 values, each of which would hold a path of 3,600 bytes: 72 MB.
   const std::string open = repeat(fmt::format("{{{:k<900}: ", 'k'), 4);
   EXPECT_TRUE(contains(parse_error(open + "[" + repeat("1, ", 20'000) + "1]" + repeat("}", 4)),
-                       "together, longer than 32 MB"));
+                       "together longer than 32 MB"));
 }
 
 TEST(ParseLimits, OverlaysLargeMapsInReasonableTime) {

@@ -75,7 +75,7 @@ TEST(ControllerKind, EveryKindHasAllGainsThatAreNoLawsAndItsOwnLast) {
 }
 
 TEST(ControllerKind, WhatCannotBeIsRefusedByName) {
-  EXPECT_THAT(refusal_of(named("adaptive")), HasSubstr("there is one of that name"));
+  EXPECT_THAT(refusal_of(named("adaptive")), HasSubstr("registered already"));
   EXPECT_THAT(refusal_of(named("two words")), HasSubstr("letters, digits"));
   ControllerKind kind = named("lawless");
   kind.make = nullptr;
