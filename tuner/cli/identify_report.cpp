@@ -15,7 +15,7 @@ constexpr double kUncertain = 0.3;  ///< relative standard deviation from which 
 constexpr std::size_t kShownGroup = 44;
 
 std::string shortened(const std::string& name) {
-  return name.size() <= kShownGroup ? name : name.substr(0, kShownGroup - 3) + "...";
+  return name.size() <= kShownGroup ? name : fmt::format("{:.{}}...", name, kShownGroup - 3);
 }
 
 void print_base_parameters(const RobotModel& model, const Identification& found) {
