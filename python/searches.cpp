@@ -152,8 +152,9 @@ void bind_searches(py::module_& module) {
           },
           "Engine of every evaluation. Tuned.objective is always from Simbody.")
       .def_readonly("parameters", &Tuned::parameters, "Names of the coordinates of a point.")
-      .def_property_readonly("points", &coordinates,
-                             "Coordinates, one row for each evaluation: 0 is the lower, 1 the upper bound.")
+      .def_property_readonly(
+          "points", &coordinates,
+          "The evaluated points, one row each. A coordinate is 0 at the lower bound of its gain and 1 at the upper.")
       .def_readonly("before", &Tuned::before, "Fresh rollouts of the start gains, without recordings.")
       .def_readonly("after", &Tuned::after, "Fresh rollouts of the best gains, without recordings.")
       .def_readonly("verdict", &Tuned::verdict, "Verdict of the simulation checks.")

@@ -1,6 +1,6 @@
 #pragma once
-// Gaze feed-forward: how the line from the tool to a moving target turns, and how the shortest turn of a
-// fixed frame onto that line changes. The derivatives of gaze.hpp's gaze_turn are exact.
+// Gaze feed-forward: the angular velocity of the line from the tool to a moving target, and the rate of the
+// shortest turn of a fixed frame onto that line. The derivatives of gaze_turn (gaze.hpp) are exact.
 
 #include "core/trajectory/gaze.hpp"
 #include "core/trajectory/motion_point.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// The functions that make lanes, one per file of kernels.
+// Creates lanes, which simulate several arms side by side: one function for each vector length of processors.
 
 #include <memory>
 

@@ -43,18 +43,18 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"error/angular_velocity/max", "rad/s", kLess, kOnlyWorsens, "largest angular velocity error",
        "largest |w - wd| of the tool while tracking"},
       {"samples", "1", kMore, kEitherWay, "tracked periods",
-       "control periods that count as tracking: in followTrajectory, from 1 s after it was entered, outside "
-       "a slerp"},
+       "number of control periods in which tracking errors count: the state is followTrajectory since 1 s "
+       "or longer, and no slerp (turn to another target) is under way"},
       {"gaze/rms", "rad", kLess, kEitherWay, "RMS gaze angle",
-       "RMS angle between the tool's z axis and the line to the target, after leaveSingularity"},
+       "RMS angle between the tool's z axis and the line to the target, once the arm has left its singular start"},
       {"gaze/max", "rad", kLess, kOnlyWorsens, "largest gaze angle",
-       "largest angle between the tool's z axis and the line to the target, after leaveSingularity"},
+       "largest angle between the tool's z axis and the line to the target, once the arm has left its singular start"},
       {"gaze/rate_error/rms", "rad/s", kLess, kEitherWay, "RMS gaze rate error",
        "RMS difference between the angular velocities of the tool's z axis and of the line to the target, "
-       "after leaveSingularity"},
+       "once the arm has left its singular start"},
       {"gaze/rate_error/max", "rad/s", kLess, kOnlyWorsens, "largest gaze rate error",
        "largest difference between the angular velocities of the tool's z axis and of the line to the "
-       "target, after leaveSingularity"},
+       "target, once the arm has left its singular start"},
       {"gaze/time_outside_threshold", "s", kLess, kOnlyWorsens, "time with the gaze off its target",
        "time with the gaze angle at or above slerpAngularErrorThreshold"},
       {"reacquisition/time", "s", kLess, kEitherWay, "time to the next target",
@@ -90,7 +90,7 @@ const std::array<MetricField, kMetricCount>& metric_fields() {
       {"clearance/floor", "m", kMore, kOnlyWorsens, "smallest height above the floor",
        "smallest height of a moving link above the cell's floor; empty without a floor"},
       {"compensation_error/rms", "N m", kLess, kEitherWay, "RMS compensation error",
-       "RMS of |Y (theta_hat - theta)| after leaveSingularity"},
+       "RMS of |Y (theta_hat - theta)|, once the arm has left its singular start"},
       {"response/rise_time", "s", kLess, kEitherWay, "rise time",
        "time in which the tool's position or gaze goes from 10 % to 90 % of the scenario's step; empty "
        "without a step, or if 90 % is never reached"},

@@ -41,10 +41,11 @@ TaskMask read_mask(const yaml::Node* node, int joints) {
     if (text != name(mask)) continue;
     const TaskMask most = largest_mask(joints);
     if (components(mask) > joints) {
-      node->fail(fmt::format("{} needs {} joints, but the arm has {}; {}", text, components(mask), joints,
-                             components(most) <= joints
-                                 ? fmt::format("the largest possible task_mask is {}", name(most))
-                                 : "leave the key out, and the arm follows the position as well as it can"));
+      node->fail(fmt::format(
+          "{} needs {} joints, but the arm has {}; {}", text, components(mask), joints,
+          components(most) <= joints
+              ? fmt::format("the largest possible task_mask is {}", name(most))
+              : "leave the key 'task_mask' out: the arm then follows the position as far as its joints allow"));
     }
     return mask;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Joint positions of the arm at the beginning: on its task, and beside it for the start of a simulation.
+// The joint positions at the start of a task, on its path, and those at the start of a simulation, off it.
 
 #include "core/control/pose_search.hpp"
 #include "sim/scenario/scenario.hpp"

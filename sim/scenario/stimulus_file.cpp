@@ -29,8 +29,9 @@ Step read_step(const yaml::Node& node, double duration, double control_period, V
   const yaml::Node& at = map.required("at");
   const Step step{offset.norm(), at.as_number()};
   if (step.at < 0.0 || step.at > duration - control_period) {
-    at.fail(fmt::format("{} s; it must lie in 0 .. {} s, a control period before the end", step.at,
-                        duration - control_period));
+    at.fail(fmt::format(
+        "{} s; it must lie in 0 .. {} s, which is one control period before the end of the scenario", step.at,
+        duration - control_period));
   }
   map.finish();
   direction = offset / step.size;

@@ -64,9 +64,9 @@ bool check_unit(const std::string& unit, const FileUnits& units, const std::stri
                       : key == "angle"  ? units.angle
                                         : units.torque;
   if (said == found->factor) return true;
-  throw InputError(
-      fmt::format("{} is in {}; declare this unit with the file: {{file: ..., units: {{{}: {}}}}}", where,
-                  unit, found->key, unit));
+  throw InputError(fmt::format(
+      "{} has the unit {}; write this unit beside the file's name: {{file: ..., units: {{{}: {}}}}}", where,
+      unit, found->key, unit));
 }
 
 }  // namespace armtune::internal::yaml

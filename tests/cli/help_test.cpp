@@ -83,6 +83,21 @@ TEST(Help, OfEveryCommandShowsDefaultsAndWhatIsBundled) {
   }
 }
 
+// CLI11 has them between an option's name and its description, where they read as one sentence.
+TEST(Help, LimitsDefaultsAndOtherOptionsStandBehindADescription) {
+  EXPECT_THAT(help("margins"), HasSubstr("--workers INT"));
+  EXPECT_THAT(help("margins"), HasSubstr("(1 to 1024; default: one per processor)"));
+  EXPECT_THAT(help("compare"), HasSubstr("(not with --gains)"));
+  EXPECT_THAT(help("init"), HasSubstr("(required)"));
+  EXPECT_THAT(help("simulate", "--help-all"), HasSubstr("one of: midpoint, "));
+  for (const std::string& command : commands()) {
+    const std::string text = help(command, "--help-all");
+    for (const char* word :
+         {"Excludes:", "Needs:", "REQUIRED", " in [", "{false}", "FLOAT", "UINT", "POSITIVE"})
+      EXPECT_THAT(text, testing::Not(HasSubstr(word))) << command;
+  }
+}
+
 TEST(Help, ShowsAtMostTenOptionsOfACommandAndSaysWhereTheOthersAre) {
   ASSERT_GE(commands().size(), 15U);
   for (const std::string& command : commands()) {

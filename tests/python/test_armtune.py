@@ -94,7 +94,7 @@ class Module(unittest.TestCase):
             np.testing.assert_array_equal(back[name], twin[name], err_msg=name)
         with self.assertRaises(KeyError):
             self.gains["task_space_gains_q"]
-        with self.assertRaisesRegex(armtune.InputError, "must be 6"):
+        with self.assertRaisesRegex(armtune.InputError, "give 6"):
             self.gains["task_space_gains_p"] = [1, 2]
         self.gains["task_space_gains_p"][0] = -1.0
         with self.assertRaisesRegex(armtune.InputError, "task_space_gains_p"):
@@ -113,7 +113,7 @@ class Module(unittest.TestCase):
         self.assertEqual(back[name][2, 1], 99.0)
         self.assertEqual(back[name][1, 2], rows[1, 2])
         for wrong in ([1.0, 2.0], rows[:5], rows.ravel()):
-            with self.assertRaisesRegex(armtune.InputError, "must be 6"):
+            with self.assertRaisesRegex(armtune.InputError, "give 6"):
                 self.gains[name] = wrong
         self.gains[name] = np.full(6, 5.0)
         self.assertEqual(self.gains[name].shape, (6,))

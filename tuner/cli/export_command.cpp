@@ -93,8 +93,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
   into->excludes("--format");
   command->add_option(
       "--node", args->node,
-      "namespace or node of the parameters (default: simple_effort_ctrl; with ros2 '/**', every node). With "
-      "--into: name of the controller, if the file has several");
+      "node or namespace that gets the parameters (default: simple_effort_ctrl, or with --format ros2 '/**', "
+      "which means every node). With --into: name of the controller, if the file has several");
   command->add_option(
       "--robot", args->what.robot,
       "the arm that the gains are for (default: the arm of the run's study; ur10 if only gains are given)");

@@ -263,7 +263,7 @@ void look_at(const std::string& name_or_path, const std::string& sidecar, const 
   to_fill_in.impossible.clear();
   throw InputError(fmt::format(
       "{}: missing: {}. The option --sidecar arm.yaml writes a robot YAML {}", file.path, named(missing),
-      to_fill_in.empty() ? "with the nearest possible inertia" : "in which you fill this in"));
+      to_fill_in.empty() ? "with the nearest possible inertia" : "where you can fill in these values"));
 }
 
 void list_bundled() {

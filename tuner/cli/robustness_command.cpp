@@ -88,7 +88,9 @@ void add_robustness_command(CLI::App& app, int& exit_code) {
   for (const PerturbationField& f : perturbation_fields()) {
     std::string option = fmt::format("--{}", f.name);
     std::replace(option.begin(), option.end(), '_', '-');
-    CLI::Option* width = command->add_option(option, p.*f.width, fmt::format("{} [{}]", f.meaning, f.unit))
+    const bool has_unit = std::string_view(f.unit) != "1";
+    const std::string meaning = has_unit ? fmt::format("{} [{}]", f.meaning, f.unit) : f.meaning;
+    CLI::Option* width = command->add_option(option, p.*f.width, meaning)
                              ->capture_default_str()
                              ->group("Uncertainty (uniform)");
     if (f.width == &Perturbation::payload)

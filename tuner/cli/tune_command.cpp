@@ -95,9 +95,8 @@ void add_tune_command(CLI::App& app, int& exit_code) {
   add_run_options(*command, "new folder for the results (default: runs/<study>_<time>)", settings.place,
                   settings.workers, settings.deadline);
   command
-      ->add_option(
-          "--max-evaluations", args->max_evaluations,
-          "number of evaluations, including those of the start gains and of the sweep (default: the study's)")
+      ->add_option("--max-evaluations", args->max_evaluations,
+                   "number of evaluations, start gains included (default: the study's)")
       ->check(CLI::Range(1L, 1000000000L));
   command
       ->add_option("--seed", args->seed, "seed of algorithms that use random numbers (default: the study's)")

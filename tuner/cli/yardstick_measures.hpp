@@ -1,5 +1,5 @@
 #pragma once
-// The yardstick of the rollouts in a folder. It is measured with a progress line and printed event by event.
+// Compares the rollouts in a folder with optimal plans, shows the progress, and prints a result per event.
 
 #include <functional>
 #include <string>

@@ -150,8 +150,8 @@ Study load_steady_study(const std::string& name_or_path, const std::string& cont
   } catch (const InputError& e) {
     if (failed.completes) return study;  // it can be tuned as it is
     throw InputError(fmt::format(
-        "{}: the start gains cannot be a reference ({}). Start gains computed by armtune complete every "
-        "scenario, but they do not fit the study: {}",
+        "{}: the start gains fail ({}), so the objective cannot be relative to them. Start gains computed by "
+        "armtune complete every scenario, but they do not fit the study: {}",
         study.source, failed.why, e.what()));
   }
 }

@@ -83,8 +83,8 @@ class Recordings {
         if (auto path = find_run_file(folder_, file)) {
           files_[s].push_back({set, *std::move(path)});
         } else if (of_set(name, set, &Table::status) == "completed") {  // what ended early leaves none
-          data_.left_out.push_back(
-              fmt::format("{}/{}: the file is missing, and its plots and replay with it", folder_, file));
+          data_.left_out.push_back(fmt::format(
+              "{}/{}: the file is missing; its plots and its replay are left out", folder_, file));
         }
       } catch (const InputError& error) {
         data_.left_out.emplace_back(error.what());

@@ -1,6 +1,6 @@
 #pragma once
-// The feasible points of a search for a front that no other point dominates. They also give the start points
-// of further searches.
+// The nondominated feasible points that a search for a Pareto front has found so far. Further searches start
+// from them.
 
 #include <vector>
 

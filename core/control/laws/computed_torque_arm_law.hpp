@@ -1,6 +1,6 @@
 #pragma once
-// Computed torque in Cartesian space: the model is inverted along J+ (xr'' - D (x' - xr') - J' q'). Joint
-// motion is damped outside the task, and in states that track joints.
+// Computed torque in Cartesian space: inverse dynamics of J+ (xr'' - D (x' - xr') - J' q'). Joint motion that
+// the task leaves free is damped, and all of it while the controller tracks joint positions.
 
 #include "core/control/laws/model_arm_law.hpp"
 #include "core/control/task_resolution.hpp"

@@ -76,7 +76,7 @@ TEST(SteadyStart, BoundsThatLeaveItOutAreNamed) {
       "  - {name: slerpDurationErrorGain}\n");
   files.write("gains.yaml", gains_yaml(ringing(), {}));
   EXPECT_THAT(test::refusal([&] { load_steady_study(files.path(), "", 2); }),
-              testing::AllOf(HasSubstr("cannot be a reference"), HasSubstr("lies outside its bounds")));
+              testing::AllOf(HasSubstr("the start gains fail"), HasSubstr("lies outside its bounds")));
 }
 
 /// The study of examples/joint_trajectory with another parameter file.

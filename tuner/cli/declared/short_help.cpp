@@ -1,9 +1,11 @@
 #include "tuner/cli/declared/short_help.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace armtune::internal::cli {
@@ -25,6 +27,54 @@ std::string wrapped(const std::string& text) {
     out += word;
   }
   return out;
+}
+
+/// The kind of an option's value and what it may be, from CLI11's type name, such as "INT:INT in [1 - 9]".
+struct ValueType {
+  std::string kind;    ///< "INT"; empty: a flag
+  std::string limits;  ///< "1 to 9"; empty: none
+};
+
+ValueType value_type(const CLI::Option& option) {
+  if (option.get_type_size() == 0) return {};
+  const std::string name = option.get_type_name();
+  const std::size_t colon = std::min(name.find(':'), name.size());
+  ValueType type{name.substr(0, colon), name.substr(std::min(colon + 1, name.size()))};
+  if (type.kind == "UINT") type.kind = "INT";
+  if (type.kind == "FLOAT") type.kind = "NUMBER";
+  std::string& limits = type.limits;
+  const std::size_t open = limits.find('[');
+  const std::size_t dash = limits.find(" - ");
+  if (open != std::string::npos && dash != std::string::npos && limits.ends_with(']')) {
+    limits = fmt::format("{} to {}", limits.substr(open + 1, dash - open - 1),
+                         limits.substr(dash + 3, limits.size() - dash - 4));
+  } else if (limits.starts_with('{') && limits.ends_with('}')) {
+    std::string choices;
+    for (const char c : limits.substr(1, limits.size() - 2)) choices += c == ',' ? ", " : std::string(1, c);
+    limits = "one of: " + choices;
+  } else {
+    limits = limits == "POSITIVE" ? "above 0" : "";
+  }
+  return type;
+}
+
+std::string names_of(const std::set<CLI::Option*>& options) {
+  std::string names;
+  for (const CLI::Option* option : options) names += (names.empty() ? "" : ", ") + option->get_name();
+  return names;
+}
+
+/// What stands in brackets behind the description of an option.
+std::vector<std::string> conditions(const CLI::Option& option) {
+  std::vector<std::string> all;
+  if (option.get_required()) all.emplace_back("required");
+  if (const std::string limits = value_type(option).limits; !limits.empty()) all.push_back(limits);
+  const bool told = option.get_description().find("default:") != std::string::npos;
+  if (const std::string value = option.get_default_str(); !value.empty() && !told)
+    all.push_back("default: " + value);
+  if (!option.get_needs().empty()) all.push_back("only with " + names_of(option.get_needs()));
+  if (!option.get_excludes().empty()) all.push_back("not with " + names_of(option.get_excludes()));
+  return all;
 }
 
 const ShortHelp* short_help_of(const std::string& command) {
@@ -54,8 +104,32 @@ class HelpFormatter final : public CLI::Formatter {
            groups_text(*app, *help, mode == CLI::AppFormatMode::All) + "\n" + make_footer(app);
   }
 
+  /// Without what CLI11 says of a flag that may be set to false: "--robust{false}".
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    return name.substr(0, name.find('{'));
+  }
+
+  /// The kind of the value alone; CLI11 puts limits, default and other options between name and description.
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (!option->get_option_text().empty()) return " " + option->get_option_text();
+    const std::string kind = value_type(*option).kind;
+    if (kind.empty()) return {};
+    const bool many = option->get_expected_max() == CLI::detail::expected_max_vector_size;
+    return " " + kind + (many ? " ..." : "");
+  }
+
   std::string make_option_desc(const CLI::Option* option) const override {
-    return wrapped(option->get_description());
+    std::string text = option->get_description();
+    const std::vector<std::string> more = conditions(*option);
+    if (more.empty()) return wrapped(text);
+    const bool open = text.ends_with(')');
+    if (open) text.pop_back();
+    return wrapped(fmt::format("{}{}{})", text,
+                               open           ? "; "
+                               : text.empty() ? "("
+                                              : " (",
+                               fmt::join(more, "; ")));
   }
 
  private:
