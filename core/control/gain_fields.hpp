@@ -1,6 +1,6 @@
 #pragma once
-// The declarations of all gains: name, unit, valid range, search range, meaning. A controller's own gains are
-// declared with the controller, in the same form (core/control/laws/controller_kind.hpp).
+// The declarations of gains: name, unit, valid range, search range and meaning. The gains that only one kind
+// of controller has are declared with that kind, in the same form (core/control/laws/controller_kind.hpp).
 
 #include <limits>
 #include <span>

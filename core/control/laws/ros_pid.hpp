@@ -1,7 +1,7 @@
 #pragma once
-// The PID of one joint as computed by ROS's control_toolbox: branches `humble` (3.7) and `jazzy` (4.11, of
-// 6 May 2026). Its integral depends on the selected anti-windup. Parameter files can select kOfContribution
-// and kOfIntegral; a file that asks for another one, or for u_max and the like, is refused.
+// The PID of one joint as in ROS's control_toolbox: branch `humble` (3.7) and branch `jazzy` (4.11, of 6 May
+// 2026). The anti-windup method limits the integral. Parameter files can choose the methods kOfContribution
+// and kOfIntegral; a file with another method, or with u_max and the like, is refused.
 
 #include <algorithm>
 #include <cmath>
