@@ -1,7 +1,7 @@
 #pragma once
-// The decisions of a control period: the state, what it tracks, its gains, pace and limits. The arithmetic
-// between the decisions does not depend on them, so it can be done for one arm or for several side by side.
-// The decisions for one arm do not affect the others.
+// The decisions of a controller in a control period: its state, the motion that it tracks, its gains, its
+// pace along the path and its limits. They are made for each arm alone. The computations between them do not
+// depend on what was decided, so they can be done for one arm or for several side by side.
 
 #include <memory>
 #include <optional>

@@ -100,7 +100,7 @@ TEST_F(ExportCommand, SaysWhatIsWrong) {
   EXPECT_THAT(refused({"export", "published", "--format", "ros3"}), HasSubstr("ros3"));
   EXPECT_THAT(refused({"export", "published", "--format", "csv"}), HasSubstr("ros2"));
   EXPECT_THAT(refused({"export", "published", "--format", "ros1", "--node", "a b"}),
-              HasSubstr("no name in ROS"));
+              HasSubstr("valid ROS name"));
   const std::string run = files_ / "simulated";
   ASSERT_EQ(run_program({"simulate", files_ / "short.yaml", "--gains", files_ / "gains.yaml", "--out", run})
                 .exit_code,

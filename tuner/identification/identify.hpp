@@ -1,6 +1,6 @@
 #pragma once
-// Identification of an arm's parameters theta from logs. The logs become rows of a regression, which is
-// weighted or robust, and its estimate is completed to a physically valid theta.
+// Identification of an arm's inertial and friction parameters (theta) from logs. The logs become rows of a
+// weighted or robust regression. Its estimate is then completed to a physically valid theta.
 
 #include <atomic>
 #include <functional>
