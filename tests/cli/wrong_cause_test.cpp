@@ -94,7 +94,7 @@ TEST(WrongCause, TooFewFilesAreNamedAndLeaveNoFolder) {
   const std::string scenario = folder.write("own.yaml", "base: moving_target\nduration: 0.1\n");
   const std::string study = folder.write(
       "study.yaml",
-      "gains: published\nscenarios: [own.yaml]\nobjective: [{metric: error/position/rms, weight: 1}]\n" +
+      "gains: published\nscenarios: [own.yaml]\nobjective: [{metric: effort_rate/rms, weight: 1}]\n" +
           test::kShortParameters + test::kShortVerdict);
   expect_too_few_files_named(folder, {"simulate", scenario});
   expect_too_few_files_named(folder, {"tune", study, "--max-evaluations", "2", "--no-analysis"});

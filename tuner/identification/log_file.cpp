@@ -165,8 +165,8 @@ bool LogFile::read_row() {
     const std::string_view line = lines_.text();
     if (std::count(line.begin(), line.end(), '"') % 2 != 0) {
       throw InputError(fmt::format(
-          "{}:{}: a quoted text does not end on its line; remove that column, or the line breaks inside it",
-          path_, lines_.number()));
+          "{}:{}: a quoted text spans several lines; remove its column, or the line breaks inside it", path_,
+          lines_.number()));
     }
     throw InputError(
         fmt::format("{}:{}: has {} cells, but the first line has {}; the log may have been cut off", path_,

@@ -223,7 +223,7 @@ TEST(Validate, RefusesNegativeRotorInertiaAndFriction) {
 
 TEST(Validate, RefusesShapesThatDoNotFit) {
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.n = 0; }), HasSubstr("no revolute"));
-  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.n = kMaxJoints + 1; }), HasSubstr("up to 12"));
+  EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.n = kMaxJoints + 1; }), HasSubstr("at most 12"));
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.joints.pop_back(); }), HasSubstr("7 joints"));
   EXPECT_THAT(refusal_of([](RobotModel& m) { m.chain.R_PB0[1] *= 1.1; }),
               AllOf(HasSubstr("'joint_2'"), HasSubstr("rotation matrix")));

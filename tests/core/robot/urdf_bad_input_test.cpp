@@ -55,7 +55,7 @@ TEST_F(UrdfBadInput, BadModelsAreRefusedWithNamesAndValues) {
       {"negative mass", robot(one_joint(zero_mass("-2", ones))), {"link 'b'", "mass is -2 kg"}},
       {"a planet's mass",
        robot(one_joint(zero_mass("3.6e41", ones))),
-       {"link 'b'", "mass is 3.6e+41 kg", "up to 1000000 kg"}},
+       {"link 'b'", "mass is 3.6e+41 kg", "at most 1000000 kg"}},
       {"a second inertial",
        robot(one_joint(std::string(kInertial) + kInertial, "<axis xyz='0 0 1'/>" + kLimit)),
        {"arm.urdf:", "second <inertial> in one <link>"}},
@@ -195,7 +195,7 @@ TEST_F(UrdfBadInput, MoreThanTwelveJointsAreRefused) {
   for (int i = 1; i <= 13; ++i)
     text += link(fmt::format("l{}", i)) +
             joint(fmt::format("j{:02}", i), "revolute", fmt::format("l{}", i - 1), fmt::format("l{}", i));
-  EXPECT_THAT(refusal(robot(text)), AllOf(HasSubstr("'j13'"), HasSubstr("up to 12")));
+  EXPECT_THAT(refusal(robot(text)), AllOf(HasSubstr("'j13'"), HasSubstr("at most 12")));
 }
 
 TEST_F(UrdfBadInput, FilesThatCannotBeReadAreRefused) {

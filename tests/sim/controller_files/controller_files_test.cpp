@@ -243,9 +243,9 @@ TEST(ControllerFile, WhatIsNotSimulatedIsRefusedAtItsLine) {
   EXPECT_THAT(refused(with_j1("p: 1.0, u_clamp_max: 2.0"), j1), HasSubstr("u_clamp_max of j1"));
   EXPECT_THAT(refused(with_j1("p: 1.0, antiwindup_strategy: none"), j1), HasSubstr("'legacy'"));
   EXPECT_THAT(refused(with_j1("p: \"1.0\""), j1),
-              AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a number")));
+              AllOf(HasSubstr("gains/j1/p"), HasSubstr("expected a plain number")));
   EXPECT_THAT(refused(with_j1("p: .inf"), j1), HasSubstr("gains/j1/p is .inf; expected a finite number"));
-  EXPECT_THAT(refused(with_j1("p: --1"), j1), HasSubstr("expected a number"));
+  EXPECT_THAT(refused(with_j1("p: --1"), j1), HasSubstr("expected a plain number"));
   EXPECT_THAT(refused(with_j1("p: 1.0")), HasSubstr("no gains for j2, j3"));
   EXPECT_THAT(refused(with_j1("p: 1.0"), {"j_1"}),
               AllOf(HasSubstr("no joint 'j1'"), HasSubstr("did you mean 'j_1'")));

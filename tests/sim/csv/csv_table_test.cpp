@@ -98,7 +98,8 @@ TEST(CsvTable, RefusesMoreCellsThanMemoryShouldHold) {
 }
 
 TEST(CsvTable, NamesFileLineAndColumnOfWhatIsWrong) {
-  EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,2,3\n", "t.csv"); }), HasSubstr("t.csv:3: 3 cells"));
+  EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,2,3\n", "t.csv"); }),
+              HasSubstr("t.csv:3: the row has 3 cells"));
   EXPECT_THAT(refusal([] { CsvTable::parse("a,b\n1,2\n1,x7\n", "t.csv").numbers(1); }),
               testing::AllOf(HasSubstr("t.csv:3"), HasSubstr("x7"), HasSubstr("column b")));
   EXPECT_THAT(refusal([] { CsvTable::parse("times,b\n", "t.csv").column("time"); }),

@@ -107,7 +107,7 @@ TEST(WaypointsFile, OtherUnitsAndColumnsWithoutNamesAreSaidWhereTheFileIsNamed) 
   const auto refused = [&](const std::string& keys) { return test::refusal([&] { read(keys); }); };
   EXPECT_THAT(refused(""), AllOf(HasSubstr("robot.csv:1"), HasSubstr("columns: [time, x, y, z]")));
   EXPECT_THAT(refused(", columns: [x, y, z]"), HasSubstr("robot.csv (with a line of names added):2"));
-  EXPECT_THAT(refused(", units: {length: feet}"), HasSubstr("'feet' is none of: m, cm, mm, in"));
+  EXPECT_THAT(refused(", units: {length: feet}"), HasSubstr("'feet' is not one of: m, cm, mm, in"));
   EXPECT_THAT(refused(", units: {angle: deg}"), AllOf(HasSubstr("'angle'"), HasSubstr("time")));
   folder.write("robot.csv", kCommas);
   // Names of another language are replaced.

@@ -184,7 +184,7 @@ TEST(NodeAsStrings, ReadsAListOfTexts) {
 
 TEST(NodeAsStrings, NamesTheElementThatIsWrong) {
   const auto as_strings = [](const Node& node) { node.as_strings(); };
-  EXPECT_TRUE(read_error("[a, 3]", as_strings).starts_with("in.yaml:1: key 'x/1': '3' is a number; "));
+  EXPECT_TRUE(read_error("[a, 3]", as_strings).starts_with("in.yaml:1: key 'x/1': '3' is a number, but "));
   EXPECT_TRUE(contains(read_error("a", as_strings), "the value is 'a'; expected a list of texts"));
 }
 

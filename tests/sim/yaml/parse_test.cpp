@@ -217,7 +217,7 @@ TEST(ParseFile, RefusesAFileThatCannotBeOpened) {
 TEST(ParseFile, RefusesAFileThatCannotBeRead) {
   // Opens, and gives an I/O error at its first byte.
   if (!std::ifstream("/proc/self/mem")) GTEST_SKIP() << "no /proc";
-  EXPECT_EQ(error_of([] { parse_file("/proc/self/mem"); }), "/proc/self/mem: cannot be read");
+  EXPECT_TRUE(error_of([] { parse_file("/proc/self/mem"); }).starts_with("/proc/self/mem: cannot be read: "));
 }
 
 TEST(ParseFile, RefusesAnEmptyFile) {

@@ -82,14 +82,16 @@ TEST_F(Logs, BlankLinesBeforeTheNamesAreSkippedAndCounted) {
   ASSERT_EQ(samples.size(), 2U);
   EXPECT_EQ(samples[1].torque, JointVector(Eigen::Vector2d(7, 8)));
   EXPECT_THAT(refused("\n\nt,q1,q2,tau1\n"), HasSubstr("log.csv:3: there is no column 'tau2'"));
-  EXPECT_THAT(refused("\nt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8\n3,5,6,7,8\n"),
-              HasSubstr("log.csv:4: a step of"));
+  EXPECT_THAT(
+      refused("\nt,q1,q2,tau1,tau2\n0,1,2,3,4\n1,5,6,7,8\n2,5,6,7,8\n3,5,6,7,8\n4,5,6,7,8\n5,5,6,7,8\n"
+              "6,5,6,7,8\n7.8,5,6,7,8\n"),
+      HasSubstr("log.csv:10: a step of"));
   EXPECT_THAT(refused("\n\n"), HasSubstr("is empty"));
 }
 
 TEST_F(Logs, AQuotedTextThatGoesOnOverItsLineIsNamed) {
   EXPECT_THAT(refused("t,q1,q2,tau1,tau2,note\n0,1,2,3,4,\"a\nb\"\n1,5,6,7,8,c\n"),
-              AllOf(HasSubstr("log.csv:2:"), HasSubstr("does not end on its line")));
+              AllOf(HasSubstr("log.csv:3:"), HasSubstr("spans several lines")));
 }
 
 TEST_F(Logs, TwoColumnsOfOneNameAreRefusedWhereTheyAreNeeded) {
