@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* kPlainHeading = "Options";  ///< CLI11's, of an option that has no other
 constexpr const char* kFurther = "Further options";
+constexpr double kAnyNumber = 1e8;  ///< limits from here on guard the program and mean nothing to its user
 constexpr std::size_t kWidth = 80;  ///< characters of a description's line, beside the option's name
 
 /// The text with line breaks in place of blanks, so that no line is longer than kWidth where words allow it.
@@ -46,8 +47,9 @@ ValueType value_type(const CLI::Option& option) {
   const std::size_t open = limits.find('[');
   const std::size_t dash = limits.find(" - ");
   if (open != std::string::npos && dash != std::string::npos && limits.ends_with(']')) {
-    limits = fmt::format("{} to {}", limits.substr(open + 1, dash - open - 1),
-                         limits.substr(dash + 3, limits.size() - dash - 4));
+    const std::string least = limits.substr(open + 1, dash - open - 1);
+    const std::string most = limits.substr(dash + 3, limits.size() - dash - 4);
+    limits = std::stod(most) < kAnyNumber ? fmt::format("{} to {}", least, most) : "at least " + least;
   } else if (limits.starts_with('{') && limits.ends_with('}')) {
     std::string choices;
     for (const char c : limits.substr(1, limits.size() - 2)) choices += c == ',' ? ", " : std::string(1, c);
