@@ -68,6 +68,40 @@ int run(const Arguments& args) {
   return static_cast<int>(outcome.ending);
 }
 
+/// Adds the options that shape the motion.
+void add_motion_options(CLI::App& command, Arguments& args) {
+  ExcitationOptions& d = args.settings.design;
+  command
+      .add_option("--center", args.center_deg,
+                  "joint positions around which the arm moves [deg; m for prismatic joints] (default: the "
+                  "middle of the position limits)")
+      ->delimiter(',');
+  command.add_option("--amplitude", d.amplitude, "largest distance of a joint from its centre [rad, m]")
+      ->check(CLI::Range(1e-3, 10.0))
+      ->capture_default_str();
+  command.add_option("--margin", d.margin, "share of the velocity and effort limits that the motion may use")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  command.add_option(
+      "--min-height", d.min_height,
+      "least height of the tool, and of the joint origins from the third joint on, as z in the base frame "
+      "[m] (default: no limit)");
+  command.add_option("--frequency", d.frequency, "base frequency of the Fourier series [Hz]")
+      ->check(CLI::Range(1e-3, 10.0))
+      ->capture_default_str();
+  command.add_option("--harmonics", d.harmonics, "number of harmonics of the base frequency")
+      ->check(CLI::Range(1, 50))
+      ->capture_default_str();
+  command.add_option("--duration", d.duration, "duration of the trajectory [s]")
+      ->check(CLI::Range(1.0, kLongestExcitation))
+      ->capture_default_str();
+  command
+      .add_option("--fade", args.fade,
+                  "duration of the fade-in, and of the fade-out [s] (default: 2, or a quarter of the "
+                  "trajectory's duration if that is less)")
+      ->check(CLI::Range(0.1, 10.0));
+}
+
 }  // namespace
 
 void add_excite_command(CLI::App& app, int& exit_code) {
@@ -79,35 +113,7 @@ void add_excite_command(CLI::App& app, int& exit_code) {
   command->add_option("ROBOT", args->robot, "bundled robot, robot YAML or URDF")->required();
   command->add_option("--out", settings.folder, "new folder for excitation.yaml, trajectory.csv and logs")
       ->required();
-  command
-      ->add_option("--center", args->center_deg,
-                   "joint positions around which the arm moves [deg; m for prismatic joints] (default: the "
-                   "middle of the position limits)")
-      ->delimiter(',');
-  command->add_option("--amplitude", d.amplitude, "largest distance of a joint from its centre [rad, m]")
-      ->check(CLI::Range(1e-3, 10.0))
-      ->capture_default_str();
-  command->add_option("--margin", d.margin, "share of the velocity and effort limits that the motion may use")
-      ->check(CLI::Range(0.01, 1.0))
-      ->capture_default_str();
-  command->add_option(
-      "--min-height", d.min_height,
-      "least height of the tool, and of the joint origins from the third joint on, as z in the base frame "
-      "[m] (default: no limit)");
-  command->add_option("--frequency", d.frequency, "base frequency of the Fourier series [Hz]")
-      ->check(CLI::Range(1e-3, 10.0))
-      ->capture_default_str();
-  command->add_option("--harmonics", d.harmonics, "number of harmonics of the base frequency")
-      ->check(CLI::Range(1, 50))
-      ->capture_default_str();
-  command->add_option("--duration", d.duration, "duration of the trajectory [s]")
-      ->check(CLI::Range(1.0, kLongestExcitation))
-      ->capture_default_str();
-  command
-      ->add_option("--fade", args->fade,
-                   "duration of the fade-in, and of the fade-out [s] (default: 2, or a quarter of the "
-                   "trajectory's duration if that is less)")
-      ->check(CLI::Range(0.1, 10.0));
+  add_motion_options(*command, *args);
   command
       ->add_option("--evaluations", d.evaluations, "largest number of trajectories that the design evaluates")
       ->check(CLI::Range(1, 100000000))
