@@ -92,12 +92,9 @@ TEST(WrongCause, TooFewFilesAreNamedAndLeaveNoFolder) {
   if (test::kSanitized) GTEST_SKIP() << "the undefined behaviour sanitizer opens files of its own";
   const test::TemporaryFolder folder;
   const std::string scenario = folder.write("own.yaml", "base: moving_target\nduration: 0.1\n");
-  const std::string study = folder.write(
-      "study.yaml",
-      "gains: published\nscenarios: [own.yaml]\nobjective: [{metric: effort_rate/rms, weight: 1}]\n" +
-          test::kShortParameters + test::kShortVerdict);
+  const test::ShortStudy study;
   expect_too_few_files_named(folder, {"simulate", scenario});
-  expect_too_few_files_named(folder, {"tune", study, "--max-evaluations", "2", "--no-analysis"});
+  expect_too_few_files_named(folder, {"tune", study.path(), "--max-evaluations", "2", "--no-analysis"});
 }
 
 TEST(WrongCause, ACurrentFolderThatIsGoneIsNamedAndNothingIsLeft) {
