@@ -60,7 +60,7 @@ void bind_robustness(py::module_& module) {
       .def_readonly("nominal", &Margin::nominal)
       .def_readonly("stands", &Margin::stands, "The last value that passed; None if the nominal value fails.")
       .def_readonly("fails", &Margin::fails,
-                    "The next value, which failed; None if every value tried passed.")
+                    "The first value that failed; None if all values that were tried passed.")
       .def_readonly("reason", &Margin::reason)
       .def("__repr__", [](const Margin& self) {
         return as_utf8(fmt::format("<armtune.Margin {} in {}: {} {}>", self.kind, self.scenario,

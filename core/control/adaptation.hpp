@@ -7,9 +7,9 @@
 // estimates grow by gamma Kp E[n^2] per second without end. Three options bound theta; the published law has
 // none of them:
 //   - Y along the filtered motion (adaptation_filter.hpp), which has hardly any noise.
-//   - Leakage towards the start of theta, faster for inertias than for the rest. Inertias are what learns
-//     from noise, and an overestimated inertia of a light wrist makes the loop ring. Gravity shows masses and
-//     first moments at all times: they may leak slowly and keep what was learnt of a payload.
+//   - Leakage towards the start of theta, faster for inertias than for the rest. Noise mainly drives up the
+//     estimates of inertias, and an overestimated inertia of a light wrist makes the loop ring. Gravity shows
+//     masses and first moments at all times: they may leak slowly and keep what was learnt of a payload.
 //   - Projection to physically valid parameters. It bounds theta from one side only: the cone of physical
 //     parameters has no upper bound.
 

@@ -1,5 +1,5 @@
 #pragma once
-// Motion of joints that the task does not need, towards the middle of their position limits:
+// Null-space motion: it moves the joints towards the middle of their limits without disturbing the task,
 //   z = -k (q - middle).
 
 #include "core/robot/robot_model.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 // Friction over one step of integration: linearly implicit where friction is stiff, explicit elsewhere.
 //
-// An explicit step of h multiplies a velocity that only friction changes by about 1 - h c / d, where c is the
-// slope of the friction law and d the inertia that the joint moves. The step is unstable once h c / d exceeds
-// 2. Light links without rotor inertia reach this at rest, where the smoothed Coulomb part alone has a slope
-// of 20 Fc. Therefore each evaluation k of a Runge-Kutta rule, at the velocity v, solves
+// If only friction acts, an explicit step of h multiplies the velocity by about 1 - h c / d, where c is the
+// slope of the friction law and d the inertia that the joint moves. The step is unstable once h c / d
+// exceeds 2. Light links without rotor inertia reach this at rest, where the smoothed Coulomb part alone has
+// a slope of 20 Fc. Therefore each evaluation k of a Runge-Kutta rule, at the velocity v, solves
 //
 //   (M + D + G) k = torque - C v - g - f(v) - (2 / h) G (v0 - v),    v0: velocity at the start of the step.
 //

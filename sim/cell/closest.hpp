@@ -3,7 +3,7 @@
 // finds the point of least norm in the difference of both bodies, and needs only their extreme points.
 //
 // The result is proven to a nanometre: the plane perpendicular to the line between the points found separates
-// the bodies by that distance. If the proof is not reached, the distance is what was proven.
+// the bodies by that distance. If this precision is not reached, the proven lower bound is returned.
 
 #include "sim/cell/solid.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 // The distances of all pairs of a clearance model along a motion. Each is computed only when it may matter.
 //
-// Since its last computation, the distance of a pair cannot have fallen by more than the sum of two motions:
-// that of each joint times the joint's lever, and that of the part of the cell. This gives a lower bound. A
+// Since its last computation, the distance of a pair cannot have fallen by more than this sum: the motion of
+// each joint times the joint's lever arm, plus the motion of the cell's part. This gives a lower bound. A
 // pair whose bound is above the distance of interest need not be computed.
 
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-// Creates lanes, which simulate several arms side by side: one function for each vector length of processors.
+// Creates lanes: simulators of several arms in one vector register (SIMD), one function per register width.
 
 #include <memory>
 

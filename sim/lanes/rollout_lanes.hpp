@@ -1,6 +1,6 @@
 #pragma once
 // Rollouts side by side, one per lane, in armtune's own dynamics. Each begins and ends independently of the
-// others. Its result is bit-identical to that of Rollout for it alone with Engine::kNative.
+// others. Each result is bit-identical to that of a single Rollout with Engine::kNative.
 
 #include <functional>
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-// Completion of an observation from the plant's true state.
+// Adds to an observation what follows from the plant's true state.
 
 #include "sim/rollout/running_rollout.hpp"
 

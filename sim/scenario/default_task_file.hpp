@@ -1,5 +1,5 @@
 #pragma once
-// The text of the scenario file of a first task.
+// Generates the text of the scenario file that `armtune robot --task` writes.
 
 #include <string>
 

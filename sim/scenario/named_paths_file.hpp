@@ -1,6 +1,6 @@
 #pragma once
-// Readers of the parts of a scenario file that have a name and a path: the gaze targets, with the schedule of
-// the gaze, and the obstacles.
+// Reads the gaze targets and the obstacles of a scenario file, each with its name and its motion, and the
+// schedule of the gaze.
 
 #include <string>
 #include <vector>

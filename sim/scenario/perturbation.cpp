@@ -70,7 +70,7 @@ std::span<const PerturbationField> perturbation_fields() {
        &P::rotor, 1.0, false},
       {"friction", "1", "+- relative change of each joint's friction in the scenario", &P::friction, 1.0,
        true},
-      {"payload", "kg", "point mass at the tool, 0 .. this value; 0 keeps the scenario's payload",
+      {"payload", "kg", "largest random payload (point mass at the tool); 0 keeps the scenario's payload",
        &P::payload, kAny, true},
       {"delay", "periods", "0 .. this many extra control periods of torque delay", &P::delay, kMostDelay,
        true},

@@ -139,7 +139,8 @@ bool is_one_file(const yaml::Node& turns, const yaml::Node& points) {
   const UserTable b = read_waypoints_node(points);
   if (a.path != b.path) return false;
   if (a.units.time != b.units.time || a.columns != b.columns)
-    turns.fail("the path uses the same file with other 'units' or 'columns'; make them equal");
+    turns.fail(
+        "this entry and the path read the same file with different 'units' or 'columns'; use the same");
   return true;
 }
 

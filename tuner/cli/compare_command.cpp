@@ -91,9 +91,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                                          "print the gains that differ side by side, without a simulation");
   for (CLI::Option* of_simulation : {stepper, workers, deadline, endurance, all, folder})
     gains->excludes(of_simulation);
-  command
-      ->add_option("--robot", args->robot,
-                   "with --gains: the arm that the gains are for (default: the scenarios' arm)")
+  command->add_option("--robot", args->robot, "the arm that the gains are for (default: the scenarios' arm)")
       ->needs(gains);
   command->footer([] {
     return std::string("Example:\n  armtune compare published extended_tuned --scenarios fixed_target\n");

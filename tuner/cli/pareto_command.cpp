@@ -56,8 +56,8 @@ void add_pareto_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--levels", settings.levels,
-          "number of levels of each criterion except the first; each level is searched twice (default: 12, "
-          "or 4 with three criteria)")
+          "number of bounds that are tried for each criterion except the first; each is searched twice "
+          "(default: 12, or 4 with three criteria)")
       ->check(CLI::Range(2, 1000));
   command
       ->add_option("--max-evaluations", settings.max_evaluations,

@@ -301,8 +301,7 @@ void add_robot_command(CLI::App& app, int&) {
   command
       ->add_option(
           "--floor", options->floor,
-          "with --task: height of the floor above the base frame [m] (default: 0 for an upright arm, no "
-          "floor for any other)")
+          "height of the floor above the base frame [m] (default: 0 for an upright arm, otherwise no floor)")
       ->needs("--task");
   command->footer([] { return std::string("Example:\n  armtune robot panda --task runs/first\n"); });
   command->callback([file, sidecar, task, options] {

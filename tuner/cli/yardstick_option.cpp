@@ -48,9 +48,10 @@ YardstickFiles write_yardstick(const std::string& folder, const std::vector<Scen
 }  // namespace
 
 void add_yardstick_option(CLI::App& command, bool& wanted) {
-  command.add_flag("--yardstick", wanted,
-                   "also plan the best that the arm's limits allow for each target switch, return and lap; "
-                   "writes yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
+  command.add_flag(
+      "--yardstick", wanted,
+      "also compare each target switch, return to the path and lap with an optimal motion within the arm's "
+      "limits; writes yardstick.csv, and reacquisition/limit in errors.csv (see armtune yardstick)");
 }
 
 Yardstick yardstick_if(bool wanted) {

@@ -1,6 +1,6 @@
 #pragma once
-// The study of a first task, and a test of gains against its demands. First gains that pass this test are
-// feasible at the start of the study's search, so the search can only end with feasible gains.
+// Creates the study of a first task, and tests whether gains satisfy its constraints. If the start gains do,
+// the search of the study always ends with feasible gains.
 
 #include <string>
 

@@ -1,5 +1,6 @@
 #pragma once
-// The origin of gains and how near to the limits they were simulated, for users who find them on a robot.
+// The origin of gains, and how near to its limits the arm came with them in simulation. It is written into
+// gain files, for people who find them on a robot.
 
 #include <string>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
-// Measures how well some arm near the robot file's explains logged torques, whatever its friction. Possible
-// mistakes in a log are compared by this measure. Torques may be permuted, scaled or changed in sign after
-// the regressor has been formed; a change of the motion needs new moments.
+// Measures how well logged torques can be explained by an arm whose parameters are near those of the robot
+// file, with any friction. Possible mistakes in a log are compared by this measure. A change of torques
+// (order, scale, sign) reuses the moments of the regressor; a change of the motion needs new ones.
 
 #include <vector>
 

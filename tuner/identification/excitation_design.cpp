@@ -184,10 +184,10 @@ void check(const RobotModel& model, const ExcitationOptions& o) {
     const JointInfo& joint = model.joints[static_cast<std::size_t>(i)];
     if (joint.limits.has_position &&
         !(o.center[i] > joint.limits.lower && o.center[i] < joint.limits.upper)) {
-      throw InputError(
-          fmt::format("the centre puts {} at {:.4g}, which is not inside its limits {:.4g} .. "
-                      "{:.4g}",
-                      joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
+      throw InputError(fmt::format(
+          "the centre of the trajectory places {} at {:.4g}, which is not inside its limits {:.4g} .. "
+          "{:.4g}",
+          joint.name, o.center[i], joint.limits.lower, joint.limits.upper));
     }
   }
   if (o.frequency * o.harmonics > kFastestHarmonic) {

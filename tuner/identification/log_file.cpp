@@ -92,7 +92,7 @@ std::size_t LogFile::place_of(const LogColumn& column) const {
           path_, header_line_, column.name, header_.size()));
     }
     throw InputError(fmt::format(
-        "{}:{}: there is no column '{}'{} among these, separated by {}: {}; a column map (--columns FILE) "
+        "{}:{}: there is no column '{}'{}; the columns, separated by {}, are: {}. A column map (--columns FILE) "
         "says which column holds what",
         path_, header_line_, column.name, suggestion(column.name, header_), separator_name(separator_),
         listed(header_)));

@@ -99,8 +99,9 @@ RowStream::RowStream(const RobotModel& model, const BaseParameters& base, LogFil
       velocity_squares_(JointVector::Zero(model.n())) {
   const double longest = 0.1 * low_pass_half_length(checked(options, log));
   if (!(std::abs(options.torque_delay) <= longest)) {
-    throw InputError(fmt::format("--torque-delay is {} s; at this cutoff it must lie within {:.3g} s of zero",
-                                 options.torque_delay, longest));
+    throw InputError(
+        fmt::format("--torque-delay is {} s; with this --cutoff its size may be at most {:.3g} s",
+                    options.torque_delay, longest));
   }
   instants_.begin_log(norm_of_both(torque_filter_, row_filter_, motion_step_));
 }

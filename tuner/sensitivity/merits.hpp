@@ -1,5 +1,5 @@
 #pragma once
-// Computes the merits (objective + penalty * violation) of points about the best, from which sensitivities
+// Computes the merits (objective + penalty * violation) of points near the best one, from which sensitivities
 // follow. The merits are found in one engine and confirmed by Simbody.
 
 #include <atomic>

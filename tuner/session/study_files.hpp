@@ -1,6 +1,6 @@
 #pragma once
-// The files that every run of a study (tune, front) writes into its folder, and texts about the search that
-// these files and the terminal show.
+// The files that every run of a study (`tune`, `pareto`) writes into its folder. Also the descriptions of the
+// search that these files and the terminal show.
 
 #include <string>
 #include <utility>

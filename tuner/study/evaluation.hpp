@@ -1,5 +1,5 @@
 #pragma once
-// The evaluation of a candidate, and the one ordering of candidates.
+// The evaluation of a candidate, and the ordering of candidates that every search uses.
 
 #include <cmath>
 #include <string>

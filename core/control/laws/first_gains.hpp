@@ -1,6 +1,6 @@
 #pragma once
-// Start gains that follow from the inertia to be moved: a rate that an arm's controller can reach, times the
-// inertia.
+// Start gains computed from the inertia that each joint moves: the inertia times a bandwidth [1/s] that the
+// controllers of real arms reach.
 
 #include "core/control/gains.hpp"
 #include "core/robot/robot_model.hpp"

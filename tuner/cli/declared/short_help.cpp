@@ -71,7 +71,9 @@ std::vector<std::string> conditions(const CLI::Option& option) {
   std::vector<std::string> all;
   if (option.get_required()) all.emplace_back("required");
   if (const std::string limits = value_type(option).limits; !limits.empty()) all.push_back(limits);
-  const bool told = option.get_description().find("default:") != std::string::npos;
+  // Of an option whose value may be left out, CLI11's default is that value, not what happens without it.
+  const bool told =
+      option.get_description().find("default:") != std::string::npos || !option.get_option_text().empty();
   if (const std::string value = option.get_default_str(); !value.empty() && !told)
     all.push_back("default: " + value);
   if (!option.get_needs().empty()) all.push_back("only with " + names_of(option.get_needs()));
