@@ -80,7 +80,8 @@ PYBIND11_MODULE(_armtune, module) {
   module.def(
       "arithmetic", [] { return std::pair(arithmetic().level, arithmetic().fingerprint); },
       "Returns level and fingerprint of the variants of sin, exp ... that this process uses.");
-  module.def("baseline_tunables", &baseline_tunables, py::arg("set"),
-             "Returns a value of GLIBC_TUNABLES with which glibc uses only functions that every x86-64 processor "
-             "has. set: the value that the user has set already.");
+  module.def(
+      "baseline_tunables", &baseline_tunables, py::arg("set"),
+      "Returns a value of GLIBC_TUNABLES with which glibc uses only functions that every x86-64 processor "
+      "has. set: the value that the user has set already.");
 }
