@@ -48,12 +48,13 @@ TEST(WaypointsFile, UnitsBehindNamesHaveToBeTheFiles) {
   }
   const std::string path = folder.write("units.csv", "time [ms],x [mm],y [mm],z [mm]\n" + rows);
   const auto read = [&](const yaml::FileUnits& units) { return load_waypoints({path, units, {}}, false); };
-  EXPECT_THAT(test::refusal([&] { read({}); }),
-              AllOf(HasSubstr("units.csv:1: column 'time [ms]' is in ms"), HasSubstr("units: {time: ms}")));
+  EXPECT_THAT(
+      test::refusal([&] { read({}); }),
+      AllOf(HasSubstr("units.csv:1: column 'time [ms]' has the unit ms"), HasSubstr("units: {time: ms}")));
   yaml::FileUnits units;
   units.time = 1e-3;
   EXPECT_THAT(test::refusal([&] { read(units); }),
-              AllOf(HasSubstr("column 'x [mm]' is in mm"), HasSubstr("units: {length: mm}")));
+              AllOf(HasSubstr("column 'x [mm]' has the unit mm"), HasSubstr("units: {length: mm}")));
   units.length = 1e-3;
   EXPECT_LT((read(units).at(2.5e-3).position - 1e-3 * expected).norm(), 1e-15);
   EXPECT_THAT(
