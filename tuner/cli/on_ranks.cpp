@@ -104,8 +104,8 @@ RankGroup& team() {
 void refuse_ranks(const std::string& command) {
   if (const int tasks = strangers(); tasks > 0) {
     throw InputError(fmt::format(
-        "srun started {} tasks without MPI, each of which would do the whole run; use srun --mpi=pmix, or "
-        "one task with --workers",
+        "srun started {} tasks without MPI, and each task would do the whole run; use srun --mpi=pmix, or one "
+        "task with --workers",
         tasks));
   }
   if (rank_place().size == 1 || std::find(kUsers.begin(), kUsers.end(), command) != kUsers.end()) return;
